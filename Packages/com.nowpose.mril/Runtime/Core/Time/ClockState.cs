@@ -1,0 +1,18 @@
+namespace Nowpose
+{
+    /// <summary>How far the headset clock is tied to the control clock.</summary>
+    public enum ClockState
+    {
+        /// <summary>No exchange yet, or the clock stepped and nothing is known of it since.</summary>
+        Unsynchronised,
+
+        /// <summary>An offset is known, but not yet settled.</summary>
+        Converging,
+
+        /// <summary>Settled, and fed by recent exchanges.</summary>
+        Synchronised,
+
+        /// <summary>Was synchronised; no exchange has arrived for a while, so the last line is continued.</summary>
+        Holdover,
+    }
+}
