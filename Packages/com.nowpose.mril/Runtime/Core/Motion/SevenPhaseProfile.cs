@@ -1,0 +1,120 @@
+using System;
+
+namespace Nowpose.Motion
+{
+    /// <summary>
+    /// The time-optimal move from rest to rest under limits on velocity, acceleration and jerk, the set-point of
+    /// Schnierle &amp; Röck 2022, Fig. 12: seven phases of constant jerk, fewer when the stroke is short.
+    /// </summary>
+    /// <remarks>
+    /// Any unit of length (mm, m, rad) as long as distance and limits share it; times in seconds from the start of the
+    /// move. Before the start it stands at 0, after <see cref="Duration"/> at the distance. Immutable, any thread.
+    /// </remarks>
+    public sealed class SevenPhaseProfile
+    {
+        readonly double _distance;
+        readonly double _jerk;
+        readonly double _jerkTime;
+        readonly double _rampTime;
+        readonly double _peakVelocity;
+
+        /// <param name="distance">Signed stroke; 0 makes a move that takes no time.</param>
+        /// <param name="maxVelocity">Per second, positive.</param>
+        /// <param name="maxAcceleration">Per second squared, positive.</param>
+        /// <param name="maxJerk">Per second cubed, positive.</param>
+        /// <exception cref="ArgumentOutOfRangeException">A limit is not positive, or a value is not finite.</exception>
+        public SevenPhaseProfile(double distance, double maxVelocity, double maxAcceleration, double maxJerk)
+        {
+            if (double.IsNaN(distance) || double.IsInfinity(distance))
+                throw new ArgumentOutOfRangeException(nameof(distance), distance, "must be finite");
+            RequirePositive(maxVelocity, nameof(maxVelocity));
+            RequirePositive(maxAcceleration, nameof(maxAcceleration));
+            RequirePositive(maxJerk, nameof(maxJerk));
+
+            _distance = distance;
+            var stroke = Math.Abs(distance);
+            _peakVelocity = Math.Min(maxVelocity, VelocityOfStroke(stroke, maxAcceleration, maxJerk));
+            if (_peakVelocity == 0) return;
+
+            // Constant acceleration is reached only by ramps that gain more than a²/j.
+            var reachesAcceleration = _peakVelocity * maxJerk >= maxAcceleration * maxAcceleration;
+            _jerkTime = reachesAcceleration ? maxAcceleration / maxJerk : Math.Sqrt(_peakVelocity / maxJerk);
+            _jerk = maxJerk;
+            _rampTime = _peakVelocity / (maxJerk * _jerkTime) + _jerkTime;
+            Duration = _rampTime + Math.Max(_rampTime, stroke / _peakVelocity);
+        }
+
+        /// <summary>Length of the move, s.</summary>
+        public double Duration { get; }
+
+        /// <summary>Distance covered since the start, signed.</summary>
+        public double PositionAt(double t)
+        {
+            var half = Duration / 2;
+            if (!(t > 0)) return 0;
+            if (t >= Duration) return _distance;
+            var stroke = Math.Abs(_distance);
+            return Math.Sign(_distance) * (t <= half ? Covered(t) : stroke - Covered(Duration - t));
+        }
+
+        /// <summary>Velocity, signed, per second.</summary>
+        public double VelocityAt(double t)
+        {
+            if (!(t > 0) || t >= Duration) return 0;
+            return Math.Sign(_distance) * Speed(Math.Min(t, Duration - t));
+        }
+
+        /// <summary>Acceleration, signed, per second squared; continuous, 0 outside the move.</summary>
+        public double AccelerationAt(double t)
+        {
+            if (!(t > 0) || t >= Duration) return 0;
+            return t <= Duration / 2
+                ? Math.Sign(_distance) * RampAcceleration(t)
+                : -Math.Sign(_distance) * RampAcceleration(Duration - t);
+        }
+
+        /// <summary>The peak velocity at which acceleration and deceleration alone cover the stroke.</summary>
+        static double VelocityOfStroke(double stroke, double acceleration, double jerk)
+        {
+            // Without constant acceleration: stroke = 2 v sqrt(v/j). Roots first, so that no tiny stroke underflows.
+            var root = Math.Cbrt(stroke);
+            var withoutPlateau = root * root * Math.Cbrt(jerk / 4);
+            if (withoutPlateau * jerk <= acceleration * acceleration) return withoutPlateau;
+            // With it: stroke = v²/a + v a/j, solved in the form that does not cancel.
+            var jerkTime = acceleration / jerk;
+            return 2 * stroke / (jerkTime + Math.Sqrt(jerkTime * jerkTime + 4 * stroke / acceleration));
+        }
+
+        // The second half of the move mirrors the first, so only the first is written down.
+        double Covered(double t)
+        {
+            if (t >= _rampTime) return _peakVelocity * (t - _rampTime / 2);
+            if (t <= _jerkTime) return _jerk * t * t * t / 6;
+            var left = _rampTime - t;
+            if (left <= _jerkTime) return _peakVelocity * (t - _rampTime / 2) + _jerk * left * left * left / 6;
+            var constant = t - _jerkTime;
+            return _jerk * _jerkTime * (_jerkTime * _jerkTime / 6 + constant * (_jerkTime + constant) / 2);
+        }
+
+        double Speed(double t)
+        {
+            if (t >= _rampTime) return _peakVelocity;
+            if (t <= _jerkTime) return _jerk * t * t / 2;
+            var left = _rampTime - t;
+            if (left <= _jerkTime) return _peakVelocity - _jerk * left * left / 2;
+            return _jerk * _jerkTime * (t - _jerkTime / 2);
+        }
+
+        double RampAcceleration(double t)
+        {
+            if (t >= _rampTime) return 0;
+            return _jerk * Math.Min(_jerkTime, Math.Min(t, _rampTime - t));
+        }
+
+        static void RequirePositive(double value, string name)
+        {
+            if (!(value > 0) || double.IsInfinity(value))
+                throw new ArgumentOutOfRangeException(name, value, "must be positive and finite");
+        }
+    }
+}
