@@ -1,0 +1,71 @@
+namespace Nowpose.Gateway.Recordings;
+
+/// <summary>Joint positions over time as a user recorded them; between two rows they move on a straight line.</summary>
+/// <remarks>
+/// Units are the file's own (rad, m). Times are seconds relative to the file's first row, so that a recording stamped
+/// with the date keeps its precision. Immutable, any thread.
+/// </remarks>
+public sealed class MotionRecording
+{
+    readonly string[] _names;
+    readonly double[] _times;
+    readonly double[] _positions;
+
+    internal MotionRecording(string[] names, double start, double[] times, double[] positions)
+    {
+        _names = names;
+        Start = start;
+        _times = times;
+        _positions = positions;
+    }
+
+    /// <summary>The joints, in the order of the file's columns and of <see cref="At"/>.</summary>
+    public IReadOnlyList<string> Names => _names;
+
+    /// <summary>Time of the first row as the file says, s.</summary>
+    public double Start { get; }
+
+    /// <summary>Time of the last row relative to the first, s; positive.</summary>
+    public double Duration => _times[^1];
+
+    /// <summary>Reads <c>FILE.csv</c> or <c>FILE.csv.gz</c>: a header <c>t</c> or <c>t_s</c> (seconds, strictly increasing), then one column per joint.</summary>
+    /// <exception cref="InputException">The file cannot be read or is not of this form; names file, line and field.</exception>
+    public static MotionRecording Read(string path)
+    {
+        using var text = RecordingText.Open(path);
+        using var reader = new MotionRecordingReader(path, text);
+        return reader.Read();
+    }
+
+    /// <summary>All joints at a time, interpolated linearly; before the first row the first, after the last the last.</summary>
+    /// <param name="secondsSinceStart">Relative to <see cref="Start"/>.</param>
+    /// <param name="positions">Filled; one element per joint, in the order of <see cref="Names"/>.</param>
+    public void At(double secondsSinceStart, Span<double> positions)
+    {
+        if (double.IsNaN(secondsSinceStart)) throw new ArgumentException("a time is a number", nameof(secondsSinceStart));
+        if (positions.Length != _names.Length)
+            throw new ArgumentException($"room for {positions.Length} joints, the recording has {_names.Length}", nameof(positions));
+
+        var after = FirstRowAfter(secondsSinceStart);
+        if (after == 0 || after == _times.Length)
+        {
+            Row(after == 0 ? 0 : after - 1).CopyTo(positions);
+            return;
+        }
+        var before = _times[after - 1];
+        Blend(Row(after - 1), Row(after), (secondsSinceStart - before) / (_times[after] - before), positions);
+    }
+
+    int FirstRowAfter(double seconds)
+    {
+        var found = Array.BinarySearch(_times, seconds);
+        return found < 0 ? ~found : found + 1;
+    }
+
+    ReadOnlySpan<double> Row(int index) => _positions.AsSpan(index * _names.Length, _names.Length);
+
+    static void Blend(ReadOnlySpan<double> from, ReadOnlySpan<double> to, double share, Span<double> result)
+    {
+        for (var i = 0; i < result.Length; i++) result[i] = from[i] + (to[i] - from[i]) * share;
+    }
+}

@@ -1,0 +1,110 @@
+using System.Globalization;
+using CsvHelper;
+using CsvHelper.Configuration;
+
+namespace Nowpose.Gateway.Recordings;
+
+/// <summary>Reads one motion recording row by row and says where it is wrong.</summary>
+sealed class MotionRecordingReader : IDisposable
+{
+    const int LongestShownValue = 40;
+
+    readonly string _path;
+    readonly CsvParser _csv;
+    readonly List<double> _times = [];
+    readonly List<double> _positions = [];
+    string[] _header;
+    double _start;
+    int _row;
+
+    public MotionRecordingReader(string path, TextReader text)
+    {
+        _path = path;
+        var configuration = new CsvConfiguration(CultureInfo.InvariantCulture)
+        {
+            TrimOptions = TrimOptions.Trim,
+            IgnoreBlankLines = true,
+            BadDataFound = bad => throw new InputException(
+                $"{path}:{_row}: a quotation mark that opens or closes no field; quote whole fields or none")
+        };
+        _csv = new CsvParser(text, configuration);
+    }
+
+    public MotionRecording Read()
+    {
+        try
+        {
+            ReadHeader();
+            while (NextRow()) ReadRow();
+        }
+        catch (Exception e) when (e is IOException or InvalidDataException)
+        {
+            throw RecordingText.Unreadable(_path, e);
+        }
+        if (_times.Count < 2) throw new InputException($"{_path}: {_times.Count} rows of data; a motion needs at least 2");
+        return new MotionRecording(_header[1..], _start, [.. _times], [.. _positions]);
+    }
+
+    public void Dispose() => _csv.Dispose();
+
+    void ReadHeader()
+    {
+        if (!NextRow()) throw new InputException($"{_path}: is empty; a header such as t,joint_1,joint_2 is needed");
+        _header = (string[])_csv.Record.Clone();
+        if (_header[0] is not ("t" or "t_s"))
+            throw Wrong($"first column is {Shown(_header[0])}; a header is needed whose first column is the time in seconds, t or t_s, columns separated by commas");
+        if (_header.Length < 2) throw Wrong($"no joint column after {_header[0]}; at least one is needed");
+        for (var i = 1; i < _header.Length; i++) CheckName(i);
+    }
+
+    void CheckName(int column)
+    {
+        var name = _header[column];
+        if (name.Length == 0) throw Wrong($"column {column + 1} has no name; each joint needs one");
+        if (Array.IndexOf(_header, name) < column) throw Wrong($"column {column + 1}: name {Shown(name)} stands twice; each joint needs its own");
+    }
+
+    bool NextRow()
+    {
+        do
+        {
+            // Where the row starts: a quotation mark that is never closed runs on to the end of the file.
+            _row = _csv.RawRow + 1;
+            if (!_csv.Read()) return false;
+        }
+        while (_csv.Count == 1 && string.IsNullOrWhiteSpace(_csv[0]));
+        return true;
+    }
+
+    void ReadRow()
+    {
+        if (_csv.Count != _header.Length)
+            throw Wrong($"{_csv.Count} fields; the header has {_header.Length}");
+        var time = Number(0);
+        if (_times.Count == 0) _start = time;
+        var elapsed = time - _start;
+        if (_times.Count > 0 && !(elapsed > _times[^1]))
+            throw Wrong($"field {_header[0]}: {Shown(_csv[0])} s is not after the row before; time must increase strictly");
+        _times.Add(elapsed);
+        for (var i = 1; i < _header.Length; i++) _positions.Add(Number(i));
+    }
+
+    double Number(int column)
+    {
+        var text = _csv[column];
+        if (text.Length == 0) throw Wrong($"field {Shown(_header[column])} is empty; a number is needed");
+        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
+            throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a number (a point is the decimal sign)");
+        if (!double.IsFinite(value)) throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a finite number");
+        return value;
+    }
+
+    InputException Wrong(string what) => new($"{_path}:{_csv.RawRow}: {what}");
+
+    /// <summary>A value as it may stand in a one-line message: short and without line breaks.</summary>
+    static string Shown(string value)
+    {
+        var text = value.Length <= LongestShownValue ? value : value[..LongestShownValue] + "…";
+        return "'" + string.Concat(text.Select(c => char.IsControl(c) ? ' ' : c)) + "'";
+    }
+}
