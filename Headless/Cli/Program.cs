@@ -1,1 +1,1 @@
-return 0;
+return await Nowpose.Cli.CommandLine.RunAsync(args);

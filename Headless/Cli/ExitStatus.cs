@@ -1,0 +1,10 @@
+namespace Nowpose.Cli;
+
+/// <summary>What the process says when it ends.</summary>
+static class ExitStatus
+{
+    public const int Done = 0;
+    public const int Failed = 1;
+    public const int BadInput = 2;
+    public const int Interrupted = 130;
+}

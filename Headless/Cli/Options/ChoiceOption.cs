@@ -1,0 +1,24 @@
+using System.CommandLine;
+
+namespace Nowpose.Cli.Options;
+
+/// <summary>Options that take one of a few words.</summary>
+static class ChoiceOption
+{
+    public static Option<string> Create(string name, string description, string standard, IReadOnlyCollection<string> allowed)
+    {
+        var list = string.Join(", ", allowed);
+        var option = new Option<string>(name)
+        {
+            Description = $"{description} [{list}; default {standard}]",
+            DefaultValueFactory = _ => standard,
+        };
+        option.Validators.Add(result =>
+        {
+            var value = result.GetValueOrDefault<string>();
+            if (value != null && !allowed.Contains(value))
+                result.AddError($"{name}: '{value}' is not known; allowed are {list}.");
+        });
+        return option;
+    }
+}

@@ -1,0 +1,38 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Numerics;
+
+namespace Nowpose.Cli.Options;
+
+/// <summary>Options that take a number within a range; anything else is one line that names option, value, unit and range.</summary>
+static class NumberOption
+{
+    /// <param name="unit">Written after the numbers in messages: "ms", "s", or empty.</param>
+    public static Option<T> Create<T>(string name, string description, T standard, T least, T greatest, string unit)
+        where T : INumber<T>
+    {
+        return new Option<T>(name)
+        {
+            Description = Invariant($"{description} [{least} to {greatest}{Suffix(unit)}; default {standard}]"),
+            DefaultValueFactory = _ => standard,
+            CustomParser = result => Parse(result, name, least, greatest, unit),
+        };
+    }
+
+    static T Parse<T>(ArgumentResult result, string name, T least, T greatest, string unit)
+        where T : INumber<T>
+    {
+        var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
+        var isNumber = T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value);
+        if (!isNumber)
+            result.AddError(Invariant($"{name}: '{text}' is not a number; allowed are {least} to {greatest}{Suffix(unit)}."));
+        else if (!(value >= least && value <= greatest))
+            result.AddError(Invariant($"{name}: {text}{Suffix(unit)} is out of range; allowed are {least} to {greatest}{Suffix(unit)}."));
+        return value;
+    }
+
+    static string Suffix(string unit) => unit.Length == 0 ? "" : " " + unit;
+
+    static string Invariant(FormattableString text) => FormattableString.Invariant(text);
+}
