@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>How long a simulated network takes one way: a fixed part, gamma-distributed jitter and rare bursts of long delays.</summary>
+    public sealed class NetworkProfile
+    {
+        /// <summary>Wired network of a cell.</summary>
+        public static readonly NetworkProfile Lan = new NetworkProfile("lan", 0.15, 1.5, 0.04, 0.002, 0.002, 0.5, 3);
+
+        /// <summary>Good WiFi.</summary>
+        public static readonly NetworkProfile Wifi = new NetworkProfile("wifi", 1.5, 1.2, 0.6, 0.01, 0.03, 5, 30);
+
+        /// <summary>Bad WiFi: a busy channel.</summary>
+        public static readonly NetworkProfile BusyWifi = new NetworkProfile("busy-wifi", 1.5, 1, 3, 0.03, 0.1, 20, 100);
+
+        public static readonly IReadOnlyList<NetworkProfile> All = new[] { Lan, Wifi, BusyWifi };
+
+        NetworkProfile(
+            string name, double baseMs, double gammaShape, double gammaScaleMs,
+            double spikeChanceUp, double spikeChanceDown, double leastSpikeMs, double greatestSpikeMs)
+        {
+            Name = name;
+            BaseMs = baseMs;
+            GammaShape = gammaShape;
+            GammaScaleMs = gammaScaleMs;
+            SpikeChanceUp = spikeChanceUp;
+            SpikeChanceDown = spikeChanceDown;
+            LeastSpikeMs = leastSpikeMs;
+            GreatestSpikeMs = greatestSpikeMs;
+        }
+
+        public string Name { get; }
+
+        /// <summary>Delay that every packet has, ms.</summary>
+        public double BaseMs { get; }
+
+        public double GammaShape { get; }
+
+        /// <summary>ms.</summary>
+        public double GammaScaleMs { get; }
+
+        /// <summary>Probability that a packet from the headset begins a burst.</summary>
+        public double SpikeChanceUp { get; }
+
+        /// <summary>Probability that a packet to the headset begins a burst.</summary>
+        public double SpikeChanceDown { get; }
+
+        /// <summary>ms.</summary>
+        public double LeastSpikeMs { get; }
+
+        /// <summary>ms.</summary>
+        public double GreatestSpikeMs { get; }
+
+        /// <exception cref="InputException">No profile has that name.</exception>
+        public static NetworkProfile Named(string name) =>
+            All.FirstOrDefault(profile => profile.Name == name)
+            ?? throw new InputException("network: '" + name + "' is not known; allowed are " + string.Join(", ", All.Select(p => p.Name)));
+
+        /// <summary>Delays from the headset to the control system.</summary>
+        public PathDelay Up(int seed) => new PathDelay(this, SpikeChanceUp, seed);
+
+        /// <summary>Delays from the control system to the headset.</summary>
+        public PathDelay Down(int seed) => new PathDelay(this, SpikeChanceDown, seed);
+    }
+}

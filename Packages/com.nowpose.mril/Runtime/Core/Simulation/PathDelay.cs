@@ -1,0 +1,33 @@
+using System;
+using MathNet.Numerics.Distributions;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>The delays of one direction of one connection, packet after packet. Seeded, not thread-safe.</summary>
+    public sealed class PathDelay
+    {
+        const double ChanceThatASpikeGoesOn = 0.3;
+
+        readonly NetworkProfile _profile;
+        readonly double _spikeChance;
+        readonly Random _random;
+        bool _inSpike;
+
+        internal PathDelay(NetworkProfile profile, double spikeChance, int seed)
+        {
+            _profile = profile;
+            _spikeChance = spikeChance;
+            _random = new Random(seed);
+        }
+
+        public TimeSpan Next()
+        {
+            // MathNet's gamma has a rate where the profile has a scale.
+            var ms = _profile.BaseMs + Gamma.Sample(_random, _profile.GammaShape, 1 / _profile.GammaScaleMs);
+            _inSpike = _random.NextDouble() < (_inSpike ? ChanceThatASpikeGoesOn : _spikeChance);
+            if (_inSpike)
+                ms += _profile.LeastSpikeMs + (_profile.GreatestSpikeMs - _profile.LeastSpikeMs) * _random.NextDouble();
+            return ClockTicks.Span(ms / 1000);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using System;
+using System.Globalization;
+
+namespace Nowpose.Sync
+{
+    /// <summary>When a clock counts as synchronised, and what its error bound is made of.</summary>
+    public sealed class ClockSettings
+    {
+        public static readonly ClockSettings Default = new ClockSettings();
+
+        /// <param name="exchangesToSynchronise">Exchanges before the state may be synchronised; 20 fill the paper's moving average.</param>
+        /// <param name="errorToSynchroniseMs">Three standard errors of the offset must be below this, ms.</param>
+        /// <param name="holdoverAfterSeconds">Silence after which a synchronised clock is in holdover, s: ten missed exchanges.</param>
+        /// <param name="stepMarginMs">How far an exchange must contradict the earlier ones to count as a step, ms.</param>
+        /// <param name="driftPpm">How much the skew itself may wander, ppm; the bound grows by it while no exchange arrives.</param>
+        public ClockSettings(
+            int exchangesToSynchronise = 20, double errorToSynchroniseMs = 1, double holdoverAfterSeconds = 2,
+            double stepMarginMs = 0.5, double driftPpm = 5)
+        {
+            ExchangesToSynchronise = (int)Require(exchangesToSynchronise, 1, 10_000, "exchanges to synchronise", "");
+            ErrorToSynchronise = ClockTicks.Span(Require(errorToSynchroniseMs, 0.001, 1000, "error to synchronise", " ms") / 1000);
+            HoldoverAfter = ClockTicks.Span(Require(holdoverAfterSeconds, 0.1, 3600, "holdover after", " s"));
+            StepMargin = ClockTicks.Span(Require(stepMarginMs, 0.01, 10_000, "step margin", " ms") / 1000);
+            Drift = Require(driftPpm, 0, 1000, "drift", " ppm") * 1e-6;
+        }
+
+        public int ExchangesToSynchronise { get; }
+        public TimeSpan ErrorToSynchronise { get; }
+        public TimeSpan HoldoverAfter { get; }
+        public TimeSpan StepMargin { get; }
+
+        /// <summary>Dimensionless, seconds of error a second.</summary>
+        public double Drift { get; }
+
+        static double Require(double value, double least, double greatest, string name, string unit)
+        {
+            if (value >= least && value <= greatest) return value;
+            throw new InputException(string.Format(
+                CultureInfo.InvariantCulture, "{0}: {1}{4} is out of range; allowed are {2} to {3}{4}", name, value, least, greatest, unit));
+        }
+    }
+}

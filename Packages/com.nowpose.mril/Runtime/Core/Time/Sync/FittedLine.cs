@@ -1,0 +1,53 @@
+using System;
+using MathNet.Numerics.LinearRegression;
+
+namespace Nowpose.Sync
+{
+    /// <summary>A least-squares line through offsets over the headset clock, Eq. (6), anchored at a reference moment.</summary>
+    readonly struct FittedLine
+    {
+        FittedLine(HeadsetTime reference, ClockOffset offset, double skew, TimeSpan offsetError, double skewError)
+        {
+            Reference = reference;
+            Offset = offset;
+            Skew = skew;
+            OffsetError = offsetError;
+            SkewError = skewError;
+        }
+
+        public HeadsetTime Reference { get; }
+        public ClockOffset Offset { get; }
+        public double Skew { get; }
+        public TimeSpan OffsetError { get; }
+        public double SkewError { get; }
+
+        public ClockOffset OffsetAt(HeadsetTime t) => Offset + ClockTicks.Span(ClockTicks.Seconds(t - Reference) * Skew);
+
+        /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two, not all equal.</param>
+        /// <param name="y">Seconds relative to <paramref name="referenceOffset"/>.</param>
+        public static FittedLine Through(double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset)
+        {
+            var (intercept, slope) = SimpleRegression.Fit(x, y);
+            var meanX = Mean(x);
+            double squares = 0, spread = 0;
+            for (var i = 0; i < x.Length; i++)
+            {
+                var residual = y[i] - intercept - slope * x[i];
+                squares += residual * residual;
+                spread += (x[i] - meanX) * (x[i] - meanX);
+            }
+            var variance = x.Length > 2 ? squares / (x.Length - 2) : 0;
+            var offsetError = Math.Sqrt(variance * (1.0 / x.Length + meanX * meanX / spread));
+            return new FittedLine(
+                reference, referenceOffset + ClockTicks.Span(intercept), slope,
+                ClockTicks.Span(offsetError), Math.Sqrt(variance / spread));
+        }
+
+        static double Mean(double[] values)
+        {
+            double sum = 0;
+            foreach (var value in values) sum += value;
+            return sum / values.Length;
+        }
+    }
+}

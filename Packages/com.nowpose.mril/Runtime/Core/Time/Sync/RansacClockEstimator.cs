@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Sync
+{
+    /// <summary>
+    /// The paper's estimator: the offsets of Eq. (5), outliers removed by RANSAC, a least-squares line through the rest
+    /// (Eq. (6)), and a moving average over the fitted lines (Schnierle &amp; Röck 2022, 2.1.1 and Fig. 8).
+    /// </summary>
+    public sealed class RansacClockEstimator : IClockEstimator
+    {
+        const int FewestForALine = 3;
+
+        readonly RansacSettings _settings;
+        readonly List<OffsetPoint> _points = new List<OffsetPoint>();
+        readonly Queue<FittedLine> _lines = new Queue<FittedLine>();
+        Random _random;
+        int _exchanges;
+
+        public RansacClockEstimator(RansacSettings settings)
+        {
+            _settings = settings;
+            Reset();
+        }
+
+        public ClockLine Line { get; private set; }
+
+        public void Reset()
+        {
+            _points.Clear();
+            _lines.Clear();
+            _random = new Random(_settings.Seed);
+            _exchanges = 0;
+            Line = default;
+        }
+
+        public void Add(in SyncExchange exchange)
+        {
+            _points.Add(new OffsetPoint(exchange.T4, exchange.Offset));
+            if (_points.Count > _settings.History)
+                _points.RemoveAt(0);
+            _exchanges++;
+            Line = _points.Count < FewestForALine ? MedianSoFar() : Averaged(Fit());
+        }
+
+        ClockLine MedianSoFar()
+        {
+            var newest = _points[_points.Count - 1];
+            // Of two, the mean; of one, itself.
+            var change = new TimeSpan((_points[0].Offset - newest.Offset).Ticks / 2);
+            return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, 0, _exchanges);
+        }
+
+        FittedLine Fit()
+        {
+            // Times and offsets relative to the newest exchange: at absolute times the normal equations lose milliseconds.
+            var newest = _points[_points.Count - 1];
+            var x = new double[_points.Count];
+            var y = new double[_points.Count];
+            for (var i = 0; i < x.Length; i++)
+            {
+                x[i] = ClockTicks.Seconds(_points[i].At - newest.At);
+                y[i] = ClockTicks.Seconds(_points[i].Offset - newest.Offset);
+            }
+            var inliers = Ransac.Inliers(x, y, _settings.Hypotheses, ClockTicks.Seconds(_settings.InlierBound), _random);
+            return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset);
+        }
+
+        // Each earlier line is carried to the present by its own slope before it is averaged: averaging offsets as
+        // they were then would lag behind by half the window times the skew.
+        ClockLine Averaged(FittedLine fitted)
+        {
+            _lines.Enqueue(fitted);
+            if (_lines.Count > _settings.MovingAverage)
+                _lines.Dequeue();
+
+            double change = 0, skew = 0;
+            foreach (var line in _lines)
+            {
+                change += ClockTicks.Seconds(line.OffsetAt(fitted.Reference) - fitted.Offset);
+                skew += line.Skew;
+            }
+            return new ClockLine(
+                fitted.Reference, fitted.Offset + ClockTicks.Span(change / _lines.Count), skew / _lines.Count,
+                fitted.OffsetError, fitted.SkewError, _exchanges);
+        }
+
+        readonly struct OffsetPoint
+        {
+            public OffsetPoint(HeadsetTime at, ClockOffset offset)
+            {
+                At = at;
+                Offset = offset;
+            }
+
+            public HeadsetTime At { get; }
+            public ClockOffset Offset { get; }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+
+namespace Nowpose.Sync
+{
+    /// <summary>Constants of the paper's estimator; the defaults are those of its Fig. 8.</summary>
+    public sealed class RansacSettings
+    {
+        public static readonly RansacSettings Paper = new RansacSettings();
+
+        /// <param name="history">Exchanges kept.</param>
+        /// <param name="hypotheses">Lines tried at each exchange.</param>
+        /// <param name="inlierBoundMs">Greatest distance of an inlier from the line, ms.</param>
+        /// <param name="movingAverage">Fitted lines averaged.</param>
+        /// <param name="seed">Seed of the random choice of hypotheses: the same log gives the same result.</param>
+        public RansacSettings(int history = 100, int hypotheses = 20, double inlierBoundMs = 1, int movingAverage = 20, int seed = 1)
+        {
+            History = Require(history, 3, 10_000, nameof(history));
+            Hypotheses = Require(hypotheses, 1, 10_000, nameof(hypotheses));
+            MovingAverage = Require(movingAverage, 1, 10_000, nameof(movingAverage));
+            if (!(inlierBoundMs > 0 && inlierBoundMs <= 1000))
+                throw new InputException("inlier bound: " + inlierBoundMs + " ms is out of range; allowed are more than 0 to 1000 ms");
+            InlierBound = TimeSpan.FromTicks((long)(inlierBoundMs * TimeSpan.TicksPerMillisecond));
+            Seed = seed;
+        }
+
+        public int History { get; }
+        public int Hypotheses { get; }
+        public TimeSpan InlierBound { get; }
+        public int MovingAverage { get; }
+        public int Seed { get; }
+
+        static int Require(int value, int least, int greatest, string name)
+        {
+            if (value < least || value > greatest)
+                throw new InputException(name + ": " + value + " is out of range; allowed are " + least + " to " + greatest);
+            return value;
+        }
+    }
+}

@@ -1,0 +1,67 @@
+using System;
+
+namespace Nowpose.Sync
+{
+    /// <summary>One sync exchange: four timestamps, two on each clock (Schnierle &amp; Röck 2022, Fig. 7).</summary>
+    /// <remarks>Only exchanges that passed <see cref="SyncExchangeRules.Check"/> should reach an estimator.</remarks>
+    public readonly struct SyncExchange
+    {
+        /// <param name="t1">Headset time of sending the request.</param>
+        /// <param name="t2">Control time of its arrival.</param>
+        /// <param name="t3">Control time of sending the reply.</param>
+        /// <param name="t4">Headset time of its arrival.</param>
+        /// <param name="resolution">
+        /// Resolution of the control clock, zero when unknown. A clock that floors its stamps is half a step late on
+        /// average, so half the resolution is added to <paramref name="t2"/> and <paramref name="t3"/>.
+        /// </param>
+        /// <param name="serverErrorBound">The server's bound on the error of its own control clock.</param>
+        /// <param name="serverSynchronised">False when the server says that its control clock is not synchronised.</param>
+        public SyncExchange(
+            HeadsetTime t1, ControlTime t2, ControlTime t3, HeadsetTime t4,
+            TimeSpan resolution = default, TimeSpan serverErrorBound = default, bool serverSynchronised = true)
+        {
+            var half = new TimeSpan(resolution.Ticks / 2);
+            T1 = t1;
+            T2 = t2 + half;
+            T3 = t3 + half;
+            T4 = t4;
+            Resolution = resolution;
+            ServerErrorBound = serverErrorBound;
+            ServerSynchronised = serverSynchronised;
+        }
+
+        /// <summary>Request sent.</summary>
+        public HeadsetTime T1 { get; }
+
+        /// <summary>Request received, half a resolution added.</summary>
+        public ControlTime T2 { get; }
+
+        /// <summary>Reply sent, half a resolution added.</summary>
+        public ControlTime T3 { get; }
+
+        /// <summary>Reply received.</summary>
+        public HeadsetTime T4 { get; }
+
+        /// <summary>Resolution of the control clock; zero when unknown.</summary>
+        public TimeSpan Resolution { get; }
+
+        public TimeSpan ServerErrorBound { get; }
+
+        public bool ServerSynchronised { get; }
+
+        /// <summary>Φ* of this exchange alone, Eq. (5): exact when both ways take equally long, else wrong by at most half <see cref="RoundTripTime"/>.</summary>
+        public ClockOffset Offset
+        {
+            get
+            {
+                var there = T1.SinceEpoch - T2.SinceEpoch;
+                var back = T4.SinceEpoch - T3.SinceEpoch;
+                // Half of each rather than half of the sum: clocks with far-apart epochs would overflow.
+                return new ClockOffset(there + new TimeSpan((back - there).Ticks / 2));
+            }
+        }
+
+        /// <summary>Both ways together, without the time spent at the server: (t4 − t1) − (t3 − t2).</summary>
+        public TimeSpan RoundTripTime => (T4 - T1) - (T3 - T2);
+    }
+}

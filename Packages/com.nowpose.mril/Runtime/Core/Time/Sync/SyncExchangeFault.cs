@@ -1,0 +1,26 @@
+namespace Nowpose.Sync
+{
+    /// <summary>Why a sync exchange was dropped.</summary>
+    public enum SyncExchangeFault
+    {
+        None,
+
+        /// <summary>The reply's sequence number is not the request's.</summary>
+        WrongSequence,
+
+        /// <summary>The echoed t1 is not the request's.</summary>
+        WrongEcho,
+
+        /// <summary>t3 before t2: the server sent before it received.</summary>
+        ControlTimeReversed,
+
+        /// <summary>t4 before t1: the headset received before it sent.</summary>
+        HeadsetTimeReversed,
+
+        /// <summary>The server kept the request for longer than the whole exchange took, by more than its clock's resolution.</summary>
+        NegativeRoundTrip,
+
+        /// <summary>t4 is not after the previous exchange's: a log out of order, or a repeated line.</summary>
+        NotNewer,
+    }
+}

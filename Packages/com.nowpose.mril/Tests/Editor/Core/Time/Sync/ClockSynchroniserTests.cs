@@ -1,0 +1,146 @@
+using System;
+using System.Linq;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class ClockSynchroniserTests
+    {
+        static SyncRun NewRun() => new SyncRun(new RansacClockEstimator(RansacSettings.Paper));
+
+        [Test]
+        public void State_FromTheStart_GoesUnsynchronisedConvergingSynchronised()
+        {
+            var run = NewRun();
+
+            run.Run(new SimulatedLink(NetworkProfile.Wifi, 1, 40), 0, 10);
+
+            var states = run.Instants.Select(i => i.Model.State).ToList();
+            Assert.That(states.First(), Is.EqualTo(ClockState.Unsynchronised));
+            Assert.That(states.Distinct(), Is.EqualTo(new[] { ClockState.Unsynchronised, ClockState.Converging, ClockState.Synchronised }));
+            Assert.That(run.FirstAt(m => m.State == ClockState.Synchronised), Is.LessThan(6));
+        }
+
+        [Test]
+        public void State_SilentNetwork_IsHoldoverWithAGrowingBoundThatHolds()
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 2, -60, driftPpm: 2);
+            var run = NewRun();
+            run.Run(link, 0, 60);
+            var boundBefore = run.Instants.Last().Model.ErrorBound;
+
+            run.Run(link, 60, 90, exchange: false);
+
+            var last = run.Instants.Last();
+            Assert.That(last.Model.State, Is.EqualTo(ClockState.Holdover));
+            Assert.That(last.Model.ErrorBound, Is.GreaterThan(boundBefore));
+            Assert.That(Math.Abs(last.ErrorMs), Is.LessThan(last.Model.ErrorBound.TotalMilliseconds).And.LessThan(1));
+
+            run.Run(link, 90, 91);
+
+            Assert.That(run.Instants.Last().Model.State, Is.EqualTo(ClockState.Synchronised), "one exchange ends the holdover");
+        }
+
+        [TestCase("lan", 0)]
+        [TestCase("wifi", 0)]
+        [TestCase("busy-wifi", 0.02)]
+        public void ErrorBound_OnceSynchronised_Holds(string network, double loss)
+        {
+            for (var seed = 10; seed < 14; seed++)
+            {
+                var run = NewRun();
+                run.Run(new SimulatedLink(NetworkProfile.Named(network), seed, 80, 2, loss), 0, 120);
+
+                var known = run.Instants.Where(i => i.Model.State == ClockState.Synchronised).ToList();
+                Assert.That(known.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True, "seed " + seed);
+                Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
+            }
+        }
+
+        [TestCase(50)]
+        [TestCase(-50)]
+        [TestCase(86_400_000)]
+        public void Step_OfTheControlClock_IsFoundWithinASecondAndStartsAnew(int stepMs)
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 3, 20);
+            var run = NewRun();
+            run.Run(link, 0, 30);
+
+            link.Step = TimeSpan.FromMilliseconds(stepMs);
+            run.Run(link, 30, 60);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(1));
+            Assert.That(run.Instants.First(i => i.At > 30 && i.Model.State == ClockState.Converging).At, Is.LessThan(31));
+            Assert.That(run.PercentileMs(31.5, 1), Is.LessThan(3));
+            Assert.That(run.Instants.Last().Model.State, Is.EqualTo(ClockState.Synchronised));
+        }
+
+        [Test]
+        public void Add_OneWildExchange_IsSetAsideAndForgotten()
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 4, 20);
+            var run = NewRun();
+            run.Run(link, 0, 10);
+            var before = run.Clock.ModelAt(HeadsetTime.FromSeconds(10.5));
+
+            var at = HeadsetTime.FromSeconds(10.4);
+            var wild = link.TrueOffset(at).ToControl(at) + TimeSpan.FromSeconds(5);
+            var verdict = run.Clock.Add(new SyncExchange(at, wild, wild, at + TimeSpan.FromMilliseconds(3)), out _);
+
+            var after = run.Clock.ModelAt(HeadsetTime.FromSeconds(10.5));
+            Assert.That(verdict, Is.EqualTo(SyncVerdict.SetAside));
+            Assert.That(after.ReferenceOffset, Is.EqualTo(before.ReferenceOffset));
+        }
+
+        [Test]
+        public void Add_NotNewerThanTheLast_IsDroppedByReason()
+        {
+            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            var exchange = new SyncExchange(HeadsetTime.FromSeconds(1), default, default, HeadsetTime.FromSeconds(1.01));
+            clock.Add(exchange, out _);
+
+            var verdict = clock.Add(exchange, out var fault);
+
+            Assert.That(verdict, Is.EqualTo(SyncVerdict.Dropped));
+            Assert.That(fault, Is.EqualTo(SyncExchangeFault.NotNewer));
+        }
+
+        [Test]
+        public void State_ServerSaysItIsNotSynchronised_StaysConverging()
+        {
+            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            for (var i = 0; i < 50; i++)
+            {
+                var t = HeadsetTime.FromSeconds(i * 0.2);
+                var at = new ControlTime(t.SinceEpoch);
+                clock.Add(new SyncExchange(t, at, at, t + TimeSpan.FromMilliseconds(1), serverSynchronised: false), out _);
+            }
+
+            Assert.That(clock.ModelAt(HeadsetTime.FromSeconds(10)).State, Is.EqualTo(ClockState.Converging));
+        }
+
+        [Test]
+        public void ErrorBound_ServerAddsItsOwn_IsWider()
+        {
+            TimeSpan BoundWith(TimeSpan server)
+            {
+                var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+                clock.Add(new SyncExchange(default, default, default, HeadsetTime.FromSeconds(0.002), serverErrorBound: server), out _);
+                return clock.ModelAt(HeadsetTime.FromSeconds(0.002)).ErrorBound;
+            }
+
+            Assert.That(BoundWith(TimeSpan.Zero), Is.EqualTo(TimeSpan.FromMilliseconds(1)), "half the round trip");
+            Assert.That(BoundWith(TimeSpan.FromMilliseconds(3)), Is.EqualTo(TimeSpan.FromMilliseconds(4)));
+        }
+
+        [Test]
+        public void Settings_OutOfRange_NameValueUnitAndRange()
+        {
+            var error = Assert.Throws<InputException>(() => new ClockSettings(holdoverAfterSeconds: -1));
+
+            Assert.That(error.Message, Is.EqualTo("holdover after: -1 s is out of range; allowed are 0.1 to 3600 s"));
+        }
+    }
+}

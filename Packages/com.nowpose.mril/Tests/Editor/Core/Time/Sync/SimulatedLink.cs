@@ -1,0 +1,55 @@
+using System;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+
+namespace Nowpose.Tests
+{
+    /// <summary>A headset and a control system with known clocks and a network between them, in virtual time.</summary>
+    sealed class SimulatedLink
+    {
+        readonly PathDelay _up, _down;
+        readonly Random _random;
+        readonly double _skew, _driftAmplitude, _lossChance;
+        readonly ControlTime _controlStart;
+
+        public SimulatedLink(
+            NetworkProfile network, int seed, double skewPpm, double driftPpm = 0, double lossChance = 0, double controlEpoch = 1.7e9)
+        {
+            _up = network.Up(seed * 2 + 1);
+            _down = network.Down(seed * 2 + 2);
+            _random = new Random(seed);
+            _skew = skewPpm * 1e-6;
+            _driftAmplitude = driftPpm * 1e-6;
+            _lossChance = lossChance;
+            _controlStart = ControlTime.FromSeconds(controlEpoch);
+        }
+
+        /// <summary>Extra queueing up and down, given seconds since the start.</summary>
+        public Func<double, Random, (double UpMs, double DownMs)> Load { get; set; } = (s, r) => (0, 0);
+
+        /// <summary>Added to the control clock from now on.</summary>
+        public TimeSpan Step { get; set; }
+
+        /// <summary>The headset clock as a function of the control clock's true progress: skew plus a slow drift of the skew.</summary>
+        public ClockOffset TrueOffset(HeadsetTime t)
+        {
+            var s = t.SinceEpoch.TotalSeconds;
+            const double period = 120;
+            var wander = _driftAmplitude * period / (2 * Math.PI) * (1 - Math.Cos(2 * Math.PI * s / period));
+            return new ClockOffset(TimeSpan.FromTicks((long)((_skew * s + wander) * TimeSpan.TicksPerSecond)) - _controlStart.SinceEpoch - Step);
+        }
+
+        /// <returns>False when the exchange was lost.</returns>
+        public bool TryExchange(HeadsetTime at, out SyncExchange exchange)
+        {
+            var load = Load(at.SinceEpoch.TotalSeconds, _random);
+            var arrival = at + _up.Next() + Ms(load.UpMs);
+            var sent = arrival + Ms(0.02);
+            var back = sent + _down.Next() + Ms(load.DownMs);
+            exchange = new SyncExchange(at, TrueOffset(arrival).ToControl(arrival), TrueOffset(sent).ToControl(sent), back);
+            return _random.NextDouble() >= _lossChance;
+        }
+
+        static TimeSpan Ms(double ms) => TimeSpan.FromTicks((long)(ms * TimeSpan.TicksPerMillisecond));
+    }
+}
