@@ -1,0 +1,31 @@
+using System;
+using System.Globalization;
+
+namespace Nowpose.Latency
+{
+    /// <summary>L_visu: render job triggered to light, the part of L = L_app + L_visu (Eq. (1)) that no program can see.</summary>
+    /// <remarks>Calibrated, and valid while the render time stays in the constant-latency range. <c>default</c> is zero.</remarks>
+    public readonly struct VisualisationLatency
+    {
+        static readonly TimeSpan Greatest = TimeSpan.FromMilliseconds(500);
+
+        /// <param name="length">0 to 500 ms.</param>
+        /// <exception cref="InputException">Out of range.</exception>
+        public VisualisationLatency(TimeSpan length)
+        {
+            if (length < TimeSpan.Zero || length > Greatest)
+                throw new InputException(string.Format(
+                    CultureInfo.InvariantCulture, "visualisation latency: {0} ms is out of range; allowed are 0 to {1} ms",
+                    length.TotalMilliseconds, Greatest.TotalMilliseconds));
+            Length = length;
+        }
+
+        public TimeSpan Length { get; }
+
+        /// <summary>When the light of a frame begun now appears, on the headset clock.</summary>
+        public HeadsetTime LightOf(HeadsetTime frameStart) => frameStart + Length;
+
+        /// <summary>L of Eq. (1).</summary>
+        public TimeSpan EndToEnd(TimeSpan application) => application + Length;
+    }
+}

@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using MathNet.Numerics.Statistics;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class RollingPercentilesTests
+    {
+        [Test]
+        public void At_RandomLengths_EqualsSortingTheWindow()
+        {
+            const int window = 50;
+            var random = new Random(1);
+            var rolling = new RollingPercentiles(window);
+            var all = new List<double>();
+            for (var i = 0; i < 500; i++)
+            {
+                // Few distinct values, so that equal ones leave and stay.
+                var length = random.Next(-5, 20);
+                all.Add(length);
+                rolling.Add(new TimeSpan(length * 1000));
+
+                var recent = all.Skip(Math.Max(0, all.Count - window)).ToArray();
+                foreach (var fraction in new[] { 0, 0.5, 0.95, 1 })
+                    Assert.That(rolling.At(fraction).Ticks / 1000.0,
+                        Is.EqualTo(recent.QuantileCustom(fraction, QuantileDefinition.R7)).Within(1e-3), "seed 1, length " + i);
+            }
+        }
+
+        [Test]
+        public void At_Empty_Refuses()
+        {
+            Assert.Throws<InvalidOperationException>(() => new RollingPercentiles(3).At(0.5));
+        }
+
+        [TestCase(-0.01)]
+        [TestCase(1.01)]
+        [TestCase(double.NaN)]
+        public void At_FractionOutOfRange_Refuses(double fraction)
+        {
+            var rolling = new RollingPercentiles(3);
+            rolling.Add(TimeSpan.Zero);
+
+            Assert.Throws<ArgumentOutOfRangeException>(() => rolling.At(fraction));
+        }
+    }
+}
