@@ -27,7 +27,7 @@ public static class CommandLine
 
     static IEnumerable<Command> Verbs()
     {
-        yield break;
+        yield return Sync.SyncVerb.Create();
     }
 
     static async Task<int> InvokeAsync(ParseResult parsed)

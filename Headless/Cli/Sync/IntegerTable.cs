@@ -1,0 +1,47 @@
+using System.Globalization;
+using CsvHelper;
+using CsvHelper.Configuration;
+using Nowpose.Gateway.Recordings;
+
+namespace Nowpose.Cli.Sync;
+
+/// <summary>Reads CSV files of whole numbers under a fixed header; errors name file, line and field.</summary>
+static class IntegerTable
+{
+    /// <exception cref="InputException">The file cannot be read or is not of that form.</exception>
+    public static List<long[]> Read(string path, params string[] header)
+    {
+        using var text = RecordingText.Open(path);
+        using var csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
+        try
+        {
+            return Rows(csv, path, header);
+        }
+        catch (Exception e) when (e is IOException or InvalidDataException)
+        {
+            throw RecordingText.Unreadable(path, e);
+        }
+    }
+
+    static List<long[]> Rows(CsvParser csv, string path, string[] header)
+    {
+        if (!csv.Read() || !csv.Record.SequenceEqual(header))
+            throw new InputException($"{path}:1: the header is '{(csv.Record == null ? "" : string.Join(',', csv.Record))}'; it must be {string.Join(',', header)}");
+        var rows = new List<long[]>();
+        while (csv.Read())
+            rows.Add(Row(csv, path, header));
+        if (rows.Count == 0) throw new InputException($"{path}: no rows below the header; at least one is needed");
+        return rows;
+    }
+
+    static long[] Row(CsvParser csv, string path, string[] header)
+    {
+        if (csv.Count != header.Length)
+            throw new InputException($"{path}:{csv.RawRow}: {csv.Count} fields; there must be {header.Length}");
+        var row = new long[header.Length];
+        for (var i = 0; i < row.Length; i++)
+            if (!long.TryParse(csv[i], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out row[i]))
+                throw new InputException($"{path}:{csv.RawRow}: {header[i]}: '{csv[i]}' is not a whole number of nanoseconds (64 bits)");
+        return row;
+    }
+}

@@ -1,0 +1,23 @@
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Sync;
+
+/// <summary>A log of sync exchanges, and the instants at which to ask for the offset.</summary>
+static class SyncLog
+{
+    /// <summary>Exchanges as logged, unchecked, each with t4 to the nanosecond.</summary>
+    public static IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> Read(string path) =>
+        IntegerTable.Read(path, "t1_ns", "t2_ns", "t3_ns", "t4_ns")
+            .ConvertAll(row => (row[3], new SyncExchange(
+                HeadsetTime.FromNanoseconds(row[0]), ControlTime.FromNanoseconds(row[1]),
+                ControlTime.FromNanoseconds(row[2]), HeadsetTime.FromNanoseconds(row[3]))));
+
+    public static IReadOnlyList<long> ReadInstants(string path)
+    {
+        var instants = IntegerTable.Read(path, "t_ns").ConvertAll(row => row[0]);
+        for (var i = 1; i < instants.Count; i++)
+            if (instants[i] <= instants[i - 1])
+                throw new InputException($"{path}:{i + 2}: t_ns: {instants[i]} ns is not after {instants[i - 1]} ns; times must increase");
+        return instants;
+    }
+}

@@ -1,0 +1,48 @@
+using System.Text;
+using System.Text.Json;
+
+namespace Nowpose.Cli.Sync;
+
+/// <summary>Prints beliefs as CSV or JSON, with the columns that cli.md fixes.</summary>
+static class SyncOutput
+{
+    public static void WriteCsv(IEnumerable<SyncBelief> beliefs, bool atInstants, TextWriter output)
+    {
+        output.WriteLine(atInstants ? "t_ns,offset_ns,error_bound_ns,state" : "t4_ns,offset_ns,skew_ppm,error_bound_ns,state");
+        foreach (var belief in beliefs)
+        {
+            var skew = atInstants ? "" : SyncBelief.Text(belief.SkewPpm) + ",";
+            output.WriteLine($"{belief.Nanoseconds},{SyncBelief.Text(belief.OffsetNanoseconds)},{skew}{SyncBelief.Text(belief.ErrorBoundNanoseconds)},{belief.State}");
+        }
+    }
+
+    public static void WriteJson(IEnumerable<SyncBelief> beliefs, bool atInstants, TextWriter output)
+    {
+        using var bytes = new MemoryStream();
+        using (var json = new Utf8JsonWriter(bytes, new JsonWriterOptions { Indented = true, NewLine = "\n" }))
+            WriteArray(json, beliefs, atInstants);
+        output.WriteLine(Encoding.UTF8.GetString(bytes.ToArray()));
+    }
+
+    static void WriteArray(Utf8JsonWriter json, IEnumerable<SyncBelief> beliefs, bool atInstants)
+    {
+        json.WriteStartArray();
+        foreach (var belief in beliefs)
+        {
+            json.WriteStartObject();
+            json.WriteNumber(atInstants ? "t_ns" : "t4_ns", belief.Nanoseconds);
+            WriteNumber(json, "offset_ns", SyncBelief.Text(belief.OffsetNanoseconds));
+            if (!atInstants) WriteNumber(json, "skew_ppm", SyncBelief.Text(belief.SkewPpm));
+            WriteNumber(json, "error_bound_ns", SyncBelief.Text(belief.ErrorBoundNanoseconds));
+            json.WriteString("state", belief.State);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+    }
+
+    static void WriteNumber(Utf8JsonWriter json, string name, string number)
+    {
+        json.WritePropertyName(name);
+        json.WriteRawValue(number.Length == 0 ? "null" : number);
+    }
+}

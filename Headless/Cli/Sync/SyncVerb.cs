@@ -1,0 +1,43 @@
+using System.CommandLine;
+using Nowpose.Cli.Options;
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Sync;
+
+/// <summary><c>sync FILE.csv</c>: the clock estimator over a log of sync exchanges.</summary>
+static class SyncVerb
+{
+    public static Command Create()
+    {
+        var file = new Argument<string>("FILE.csv") { Description = "Log of exchanges: t1_ns,t2_ns,t3_ns,t4_ns (t1, t4 on C2; t2, t3 on C1); .csv or .csv.gz." };
+        var estimator = ChoiceOption.Create("--estimator", "Clock estimator; the default is the paper's, ransac, until a better one exists", "default", ["ransac", "default"]);
+        var at = new Option<string>("--at") { Description = "File of instants (t_ns on C2, increasing): print what was known at each, instead of after each exchange." };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of CSV." };
+        var verb = new Command("sync", "Run the clock estimator over a log of sync exchanges.") { file, estimator, at, json };
+        verb.SetAction(parsed => Run(parsed.GetValue(file), parsed.GetValue(at), parsed.GetValue(json)));
+        return verb;
+    }
+
+    static int Run(string file, string at, bool json)
+    {
+        var log = SyncLog.Read(file);
+        // Both names mean the paper's estimator so far.
+        var replay = new SyncReplay(new RansacClockEstimator(RansacSettings.Paper));
+        var beliefs = at == null ? replay.AfterEach(log) : replay.At(SyncLog.ReadInstants(at), log);
+        Print(beliefs, at != null, json);
+        foreach (var (fault, count) in replay.Dropped)
+            Console.Error.WriteLine($"nowpose: {file}: dropped {count} of {log.Count} exchanges: {fault}");
+        if (replay.Steps > 0)
+            Console.Error.WriteLine($"nowpose: {file}: {replay.Steps} clock step(s) found");
+        return ExitStatus.Done;
+    }
+
+    // Collected first: the console flushes at every line, which takes longer than the estimator.
+    static void Print(IEnumerable<SyncBelief> beliefs, bool atInstants, bool json)
+    {
+        var text = new StringWriter { NewLine = "\n" };
+        if (json) SyncOutput.WriteJson(beliefs, atInstants, text);
+        else SyncOutput.WriteCsv(beliefs, atInstants, text);
+        Console.Out.Write(text);
+    }
+}

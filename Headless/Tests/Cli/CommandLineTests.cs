@@ -1,0 +1,40 @@
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+public class CommandLineTests
+{
+    [TestCase("sync", "x.csv", "--nope")]
+    [TestCase("sync", "x.csv", "--estimator")]
+    [TestCase("sync", "x.csv", "--estimator", "magic")]
+    [TestCase("sync")]
+    [TestCase("frobnicate")]
+    public async Task Run_BadArguments_IsOneLineAndExit2(params string[] args)
+    {
+        var run = await CliRun.OfAsync(args);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Output, Is.Empty);
+        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(run.Errors, Does.StartWith("nowpose: "));
+    }
+
+    [Test]
+    public async Task Run_MissingFile_NamesIt()
+    {
+        var run = await CliRun.OfAsync("sync", "no-such-file.csv");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: no-such-file.csv: no such file"));
+    }
+
+    [TestCase("--help")]
+    [TestCase("sync", "--help")]
+    public async Task Run_Help_IsPrinted(params string[] args)
+    {
+        var run = await CliRun.OfAsync(args);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(run.Output, Does.Contain("Usage:"));
+    }
+}

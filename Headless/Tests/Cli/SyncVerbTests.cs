@@ -1,0 +1,118 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Json;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+public class SyncVerbTests
+{
+    const long ControlEpoch = 1_700_000_000_000_000_000;
+    const string Header = "t1_ns,t2_ns,t3_ns,t4_ns\n";
+
+    /// <summary>A symmetric path of 2 ms each way, the headset 50 ppm fast; t4 ends in odd nanoseconds on purpose.</summary>
+    static string Log(int exchanges)
+    {
+        var log = new StringBuilder(Header);
+        for (var i = 0; i < exchanges; i++)
+        {
+            var t1 = 7 + i * 200_000_000L;
+            var control = ControlEpoch + t1 + 2_000_000 - (long)(i * 200_000_000L * 50e-6);
+            log.Append(CultureInfo.InvariantCulture, $"{t1},{control},{control},{t1 + 4_000_000}\n");
+        }
+        return log.ToString();
+    }
+
+    [TestCase(".csv")]
+    [TestCase(".csv.gz")]
+    public async Task Sync_SymmetricLog_FollowsOffsetAndSkew(string ending)
+    {
+        using var file = new TemporaryFile(Log(200), ending);
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--estimator", "ransac");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Lines[0], Is.EqualTo("t4_ns,offset_ns,skew_ppm,error_bound_ns,state"));
+        Assert.That(run.Lines, Has.Length.EqualTo(201));
+        var last = run.Lines[^1].Split(',');
+        var t4 = 7 + 199 * 200_000_000L + 4_000_000;
+        Assert.That(last[0], Is.EqualTo(t4.ToString(CultureInfo.InvariantCulture)), "t4 as read, to the nanosecond");
+        var expected = -ControlEpoch + 199 * 200_000_000L * 50 / 1_000_000;
+        Assert.That(long.Parse(last[1], CultureInfo.InvariantCulture) - expected, Is.EqualTo(0).Within(2000));
+        Assert.That(double.Parse(last[2], CultureInfo.InvariantCulture), Is.EqualTo(50).Within(0.1));
+        Assert.That(long.Parse(last[3], CultureInfo.InvariantCulture), Is.EqualTo(2_000_000).Within(20_000), "half the round trip");
+        Assert.That(last[4], Is.EqualTo("synchronised"));
+        Assert.That(run.Lines[1].Split(',')[4], Is.EqualTo("converging"));
+    }
+
+    [Test]
+    public async Task Sync_At_KnowsOnlyWhatHadArrived()
+    {
+        using var file = new TemporaryFile(Log(100));
+        using var instants = new TemporaryFile("t_ns\n1\n4000007\n10000000000\n60000000000\n");
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--at", instants.Path);
+
+        Assert.That(run.Lines[0], Is.EqualTo("t_ns,offset_ns,error_bound_ns,state"));
+        Assert.That(run.Lines[1], Is.EqualTo("1,,,unsynchronised"));
+        Assert.That(run.Lines[2], Does.StartWith("4000007,-").And.EndWith(",converging"), "equality included");
+        Assert.That(run.Lines[3], Does.EndWith(",synchronised"));
+        Assert.That(run.Lines[4], Does.EndWith(",holdover"));
+    }
+
+    [Test]
+    public async Task Sync_Json_HasTheSameFields()
+    {
+        using var file = new TemporaryFile(Log(5));
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--json");
+
+        var first = JsonDocument.Parse(run.Output).RootElement[0];
+        Assert.That(first.GetProperty("t4_ns").GetInt64(), Is.EqualTo(4_000_007));
+        Assert.That(first.GetProperty("state").GetString(), Is.EqualTo("converging"));
+        Assert.That(first.GetProperty("offset_ns").GetInt64(), Is.EqualTo(-ControlEpoch).Within(1000));
+    }
+
+    [Test]
+    public async Task Sync_BrokenExchanges_AreCountedAndTheRestGoesOn()
+    {
+        using var file = new TemporaryFile(Log(30) + "6000000007,5000,4000,6004000007\n6200000007,5,6,6100000000\n");
+
+        var run = await CliRun.OfAsync("sync", file.Path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(run.Lines, Has.Length.EqualTo(33), "one line per exchange, dropped ones too");
+        Assert.That(run.Errors, Does.Contain("dropped 1 of 32 exchanges: ControlTimeReversed"));
+        Assert.That(run.Errors, Does.Contain("dropped 1 of 32 exchanges: HeadsetTimeReversed"));
+    }
+
+    [TestCase("", ":1: the header is ''")]
+    [TestCase("a,b\n1,2\n", ":1: the header is 'a,b'; it must be t1_ns,t2_ns,t3_ns,t4_ns")]
+    [TestCase(Header, "no rows below the header")]
+    [TestCase(Header + "1,2,3\n", ":2: 3 fields; there must be 4")]
+    [TestCase(Header + "1,2,,4\n", ":2: t3_ns: '' is not a whole number")]
+    [TestCase(Header + "1,2,3,4\n1,2.5,3,4\n", ":3: t2_ns: '2.5' is not a whole number")]
+    [TestCase(Header + "1,2,3,99999999999999999999\n", ":2: t4_ns: '99999999999999999999' is not a whole number")]
+    public async Task Sync_BadFile_IsOneLineAndExit2(string content, string named)
+    {
+        using var file = new TemporaryFile(content);
+
+        var run = await CliRun.OfAsync("sync", file.Path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(run.Errors, Does.Contain(file.Path).And.Contain(named));
+    }
+
+    [Test]
+    public async Task Sync_InstantsNotIncreasing_NamesTheLine()
+    {
+        using var file = new TemporaryFile(Log(5));
+        using var instants = new TemporaryFile("t_ns\n5\n5\n");
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--at", instants.Path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain(":3: t_ns: 5 ns is not after 5 ns"));
+    }
+}
