@@ -1,0 +1,44 @@
+using System;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>Joint positions to the poses of all links.</summary>
+    /// <remarks>
+    /// Everything that does not depend on the positions is computed once. Afterwards immutable: one object serves any thread.
+    /// </remarks>
+    public sealed class ForwardKinematics
+    {
+        readonly RobotModel _model;
+        readonly JointMotion[] _motions;
+
+        public ForwardKinematics(RobotModel model)
+        {
+            _model = model;
+            _motions = new JointMotion[model.Links.Count - 1];
+            for (var i = 0; i < _motions.Length; i++) _motions[i] = new JointMotion(model.Links[i + 1]);
+        }
+
+        /// <summary>Poses relative to the root link, right-handed as in the URDF. Limits do not apply; allocates nothing.</summary>
+        /// <param name="positions">One per <see cref="RobotModel.MovingJoints"/>, rad or m; mimic joints are taken as given.</param>
+        /// <param name="linkPoses">One per <see cref="RobotModel.Links"/>, in that order.</param>
+        public void Compute(ReadOnlySpan<double> positions, Span<RigidTransform> linkPoses)
+        {
+            _model.RequireOnePerMovingJoint(positions.Length, nameof(positions));
+            if (linkPoses.Length != _motions.Length + 1)
+                throw new ArgumentException(linkPoses.Length + " poses for " + (_motions.Length + 1) + " links", nameof(linkPoses));
+
+            linkPoses[0] = RigidTransform.Identity;
+            for (var i = 0; i < _motions.Length; i++)
+            {
+                ref readonly var motion = ref _motions[i];
+                ref readonly var parent = ref linkPoses[motion.Parent];
+                linkPoses[i + 1] = motion.Kind switch
+                {
+                    JointKind.Fixed => parent * motion.Origin,
+                    JointKind.Prismatic => parent * motion.SlidBy(positions[motion.Position]),
+                    _ => parent * motion.TurnedBy(positions[motion.Position]),
+                };
+            }
+        }
+    }
+}

@@ -1,0 +1,30 @@
+namespace Nowpose.Kinematics
+{
+    /// <summary>One shape that shows a link.</summary>
+    public sealed class LinkVisual
+    {
+        internal LinkVisual(
+            VisualShape shape, in RigidTransform origin, (double X, double Y, double Z) size, string meshFile, VisualColour? colour)
+        {
+            Shape = shape;
+            Origin = origin;
+            Size = size;
+            MeshFile = meshFile;
+            Colour = colour;
+        }
+
+        public VisualShape Shape { get; }
+
+        /// <summary>The shape's frame in the link's.</summary>
+        public RigidTransform Origin { get; }
+
+        /// <summary>Whole extent along the shape's own axes in metres (diameters, not radii); for a mesh its scale, without unit.</summary>
+        public (double X, double Y, double Z) Size { get; }
+
+        /// <summary>As the URDF names it (<c>package://…</c> or a path); null unless <see cref="VisualShape.Mesh"/>.</summary>
+        public string MeshFile { get; }
+
+        /// <summary>Null where the URDF gives none.</summary>
+        public VisualColour? Colour { get; }
+    }
+}

@@ -1,0 +1,43 @@
+namespace Nowpose.Kinematics
+{
+    /// <summary>What connects a link to its parent.</summary>
+    public sealed class RobotJoint
+    {
+        internal RobotJoint(
+            string name, JointKind kind, string parentLink, string childLink, int movingIndex,
+            in RigidTransform origin, (double X, double Y, double Z) axis, in JointLimits limits, JointMimic mimic)
+        {
+            Name = name;
+            Kind = kind;
+            ParentLink = parentLink;
+            ChildLink = childLink;
+            MovingIndex = movingIndex;
+            Origin = origin;
+            Axis = axis;
+            Limits = limits;
+            Mimic = mimic;
+        }
+
+        public string Name { get; }
+        public JointKind Kind { get; }
+        public string ParentLink { get; }
+        public string ChildLink { get; }
+
+        /// <summary>Place of its value among the positions (<see cref="RobotModel.MovingJoints"/>), -1 for a fixed joint.</summary>
+        public int MovingIndex { get; }
+
+        /// <summary>The joint's frame in the parent link's, which is also the child link's pose at position 0.</summary>
+        public RigidTransform Origin { get; }
+
+        /// <summary>Unit vector in the joint's own frame; positive positions turn about it by the right-hand rule or slide along it. Without meaning on a fixed joint.</summary>
+        public (double X, double Y, double Z) Axis { get; }
+
+        /// <summary><see cref="JointLimits.None"/> on a fixed joint.</summary>
+        public JointLimits Limits { get; }
+
+        /// <summary>Null unless the joint follows another.</summary>
+        public JointMimic Mimic { get; }
+
+        public override string ToString() => Name;
+    }
+}

@@ -1,0 +1,28 @@
+using System.Collections.Generic;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>A rigid part of a robot. Its frame is that of the joint that carries it.</summary>
+    public sealed class RobotLink
+    {
+        internal RobotLink(string name, RobotJoint parentJoint, int parentIndex, IReadOnlyList<LinkVisual> visuals)
+        {
+            Name = name;
+            ParentJoint = parentJoint;
+            ParentIndex = parentIndex;
+            Visuals = visuals;
+        }
+
+        public string Name { get; }
+
+        /// <summary>Null for the root link.</summary>
+        public RobotJoint ParentJoint { get; }
+
+        /// <summary>Index of the parent in <see cref="RobotModel.Links"/>, always lower than the link's own; -1 for the root link.</summary>
+        public int ParentIndex { get; }
+
+        public IReadOnlyList<LinkVisual> Visuals { get; }
+
+        public override string ToString() => Name;
+    }
+}

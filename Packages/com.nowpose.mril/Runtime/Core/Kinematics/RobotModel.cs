@@ -1,0 +1,71 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>A robot as a tree of links: what a URDF says, checked and put in order. Immutable, so any thread may use it.</summary>
+    public sealed class RobotModel
+    {
+        readonly MimicStep[] _mimics;
+        readonly Dictionary<string, int> _linkIndices = new Dictionary<string, int>(StringComparer.Ordinal);
+        readonly Dictionary<string, int> _movingIndices = new Dictionary<string, int>(StringComparer.Ordinal);
+
+        internal RobotModel(string name, RobotLink[] links, RobotJoint[] joints, MimicStep[] mimics, RobotLink toolLink)
+        {
+            Name = name;
+            Links = links;
+            Joints = joints;
+            MovingJoints = Array.FindAll(joints, joint => joint.Kind != JointKind.Fixed);
+            ToolLink = toolLink;
+            _mimics = mimics;
+            for (var i = 0; i < links.Length; i++) _linkIndices.Add(links[i].Name, i);
+            foreach (var joint in MovingJoints) _movingIndices.Add(joint.Name, joint.MovingIndex);
+        }
+
+        /// <summary>Empty where the URDF gives none.</summary>
+        public string Name { get; }
+
+        /// <summary>Root first, parents before their children.</summary>
+        public IReadOnlyList<RobotLink> Links { get; }
+
+        /// <summary>All joints as the URDF orders them.</summary>
+        public IReadOnlyList<RobotJoint> Joints { get; }
+
+        /// <summary>The joints that are not fixed, those that mimic included, as the URDF orders them: one position each, in rad or m.</summary>
+        public IReadOnlyList<RobotJoint> MovingJoints { get; }
+
+        public RobotLink Root => Links[0];
+
+        /// <summary>
+        /// The link that works: <c>tool_centre_point</c>, else <c>tool0</c>, else <c>flange</c>, else the leaf with the most
+        /// moving joints above it (the first in the URDF of several).
+        /// </summary>
+        public RobotLink ToolLink { get; }
+
+        /// <summary>Index in <see cref="Links"/>, -1 if there is no such link.</summary>
+        public int IndexOfLink(string name) => _linkIndices.TryGetValue(name, out var index) ? index : -1;
+
+        /// <summary>Index in <see cref="MovingJoints"/>, -1 if there is no such joint or it is fixed.</summary>
+        public int IndexOfMovingJoint(string name) => _movingIndices.TryGetValue(name, out var index) ? index : -1;
+
+        /// <summary>Sets the position of each mimic joint that was not given from its master's; allocates nothing.</summary>
+        /// <param name="positions">One per moving joint, rad or m.</param>
+        /// <param name="given">One per moving joint: whether its position came from elsewhere and stays.</param>
+        public void CompleteMimics(Span<double> positions, ReadOnlySpan<bool> given)
+        {
+            RequireOnePerMovingJoint(positions.Length, nameof(positions));
+            RequireOnePerMovingJoint(given.Length, nameof(given));
+            foreach (ref readonly var mimic in _mimics.AsSpan())
+            {
+                if (!given[mimic.Joint])
+                    positions[mimic.Joint] = mimic.Multiplier * positions[mimic.Master] + mimic.Offset;
+            }
+        }
+
+        internal void RequireOnePerMovingJoint(int length, string argument)
+        {
+            if (length != MovingJoints.Count)
+                throw new ArgumentException(length + " values for " + MovingJoints.Count + " moving joints", argument);
+        }
+    }
+}

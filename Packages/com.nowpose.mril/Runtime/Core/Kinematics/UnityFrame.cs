@@ -1,0 +1,51 @@
+using System;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>The one place where right-handed URDF poses (x forward, y left, z up) become Unity's left-handed ones and back.</summary>
+    /// <remarks>
+    /// Unity's (x, y, z) is (−y, z, x) of the URDF. That mirrors, so a rotation keeps its angle while its axis maps
+    /// with the opposite sign: (y, −z, −x). Poses convert one by one: ToUnity(a * b) is ToUnity(a) followed by ToUnity(b).
+    /// </remarks>
+    public static class UnityFrame
+    {
+        /// <summary>The rotation has w ≥ 0.</summary>
+        public static UnityPose ToUnity(in RigidTransform pose)
+        {
+            var (x, y, z, w) = Quaternion(pose);
+            return new UnityPose(-pose.Y, pose.Z, pose.X, y, -z, -x, w);
+        }
+
+        /// <param name="pose">Its rotation need not be of unit length, but not zero.</param>
+        public static RigidTransform FromUnity(in UnityPose pose)
+        {
+            double x = -pose.RotationZ, y = pose.RotationX, z = -pose.RotationY, w = pose.RotationW;
+            var s = 2 / (x * x + y * y + z * z + w * w);
+            return new RigidTransform(
+                1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w),
+                s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w),
+                s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y),
+                pose.Z, -pose.X, pose.Y);
+        }
+
+        // Each branch divides by the largest of the four components, which is at least 1/2 (Shepperd's method).
+        static (double X, double Y, double Z, double W) Quaternion(in RigidTransform r)
+        {
+            var trace = r.R00 + r.R11 + r.R22;
+            if (trace >= r.R00 && trace >= r.R11 && trace >= r.R22)
+                return Unit(r.R21 - r.R12, r.R02 - r.R20, r.R10 - r.R01, 1 + trace);
+            if (r.R00 >= r.R11 && r.R00 >= r.R22)
+                return Unit(1 + r.R00 - r.R11 - r.R22, r.R01 + r.R10, r.R02 + r.R20, r.R21 - r.R12);
+            if (r.R11 >= r.R22)
+                return Unit(r.R01 + r.R10, 1 + r.R11 - r.R00 - r.R22, r.R12 + r.R21, r.R02 - r.R20);
+            return Unit(r.R02 + r.R20, r.R12 + r.R21, 1 + r.R22 - r.R00 - r.R11, r.R10 - r.R01);
+        }
+
+        static (double X, double Y, double Z, double W) Unit(double x, double y, double z, double w)
+        {
+            var scale = 1 / Math.Sqrt(x * x + y * y + z * z + w * w);
+            if (w < 0) scale = -scale;
+            return (x * scale, y * scale, z * scale, w * scale);
+        }
+    }
+}

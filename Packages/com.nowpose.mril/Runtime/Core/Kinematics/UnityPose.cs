@@ -1,0 +1,30 @@
+namespace Nowpose.Kinematics
+{
+    /// <summary>A pose in Unity's left-handed frame (x right, y up, z forward), in plain numbers because Core knows no engine types.</summary>
+    public readonly struct UnityPose
+    {
+        public UnityPose(double x, double y, double z, double rotationX, double rotationY, double rotationZ, double rotationW)
+        {
+            X = x;
+            Y = y;
+            Z = z;
+            RotationX = rotationX;
+            RotationY = rotationY;
+            RotationZ = rotationZ;
+            RotationW = rotationW;
+        }
+
+        /// <summary>Position, metres.</summary>
+        public double X { get; }
+
+        public double Y { get; }
+        public double Z { get; }
+
+        /// <summary>Unit quaternion, the components of Unity's <c>Quaternion</c>.</summary>
+        public double RotationX { get; }
+
+        public double RotationY { get; }
+        public double RotationZ { get; }
+        public double RotationW { get; }
+    }
+}

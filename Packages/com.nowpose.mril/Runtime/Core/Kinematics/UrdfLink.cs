@@ -1,0 +1,61 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Xml.Linq;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>A link as read, before it has a place in the tree.</summary>
+    sealed class UrdfLink
+    {
+        readonly UrdfSource _source;
+        readonly UrdfMaterials _materials;
+
+        public UrdfLink(UrdfSource source, XElement element, UrdfMaterials materials)
+        {
+            _source = source;
+            _materials = materials;
+            Element = element;
+            Name = source.RequiredName(element, "name");
+            Visuals = element.Elements(element.Name.Namespace + "visual").Select(Visual).Where(v => v != null).ToArray();
+        }
+
+        public XElement Element { get; }
+        public string Name { get; }
+        public IReadOnlyList<LinkVisual> Visuals { get; }
+
+        // A shape that is not known is not drawn; the robot still moves.
+        LinkVisual Visual(XElement visual)
+        {
+            var shape = UrdfSource.Child(visual, "geometry")?.Elements().FirstOrDefault();
+            switch (shape?.Name.LocalName)
+            {
+                case "box": return Make(VisualShape.Box, Size(shape));
+                case "cylinder": return Make(VisualShape.Cylinder, (Diameter(shape), Diameter(shape), Length(shape, "length")));
+                case "sphere": return Make(VisualShape.Sphere, (Diameter(shape), Diameter(shape), Diameter(shape)));
+                case "mesh":
+                    var file = _source.RequiredName(shape, "filename");
+                    return Make(VisualShape.Mesh, _source.Triple(shape, "scale", (1, 1, 1)), file);
+                default: return null;
+            }
+
+            LinkVisual Make(VisualShape kind, (double, double, double) size, string meshFile = null) =>
+                new LinkVisual(kind, _source.Origin(visual), size, meshFile, _materials.ColourOf(visual));
+        }
+
+        (double X, double Y, double Z) Size(XElement box)
+        {
+            var size = _source.Triple(box, "size", (double.NaN, 0, 0));
+            if (!(size.X >= 0 && size.Y >= 0 && size.Z >= 0)) throw _source.Error(box, "size has to be 3 lengths of at least 0 m");
+            return size;
+        }
+
+        double Diameter(XElement shape) => 2 * Length(shape, "radius");
+
+        double Length(XElement shape, string attribute)
+        {
+            var length = _source.Number(shape, attribute, double.NaN);
+            if (!(length >= 0)) throw _source.Error(shape, attribute + " has to be a length of at least 0 m");
+            return length;
+        }
+    }
+}

@@ -1,0 +1,47 @@
+using System;
+using System.Collections.Generic;
+using System.Xml.Linq;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>Colours by material name. A visual may define one for the others to use, so all are collected first.</summary>
+    sealed class UrdfMaterials
+    {
+        readonly UrdfSource _source;
+        readonly Dictionary<string, VisualColour> _colours = new Dictionary<string, VisualColour>(StringComparer.Ordinal);
+
+        public UrdfMaterials(UrdfSource source, XElement root)
+        {
+            _source = source;
+            foreach (var material in root.Descendants(root.Name.Namespace + "material"))
+            {
+                var name = (string)material.Attribute("name");
+                if (IsOfTheRobot(material, root) && name != null && Inline(material) is VisualColour colour)
+                    _colours[name] = colour;
+            }
+        }
+
+        /// <summary>Null without a material, or with one that has no colour.</summary>
+        public VisualColour? ColourOf(XElement visual)
+        {
+            var material = UrdfSource.Child(visual, "material");
+            if (material == null) return null;
+            if (Inline(material) is VisualColour colour) return colour;
+            return _colours.TryGetValue((string)material.Attribute("name") ?? "", out colour) ? colour : (VisualColour?)null;
+        }
+
+        // gazebo's <material> elements hold a name as text and belong to another format.
+        static bool IsOfTheRobot(XElement material, XElement root) =>
+            material.Parent == root || material.Parent.Name.LocalName == "visual" && material.Parent.Parent.Parent == root;
+
+        VisualColour? Inline(XElement material)
+        {
+            var colour = UrdfSource.Child(material, "color");
+            if (colour == null) return null;
+            var rgba = _source.Numbers(colour, "rgba");
+            if (rgba.Length != 3 && rgba.Length != 4)
+                throw _source.Error(colour, "rgba has " + rgba.Length + " numbers, it needs 4");
+            return new VisualColour(rgba[0], rgba[1], rgba[2], rgba.Length == 4 ? rgba[3] : 1);
+        }
+    }
+}

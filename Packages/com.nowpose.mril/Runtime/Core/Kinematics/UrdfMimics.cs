@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>Puts mimic joints in an order in which each follows its master.</summary>
+    static class UrdfMimics
+    {
+        public static MimicStep[] InOrder(UrdfSource source, UrdfJoint[] joints)
+        {
+            var byName = joints.ToDictionary(joint => joint.Joint.Name, StringComparer.Ordinal);
+            var steps = new List<MimicStep>();
+            var done = new HashSet<UrdfJoint>();
+            foreach (var joint in joints)
+            {
+                // Followed up to a joint that moves by itself or is in the list already, then taken back down.
+                var chain = new Stack<UrdfJoint>();
+                var at = joint;
+                for (; at.Joint.Mimic != null && done.Add(at); at = Master(source, at, byName)) chain.Push(at);
+                if (chain.Contains(at)) throw MimicError(source, at, "following " + UrdfSource.Quote(at.Joint.Mimic.Master) + " leads back to this joint: a loop");
+                foreach (var follower in chain) steps.Add(Step(follower.Joint, byName));
+            }
+            return steps.ToArray();
+        }
+
+        static UrdfJoint Master(UrdfSource source, UrdfJoint follower, Dictionary<string, UrdfJoint> byName)
+        {
+            var name = follower.Joint.Mimic.Master;
+            if (!byName.TryGetValue(name, out var master))
+                throw MimicError(source, follower, "there is no joint " + UrdfSource.Quote(name));
+            if (master.Joint.Kind == JointKind.Fixed)
+                throw MimicError(source, follower, "joint " + UrdfSource.Quote(name) + " is fixed; only a moving one can be followed");
+            return master;
+        }
+
+        static InputException MimicError(UrdfSource source, UrdfJoint joint, string message) =>
+            source.Error(UrdfSource.Child(joint.Element, "mimic"), message);
+
+        static MimicStep Step(RobotJoint follower, Dictionary<string, UrdfJoint> byName) => new MimicStep(
+            follower.MovingIndex, byName[follower.Mimic.Master].Joint.MovingIndex, follower.Mimic.Multiplier, follower.Mimic.Offset);
+    }
+}

@@ -1,0 +1,39 @@
+using System.Linq;
+using System.Xml.Linq;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>Reads robots in the Unified Robot Description Format of ROS.</summary>
+    /// <remarks>
+    /// Links with their visuals and joints; fixed, revolute, continuous and prismatic joints, mimic and limits. Everything
+    /// else (collision, inertia, transmissions, gazebo) is passed over. Document types and entities are refused.
+    /// </remarks>
+    public static class UrdfReader
+    {
+        /// <param name="text">The whole document, xacro already expanded.</param>
+        /// <param name="sourceName">What errors call it, usually the file's name.</param>
+        /// <exception cref="InputException">
+        /// Not a robot that can be computed; names the line, the element and what is wrong with it.
+        /// </exception>
+        public static RobotModel Read(string text, string sourceName)
+        {
+            var source = new UrdfSource(sourceName);
+            var root = source.ParseRoot(text);
+            if (root.Name.LocalName != "robot")
+                throw source.Error(root, "the root element has to be <robot>");
+
+            var materials = new UrdfMaterials(source, root);
+            var links = Children(root, "link").Select(e => new UrdfLink(source, e, materials)).ToArray();
+            var joints = UrdfJoint.ReadAll(source, Children(root, "joint"));
+            var tree = new UrdfTree(source, root, links, joints);
+            return new RobotModel(
+                (string)root.Attribute("name") ?? "",
+                tree.Links,
+                joints.Select(joint => joint.Joint).ToArray(),
+                UrdfMimics.InOrder(source, joints),
+                tree.ToolLink(links));
+        }
+
+        static XElement[] Children(XElement root, string name) => root.Elements(root.Name.Namespace + name).ToArray();
+    }
+}

@@ -1,0 +1,98 @@
+using System;
+using System.Globalization;
+using System.Linq;
+using System.Xml;
+using System.Xml.Linq;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>Reads attributes of one URDF and words what is wrong with them, always with its name and the line.</summary>
+    sealed class UrdfSource
+    {
+        const int LongestQuote = 60;
+        readonly string _name;
+
+        public UrdfSource(string name) => _name = name;
+
+        public XElement ParseRoot(string text)
+        {
+            var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null };
+            try
+            {
+                // A byte order mark survives in text that did not come from a file.
+                using (var lines = new System.IO.StringReader(text.TrimStart('\uFEFF')))
+                using (var reader = XmlReader.Create(lines, settings))
+                    return XDocument.Load(reader, LoadOptions.SetLineInfo).Root;
+            }
+            catch (XmlException e)
+            {
+                throw new InputException(OneLine(_name + ":" + Math.Max(1, e.LineNumber) + ": " + Explain(e)), e);
+            }
+        }
+
+        /// <summary>Children of a name in the root's own namespace: gazebo's and others' extensions may reuse the names.</summary>
+        public static XElement Child(XElement parent, string name) => parent.Element(parent.Name.Namespace + name);
+
+        public InputException Error(XElement at, string message)
+        {
+            var owner = at.AncestorsAndSelf().First(e => e.Parent?.Parent == null);
+            var subject = owner.Name.LocalName + (Named(owner, out var name) ? " " + Quote(name) : "");
+            if (at != owner) subject += " <" + at.Name.LocalName + ">";
+            return new InputException(OneLine(_name + ":" + ((IXmlLineInfo)at).LineNumber + ": " + subject + ": " + message));
+        }
+
+        public string RequiredName(XElement element, string attribute)
+        {
+            var name = (string)element.Attribute(attribute);
+            if (string.IsNullOrWhiteSpace(name)) throw Error(element, "its attribute " + attribute + " is missing or empty");
+            return name;
+        }
+
+        public double Number(XElement element, string attribute, double absent)
+        {
+            var text = (string)element?.Attribute(attribute);
+            return text == null ? absent : Parse(element, attribute, text);
+        }
+
+        public (double X, double Y, double Z) Triple(XElement element, string attribute, (double, double, double) absent)
+        {
+            if (element?.Attribute(attribute) == null) return absent;
+            var numbers = Numbers(element, attribute);
+            if (numbers.Length != 3) throw Error(element, attribute + " has " + numbers.Length + " numbers, it needs 3");
+            return (numbers[0], numbers[1], numbers[2]);
+        }
+
+        public double[] Numbers(XElement element, string attribute) => ((string)element.Attribute(attribute) ?? "")
+            .Split((char[])null, StringSplitOptions.RemoveEmptyEntries)
+            .Select(part => Parse(element, attribute, part))
+            .ToArray();
+
+        public RigidTransform Origin(XElement parent)
+        {
+            var origin = Child(parent, "origin");
+            var (x, y, z) = Triple(origin, "xyz", (0, 0, 0));
+            var (roll, pitch, yaw) = Triple(origin, "rpy", (0, 0, 0));
+            return RigidTransform.FromXyzRpy(x, y, z, roll, pitch, yaw);
+        }
+
+        public static string Quote(string text) =>
+            "'" + (text.Length <= LongestQuote ? text : text.Substring(0, LongestQuote) + "…") + "'";
+
+        double Parse(XElement element, string attribute, string text)
+        {
+            const NumberStyles plain = NumberStyles.Float;
+            if (!double.TryParse(text, plain, CultureInfo.InvariantCulture, out var number) || !double.IsFinite(number))
+                throw Error(element, attribute + " " + Quote(text) + " is not a finite number"
+                    + (text.Contains("${") ? "; expand the file with xacro first" : ""));
+            return number;
+        }
+
+        static bool Named(XElement element, out string name) => (name = (string)element.Attribute("name")) != null;
+
+        static string Explain(XmlException e) => e.Message.Contains("DTD", StringComparison.OrdinalIgnoreCase)
+            ? "a document type (DTD) with its entities is not allowed in a URDF"
+            : "not well-formed XML: " + e.Message;
+
+        static string OneLine(string text) => new string(text.Select(c => char.IsControl(c) ? ' ' : c).ToArray());
+    }
+}

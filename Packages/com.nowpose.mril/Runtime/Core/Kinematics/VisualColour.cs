@@ -1,0 +1,19 @@
+namespace Nowpose.Kinematics
+{
+    /// <summary>Red, green, blue and opacity, each meant to lie in 0…1 and kept as written.</summary>
+    public readonly struct VisualColour
+    {
+        public VisualColour(double red, double green, double blue, double alpha)
+        {
+            Red = red;
+            Green = green;
+            Blue = blue;
+            Alpha = alpha;
+        }
+
+        public double Red { get; }
+        public double Green { get; }
+        public double Blue { get; }
+        public double Alpha { get; }
+    }
+}

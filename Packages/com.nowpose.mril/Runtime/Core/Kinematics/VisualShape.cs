@@ -1,0 +1,12 @@
+namespace Nowpose.Kinematics
+{
+    public enum VisualShape
+    {
+        Box,
+
+        /// <summary>About its own z axis, its middle at the origin.</summary>
+        Cylinder,
+        Sphere,
+        Mesh,
+    }
+}
