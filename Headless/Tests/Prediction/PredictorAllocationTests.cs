@@ -1,0 +1,36 @@
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests;
+
+public class PredictorAllocationTests
+{
+    static IReadOnlyList<string> Names => Predictors.Names;
+
+    [TestCaseSource(nameof(Names))]
+    public void AddAndAt_AfterWarmUp_AllocateNothing(string name)
+    {
+        var predictor = Predictors.Create(name, new PredictionLimits());
+        Run(predictor, 0);
+
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        var sum = Run(predictor, 100);
+        var allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+
+        Assert.That(allocated, Is.EqualTo(0));
+        Assert.That(sum, Is.Not.EqualTo(0));
+    }
+
+    static double Run(IJointPredictor predictor, double start)
+    {
+        var sum = 0.0;
+        for (var i = 0; i < 1000; i++)
+        {
+            var t = start + i * 0.05;
+            predictor.Add(new JointSample(t, Math.Sin(t)));
+            if (i % 10 == 0) predictor.Add(new JointSample(t - 0.06, 0.5));
+            for (var frame = 0; frame < 3; frame++) sum += predictor.At(t + 0.1 + frame * 0.0167).Position;
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,101 @@
+using System;
+
+namespace Nowpose.Prediction
+{
+    /// <summary>One section of Schnierle &amp; Röck 2022, Eq. (8): the polynomial that holds until the next sample.</summary>
+    /// <remarks>
+    /// Times count from the newest sample and are scaled by a power of two near the window's span; positions count from
+    /// the newest one. So neither the epoch nor the unit costs accuracy, and scaling rounds nothing.
+    /// </remarks>
+    sealed class PolynomialSection
+    {
+        /// <summary>Half a tick of the time types: nearer stamps are the same stamp, which no polynomial can pass twice.</summary>
+        const double CoincidentSeconds = 0.5e-7;
+
+        readonly int _degree;
+        readonly double[] _times;
+        readonly double[] _positions;
+        readonly double[] _coefficients;
+        readonly OrthogonalFit _fit;
+        double _perScale;
+
+        public PolynomialSection(int degree, int points)
+        {
+            _degree = degree;
+            _times = new double[points];
+            _positions = new double[points];
+            _coefficients = new double[degree + 1];
+            _fit = new OrthogonalFit(degree, points);
+        }
+
+        /// <summary>Degree of the section in use; 0 when the stamps allow no motion to be told.</summary>
+        public int Degree { get; private set; }
+
+        /// <summary>Position relative to the newest sample's, at seconds ahead of its time.</summary>
+        public double At(double ahead)
+        {
+            var x = ahead * _perScale;
+            var value = 0.0;
+            for (var i = _coefficients.Length - 1; i >= 0; i--) value = value * x + _coefficients[i];
+            return value;
+        }
+
+        /// <summary>Solves for the newest <paramref name="count"/> samples, by the highest degree they determine.</summary>
+        public void Solve(SampleHistory history, int count)
+        {
+            Array.Clear(_coefficients, 0, _coefficients.Length);
+            Localise(history, count);
+            Degree = Math.Min(_degree, DistinctTimes(count) - 1);
+            if (Degree == 0) return;
+            if (count == Degree + 1) Interpolate();
+            else _fit.Solve(_times, _positions, count, Degree, _coefficients);
+        }
+
+        void Localise(SampleHistory history, int count)
+        {
+            var span = 0.0;
+            for (var i = 0; i < count; i++)
+            {
+                _times[i] = history[i].Time - history[0].Time;
+                _positions[i] = history[i].Position - history[0].Position;
+                span = Math.Max(span, Math.Abs(_times[i]));
+            }
+            _perScale = span > 0 ? 1 / PowerOfTwoBelow(span) : 1;
+            for (var i = 0; i < count; i++) _times[i] *= _perScale;
+        }
+
+        int DistinctTimes(int count)
+        {
+            var distinct = count;
+            for (var i = 1; i < count; i++)
+                for (var j = 0; j < i; j++)
+                    if (Math.Abs(_times[i] - _times[j]) < CoincidentSeconds * _perScale)
+                    {
+                        distinct--;
+                        break;
+                    }
+            return distinct;
+        }
+
+        /// <summary>Newton's divided differences, the most accurate way through clustered stamps, then expanded for Horner.</summary>
+        void Interpolate()
+        {
+            var differences = _positions;
+            for (var level = 1; level <= Degree; level++)
+                for (var i = Degree; i >= level; i--)
+                    differences[i] = (differences[i] - differences[i - 1]) / (_times[i] - _times[i - level]);
+
+            for (var i = Degree; i >= 0; i--)
+            {
+                for (var k = Degree; k > 0; k--) _coefficients[k] = _coefficients[k - 1] - _times[i] * _coefficients[k];
+                _coefficients[0] = differences[i] - _times[i] * _coefficients[0];
+            }
+        }
+
+        static double PowerOfTwoBelow(double value)
+        {
+            const long exponentBits = 0x7FF0_0000_0000_0000;
+            return BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(value) & exponentBits);
+        }
+    }
+}

@@ -1,0 +1,18 @@
+namespace Nowpose.Prediction
+{
+    /// <summary>How a displayed position was made.</summary>
+    public enum PredictionKind
+    {
+        /// <summary>No sample yet: the position is a placeholder (0) and must not be shown as a pose.</summary>
+        None,
+
+        /// <summary>A value that stands still: the newest sample's, or the prediction's at the horizon cap.</summary>
+        Held,
+
+        /// <summary>From the section's polynomial, at or before the newest sample.</summary>
+        Interpolated,
+
+        /// <summary>From the section's polynomial, ahead of the newest sample.</summary>
+        Predicted
+    }
+}

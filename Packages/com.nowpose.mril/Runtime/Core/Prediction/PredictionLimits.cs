@@ -1,0 +1,51 @@
+using System;
+
+namespace Nowpose.Prediction
+{
+    /// <summary>What bounds a joint's prediction: how far ahead, over which pauses, and the joint's own range.</summary>
+    /// <remarks>Immutable; may be shared by all joints of a kind.</remarks>
+    public sealed class PredictionLimits
+    {
+        /// <param name="lower">Least position, rad or m.</param>
+        /// <param name="upper">Greatest position, rad or m.</param>
+        /// <param name="horizonCap">Seconds, 0 or more; infinity for none.</param>
+        /// <param name="maximumGap">Seconds, positive; infinity for none.</param>
+        /// <exception cref="ArgumentException">A value is outside its range, or lower is above upper.</exception>
+        public PredictionLimits(double lower = double.NegativeInfinity, double upper = double.PositiveInfinity,
+            double horizonCap = 0.3, double maximumGap = 0.5)
+        {
+            if (!(lower <= upper) || double.IsPositiveInfinity(lower) || double.IsNegativeInfinity(upper))
+                throw new ArgumentException("position limits " + lower + " to " + upper + ": the lower one must not be above the upper one");
+            if (!(horizonCap >= 0))
+                throw new ArgumentOutOfRangeException(nameof(horizonCap), horizonCap, "seconds, 0 or more");
+            if (!(maximumGap > 0))
+                throw new ArgumentOutOfRangeException(nameof(maximumGap), maximumGap, "seconds, more than 0");
+
+            Lower = lower;
+            Upper = upper;
+            HorizonCap = horizonCap;
+            MaximumGap = maximumGap;
+        }
+
+        /// <summary>Neither joint limits nor horizon cap nor gap rule: the bare polynomial, for studies.</summary>
+        public static PredictionLimits Unlimited { get; } =
+            new PredictionLimits(horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity);
+
+        /// <summary>Least position shown, rad or m.</summary>
+        public double Lower { get; }
+
+        /// <summary>Greatest position shown, rad or m.</summary>
+        public double Upper { get; }
+
+        /// <summary>Furthest prediction ahead of the newest sample, s; beyond it the value at the cap is held.</summary>
+        public double HorizonCap { get; }
+
+        /// <summary>
+        /// Longest interval between neighbouring samples over which a motion is believed to be one, s. Samples before a
+        /// longer one are not used: a polynomial through a pause of the transmission swings far out.
+        /// </summary>
+        public double MaximumGap { get; }
+
+        internal double Clamp(double position) => position < Lower ? Lower : position > Upper ? Upper : position;
+    }
+}

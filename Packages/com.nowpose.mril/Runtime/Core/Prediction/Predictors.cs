@@ -1,0 +1,36 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Prediction
+{
+    /// <summary>The predictors by the names that settings and command lines use.</summary>
+    public static class Predictors
+    {
+        /// <summary>What is used where nothing is asked for: the paper's choice when t_k is exact.</summary>
+        public const string Default = "quadratic";
+
+        /// <summary>All names, in the order of their degree.</summary>
+        public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[]
+        {
+            "hold", "linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4"
+        });
+
+        /// <summary>A fresh predictor for one joint.</summary>
+        /// <param name="name">One of <see cref="Names"/>.</param>
+        /// <param name="limits">Bounds of time and position.</param>
+        /// <exception cref="InputException">There is no predictor of that name.</exception>
+        public static IJointPredictor Create(string name, PredictionLimits limits)
+        {
+            switch (name)
+            {
+                case "hold": return new HoldPredictor(limits);
+                case "linear": return new PolynomialPredictor(1, 1, limits);
+                case "quadratic": return new PolynomialPredictor(2, 2, limits);
+                case "cubic": return new PolynomialPredictor(3, 3, limits);
+                case "quadratic-h3": return new PolynomialPredictor(2, 3, limits);
+                case "quadratic-h4": return new PolynomialPredictor(2, 4, limits);
+                default: throw new InputException("predictor '" + name + "' is unknown; there are " + string.Join(", ", Names));
+            }
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using System;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class PredictionLimitsTests
+    {
+        [Test]
+        public void Limits_NothingGiven_AreTheDefaults()
+        {
+            var limits = new PredictionLimits();
+
+            Assert.That(limits.HorizonCap, Is.EqualTo(0.3));
+            Assert.That(limits.MaximumGap, Is.EqualTo(0.5));
+            Assert.That(limits.Lower, Is.EqualTo(double.NegativeInfinity));
+            Assert.That(limits.Upper, Is.EqualTo(double.PositiveInfinity));
+        }
+
+        [TestCase(1, 0, 0.3, 0.5)]
+        [TestCase(double.NaN, 1, 0.3, 0.5)]
+        [TestCase(0, double.NaN, 0.3, 0.5)]
+        [TestCase(double.PositiveInfinity, double.PositiveInfinity, 0.3, 0.5)]
+        [TestCase(0, 1, -0.1, 0.5)]
+        [TestCase(0, 1, double.NaN, 0.5)]
+        [TestCase(0, 1, 0.3, 0)]
+        [TestCase(0, 1, 0.3, double.NaN)]
+        public void Limits_Impossible_AreRefused(double lower, double upper, double cap, double gap)
+        {
+            Assert.That(() => new PredictionLimits(lower, upper, cap, gap), Throws.InstanceOf<ArgumentException>());
+        }
+    }
+}

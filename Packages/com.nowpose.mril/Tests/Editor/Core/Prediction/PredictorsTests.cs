@@ -1,0 +1,52 @@
+using System.Linq;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class PredictorsTests
+    {
+        static readonly string[] Names = Predictors.Names.ToArray();
+
+        // Value at 5 s of the fits through t⁴ at 0, 1, 2, 3, 4 s, solved in rational numbers elsewhere.
+        [TestCase("hold", 256)]
+        [TestCase("linear", 431)]
+        [TestCase("quadratic", 541)]
+        [TestCase("cubic", 601)]
+        [TestCase("quadratic-h3", 496)]
+        [TestCase("quadratic-h4", 447.4)]
+        public void Create_Name_HasItsDegreeAndHistory(string name, double expected)
+        {
+            var predictor = Predictors.Create(name, PredictionLimits.Unlimited);
+            for (var t = 0; t < 5; t++) predictor.Add(new JointSample(t, t * t * t * t));
+
+            Assert.That(predictor.At(5).Position, Is.EqualTo(expected).Within(1e-9));
+        }
+
+        [TestCaseSource(nameof(Names))]
+        public void Create_EveryName_GivesAPredictorOfItsOwn(string name)
+        {
+            var one = Predictors.Create(name, PredictionLimits.Unlimited);
+            var other = Predictors.Create(name, PredictionLimits.Unlimited);
+
+            one.Add(new JointSample(0, 5));
+
+            Assert.That(one.At(0).Position, Is.EqualTo(5));
+            Assert.That(other.At(0).Kind, Is.EqualTo(PredictionKind.None));
+        }
+
+        [TestCase("quartic")]
+        [TestCase("Quadratic")]
+        [TestCase("")]
+        [TestCase(null)]
+        public void Create_UnknownName_ListsWhatThereIs(string name)
+        {
+            var e = Assert.Throws<InputException>(() => Predictors.Create(name, PredictionLimits.Unlimited));
+
+            Assert.That(e.Message, Does.Contain("'" + name + "'").And.Contain("hold, linear, quadratic, cubic, quadratic-h3, quadratic-h4"));
+        }
+
+        [Test]
+        public void Default_IsOneOfTheNames() => Assert.That(Names, Does.Contain(Predictors.Default));
+    }
+}
