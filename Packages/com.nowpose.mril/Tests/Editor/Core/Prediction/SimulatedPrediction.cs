@@ -1,0 +1,61 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Motion;
+using Nowpose.Prediction;
+
+namespace Nowpose.Tests
+{
+    /// <summary>
+    /// The paper's section 2.2 in virtual time: a 500 mm axis forth and back by the 7-phase profile (1000 mm/s, 5000 mm/s²,
+    /// 50 000 mm/s³, 0.4 s dwell) seen at 60 frames per second, each sample arriving a constant latency late.
+    /// </summary>
+    sealed class SimulatedPrediction
+    {
+        const double FrameRateHz = 60;
+        const double Dwell = 0.4;
+        const double WarmUp = 1.2;
+        const double Length = 13.2;
+
+        static readonly SevenPhaseProfile Move = new SevenPhaseProfile(500, 1000, 5000, 50000);
+
+        public double SamplingInterval { get; set; } = 0.05;
+        public double Latency { get; set; } = 0.1;
+        public double StampError { get; set; }
+
+        /// <summary>RMS error over that of holding, mean of several random sampling and frame phases.</summary>
+        public double Ratio(string predictor, int seed)
+        {
+            const int phases = 16;
+            var sum = 0.0;
+            for (var phase = 0; phase < phases; phase++) sum += OneRun(predictor, new Random(seed * phases + phase));
+            return sum / phases;
+        }
+
+        public static double Position(double t)
+        {
+            var half = Move.Duration + Dwell;
+            var inCycle = t % (2 * half);
+            return inCycle < half ? Move.PositionAt(inCycle) : 500 - Move.PositionAt(inCycle - half);
+        }
+
+        double OneRun(string name, Random random)
+        {
+            var predictor = Predictors.Create(name, PredictionLimits.Unlimited);
+            var sampleTime = random.NextDouble() * SamplingInterval;
+            var framePhase = random.NextDouble() / FrameRateHz;
+            double held = 0, predicted = 0;
+            for (var frame = 0; frame < Length * FrameRateHz; frame++)
+            {
+                var t = framePhase + frame / FrameRateHz;
+                for (; sampleTime + Latency <= t; sampleTime += SamplingInterval)
+                    predictor.Add(new JointSample(sampleTime + StampError * (2 * random.NextDouble() - 1), Position(sampleTime), sampleTime));
+                if (t < WarmUp) continue;
+                held += Squared(predictor.Hold - Position(t));
+                predicted += Squared(predictor.At(t).Position - Position(t));
+            }
+            return Math.Sqrt(predicted / held);
+        }
+
+        static double Squared(double x) => x * x;
+    }
+}
