@@ -28,6 +28,7 @@ public static class CommandLine
     static IEnumerable<Command> Verbs()
     {
         yield return Sync.SyncVerb.Create();
+        yield return Replay.ReplayVerb.Create();
     }
 
     static async Task<int> InvokeAsync(ParseResult parsed)

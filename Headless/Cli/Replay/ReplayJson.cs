@@ -1,0 +1,44 @@
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary>A replay's result as JSON, numbers with all the digits they have.</summary>
+static class ReplayJson
+{
+    public static string Of(ReplayResult result)
+    {
+        using var bytes = new MemoryStream();
+        var options = new JsonWriterOptions { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+        using (var json = new Utf8JsonWriter(bytes, options)) Write(json, result);
+        return Encoding.UTF8.GetString(bytes.ToArray());
+    }
+
+    static void Write(Utf8JsonWriter json, ReplayResult result)
+    {
+        json.WriteStartObject();
+        json.WriteString("file", result.File);
+        json.WriteString("predictor", result.Predictor);
+        json.WriteNumber("frames", result.Frames);
+        json.WriteStartArray("axes");
+        foreach (var axis in result.Axes) Write(json, axis);
+        json.WriteEndArray();
+        json.WriteNumber("rms_hold", result.RmsHold);
+        json.WriteNumber("rms", result.Rms);
+        if (result.Reduction is double reduction) json.WriteNumber("reduction", reduction);
+        else json.WriteNull("reduction");
+        json.WriteEndObject();
+    }
+
+    static void Write(Utf8JsonWriter json, ReplayResult.Axis axis)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", axis.Name);
+        json.WriteNumber("rms_hold", axis.RmsHold);
+        json.WriteNumber("rms", axis.Rms);
+        json.WriteNumber("p95", axis.P95);
+        json.WriteNumber("max", axis.Max);
+        json.WriteEndObject();
+    }
+}

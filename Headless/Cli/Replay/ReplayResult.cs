@@ -1,0 +1,36 @@
+namespace Nowpose.Cli.Replay;
+
+/// <summary>What a replay measured; errors in the unit of the recording's columns.</summary>
+public sealed class ReplayResult
+{
+    public ReplayResult(string file, string predictor, int frames, IReadOnlyList<Axis> axes)
+    {
+        File = file;
+        Predictor = predictor;
+        Frames = frames;
+        Axes = axes;
+        RmsHold = Math.Sqrt(axes.Sum(axis => axis.RmsHold * axis.RmsHold));
+        Rms = Math.Sqrt(axes.Sum(axis => axis.Rms * axis.Rms));
+    }
+
+    /// <summary>One column: error of holding (RMS) and of the prediction (RMS, 95th percentile and maximum of the absolute error).</summary>
+    public readonly record struct Axis(string Name, double RmsHold, double Rms, double P95, double Max);
+
+    public string File { get; }
+
+    public string Predictor { get; }
+
+    /// <summary>Scored frames.</summary>
+    public int Frames { get; }
+
+    public IReadOnlyList<Axis> Axes { get; }
+
+    /// <summary>Root of the summed mean squares of all axes, held.</summary>
+    public double RmsHold { get; }
+
+    /// <summary>Root of the summed mean squares of all axes, predicted.</summary>
+    public double Rms { get; }
+
+    /// <summary>1 − rms / rms_hold; null where holding makes no error.</summary>
+    public double? Reduction => RmsHold == 0 ? null : 1 - Rms / RmsHold;
+}

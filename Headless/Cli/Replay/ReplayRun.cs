@@ -1,0 +1,100 @@
+using Nowpose.Gateway.Recordings;
+using Nowpose.Prediction;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary>Plays a recording in virtual time to one predictor per joint, frame by frame, and compares with the file.</summary>
+/// <remarks>All times are seconds since the recording's start: dates in seconds would cost the precision of the fit.</remarks>
+public sealed class ReplayRun
+{
+    /// <summary>Frames × axes: about 400 MB of errors. More means a wrong unit of time rather than a long motion.</summary>
+    const double MostValues = 5e7;
+
+    /// <summary>Samples taken, which cost time even where few frames look at them.</summary>
+    const double MostSamples = 5e7;
+
+    readonly string _path;
+    readonly MotionRecording _recording;
+    readonly ReplaySettings _settings;
+    readonly SampleFlow _flow;
+    readonly IJointPredictor[] _predictors;
+    readonly AxisError[] _errors;
+    readonly double[] _truth;
+    int _frames;
+    bool _anyArrived;
+
+    /// <param name="path">Named in results and messages.</param>
+    /// <exception cref="InputException">The predictor is unknown, or the recording is too long to replay.</exception>
+    public ReplayRun(string path, MotionRecording recording, ReplaySettings settings)
+    {
+        _path = path;
+        _recording = recording;
+        _settings = settings;
+        _flow = new SampleFlow(recording, settings);
+        _predictors = [.. recording.Names.Select(_ => Predictors.Create(settings.Predictor, PredictionLimits.Unlimited))];
+        _errors = [.. recording.Names.Select(_ => new AxisError())];
+        _truth = new double[recording.Names.Count];
+        RequireBearableLength();
+    }
+
+    /// <summary>Runs once to the recording's end; cancelled, it returns what was measured so far.</summary>
+    /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
+    public ReplayResult Run(CancellationToken cancellation = default)
+    {
+        var end = Ticks.Of(_recording.Duration);
+        for (long i = 0; Ticks.Of(i / _settings.FrameRateHz) <= end && !cancellation.IsCancellationRequested; i++)
+            Frame(i / _settings.FrameRateHz);
+        if (_frames == 0)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            throw NothingScored();
+        }
+        var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. _errors.Zip(_recording.Names, (error, name) => error.Summary(name))]);
+        if (!double.IsFinite(result.Rms + result.RmsHold))
+            throw new InputException($"{_path}: the errors are too large to be squared; are the positions in rad or m?");
+        return result;
+    }
+
+    void Frame(double time)
+    {
+        while (_flow.TryTake(time, out var sample)) Take(sample);
+        if (_anyArrived && _flow.ScoringHasStarted(time)) Score(time);
+    }
+
+    void Take(in SampleFlow.Sample sample)
+    {
+        _anyArrived = true;
+        for (var joint = 0; joint < _predictors.Length; joint++)
+            _predictors[joint].Add(new JointSample(sample.ToldTime, sample.Positions[joint], sample.Time));
+    }
+
+    void Score(double time)
+    {
+        _recording.At(time, _truth);
+        for (var joint = 0; joint < _truth.Length; joint++)
+        {
+            var predicted = _predictors[joint].At(time + _settings.LatencyError).Position;
+            _errors[joint].Add(_predictors[joint].Hold - _truth[joint], predicted - _truth[joint]);
+        }
+        _frames++;
+    }
+
+    void RequireBearableLength()
+    {
+        var values = _recording.Duration * _settings.FrameRateHz * _recording.Names.Count;
+        var samples = _recording.Duration / _settings.SamplingInterval;
+        if (values > MostValues || samples > MostSamples)
+            throw new InputException(FormattableString.Invariant(
+                $"{_path}: {_recording.Duration:G6} s are too long to replay at {_settings.FrameRateHz} frames per second and a sample every {_settings.SamplingInterval * 1e3} ms; is the time column in seconds?"));
+    }
+
+    InputException NothingScored()
+    {
+        var needed = 4 * _settings.SamplingInterval + _settings.Latency + _settings.Jitter + 1 / _settings.FrameRateHz;
+        var cause = _recording.Duration < needed
+            ? $"{_recording.Duration:G6} s are too short to score a frame: sample 4 must arrive first, so at least {needed:G6} s are needed"
+            : $"--loss {_settings.Loss}: no sample arrived, so no frame could be scored";
+        return new InputException(FormattableString.Invariant($"{_path}: ") + cause);
+    }
+}

@@ -1,0 +1,62 @@
+using System.CommandLine;
+using Nowpose.Cli.Options;
+using Nowpose.Gateway.Recordings;
+using Nowpose.Prediction;
+using Spectre.Console;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary><c>replay FILE.csv</c>: predicts a recorded motion as the headset would have; no network, virtual time.</summary>
+static class ReplayVerb
+{
+    const double MsPerSecond = 1000;
+
+    public static Command Create()
+    {
+        var file = new Argument<string>("FILE.csv")
+        {
+            Description = "A recording (.csv or .csv.gz): header, time in seconds named t or t_s, then one column per joint."
+        };
+        var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s.", 50.0, 0.1, 10000, "ms");
+        var latency = NumberOption.Create("--latency-ms", "Latency L from a sample to its arrival.", 100.0, 0, 10000, "ms");
+        var fps = NumberOption.Create("--fps", "Frames per second.", 60.0, 1, 1000, "");
+        var predictor = ChoiceOption.Create("--predictor", "How positions are predicted.", Predictors.Default, Predictors.Names);
+        var latencyError = NumberOption.Create("--latency-error-ms", "Added to the time asked for.", 0.0, -10000, 10000, "ms");
+        var stampError = NumberOption.Create("--stamp-error-ms", "Half-width of a uniform error on each sample's time.", 0.0, 0, 10000, "ms");
+        var jitter = NumberOption.Create("--jitter-ms", "Greatest additional delay of a sample, uniform from 0.", 0.0, 0, 10000, "ms");
+        var loss = NumberOption.Create("--loss", "Probability that a sample never arrives.", 0.0, 0, 1, "");
+        var seed = NumberOption.Create("--seed", "Start of all that is random.", 1, int.MinValue, int.MaxValue, "");
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of a table." };
+
+        var verb = new Command("replay", "Predicts a recorded motion as the headset would have; no network, virtual time.")
+        {
+            file, sampling, latency, fps, predictor, latencyError, stampError, jitter, loss, seed, json
+        };
+        verb.SetAction((parsed, cancellation) =>
+        {
+            var settings = new ReplaySettings
+            {
+                SamplingInterval = parsed.GetValue(sampling) / MsPerSecond,
+                Latency = parsed.GetValue(latency) / MsPerSecond,
+                FrameRateHz = parsed.GetValue(fps),
+                Predictor = parsed.GetValue(predictor),
+                LatencyError = parsed.GetValue(latencyError) / MsPerSecond,
+                StampError = parsed.GetValue(stampError) / MsPerSecond,
+                Jitter = parsed.GetValue(jitter) / MsPerSecond,
+                Loss = parsed.GetValue(loss),
+                Seed = parsed.GetValue(seed)
+            };
+            // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has measured.
+            return Task.Run(() => Run(parsed.GetRequiredValue(file), settings, parsed.GetValue(json), cancellation), CancellationToken.None);
+        });
+        return verb;
+    }
+
+    static int Run(string path, ReplaySettings settings, bool json, CancellationToken cancellation)
+    {
+        var result = new ReplayRun(path, MotionRecording.Read(path), settings).Run(cancellation);
+        if (json) Console.Out.WriteLine(ReplayJson.Of(result));
+        else ReplayTable.Write(AnsiConsole.Console, result);
+        return cancellation.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+    }
+}

@@ -1,0 +1,65 @@
+using Nowpose.Gateway.Recordings;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary>Samples a recording every T_s and hands the samples out as they arrive. Times in seconds since the recording's start.</summary>
+sealed class SampleFlow
+{
+    /// <summary>The sample whose arrival starts the scoring: the first with the longest history, h = 4, behind it.</summary>
+    const int FirstScoredSample = 4;
+
+    readonly MotionRecording _recording;
+    readonly ReplaySettings _settings;
+    readonly PriorityQueue<Sample, (long Arrival, long Index)> _underWay = new();
+    readonly RandomStream _jitter;
+    readonly RandomStream _loss;
+    readonly RandomStream _stamp;
+    readonly long _end;
+    long _next;
+    long _scoringStart = long.MaxValue;
+
+    public SampleFlow(MotionRecording recording, ReplaySettings settings)
+    {
+        _recording = recording;
+        _settings = settings;
+        _end = Ticks.Of(recording.Duration);
+        _jitter = new RandomStream(settings.Seed, 1);
+        _loss = new RandomStream(settings.Seed, 2);
+        _stamp = new RandomStream(settings.Seed, 3);
+    }
+
+    /// <summary>t_k, the t_k the predictor is told, and the joints' positions.</summary>
+    public readonly record struct Sample(double Time, double ToldTime, double[] Positions);
+
+    /// <summary>The next sample that has arrived by a frame's time, in order of arrival; frames must not go back.</summary>
+    public bool TryTake(double frameTime, out Sample sample)
+    {
+        var frame = Ticks.Of(frameTime);
+        while (EarliestArrival(_next) <= frame && IsInside(_next)) Send(_next++);
+        sample = default;
+        return _underWay.TryPeek(out _, out var due) && due.Arrival <= frame && _underWay.TryDequeue(out sample, out _);
+    }
+
+    /// <summary>Whether sample 4 has arrived; if it is lost, whether it would have.</summary>
+    public bool ScoringHasStarted(double frameTime) => Ticks.Of(frameTime) >= _scoringStart;
+
+    double TimeOf(long index) => index * _settings.SamplingInterval;
+
+    bool IsInside(long index) => Ticks.Of(TimeOf(index)) <= _end;
+
+    long EarliestArrival(long index) => Ticks.Of(TimeOf(index) + _settings.Latency);
+
+    void Send(long index)
+    {
+        // Every sample draws from every stream, so that one option's value does not shift another's numbers.
+        var time = TimeOf(index);
+        var told = time + _settings.StampError * (2 * _stamp.Next() - 1);
+        var arrival = Ticks.Of(time + _settings.Latency + _settings.Jitter * _jitter.Next());
+        var lost = _loss.Next() < _settings.Loss;
+        if (index == FirstScoredSample) _scoringStart = arrival;
+        if (lost) return;
+        var positions = new double[_recording.Names.Count];
+        _recording.At(time, positions);
+        _underWay.Enqueue(new Sample(time, told, positions), (arrival, index));
+    }
+}
