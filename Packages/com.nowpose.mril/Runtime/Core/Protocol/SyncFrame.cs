@@ -1,0 +1,146 @@
+using System;
+using System.Buffers.Binary;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>One frame of the clock sync protocol: 48 bytes, little-endian, the same layout both ways.</summary>
+    /// <remarks>
+    /// Times are raw nanoseconds: t1 on the headset clock C2, t2 and t3 on the control clock C1. They come from the wire, so any
+    /// value is possible; whoever makes an exchange of them checks their order.
+    /// </remarks>
+    public readonly struct SyncFrame : IEquatable<SyncFrame>
+    {
+        /// <summary>Bytes of a frame.</summary>
+        public const int Size = 48;
+
+        /// <summary>"SYNC" when read as bytes.</summary>
+        public const uint Magic = 0x434E5953;
+
+        public const byte Version = 1;
+
+        /// <summary>Bit 0 of the flags of a reply: the server's own control clock is not synchronised.</summary>
+        public const ushort NotSynchronisedFlag = 1;
+
+        /// <summary>Bit 0 of the flags of a token reply.</summary>
+        public const ushort AcceptedFlag = 1;
+
+        public SyncFrame(
+            SyncFrameKind kind, ushort flags, uint sequence, uint errorBoundUs, long t1Ns, long t2Ns, long t3Ns, uint resolutionNs)
+        {
+            Kind = kind;
+            Flags = flags;
+            Sequence = sequence;
+            ErrorBoundUs = errorBoundUs;
+            T1Ns = t1Ns;
+            T2Ns = t2Ns;
+            T3Ns = t3Ns;
+            ResolutionNs = resolutionNs;
+        }
+
+        public SyncFrameKind Kind { get; }
+        public ushort Flags { get; }
+        public uint Sequence { get; }
+
+        /// <summary>The server's bound on the error of its own C1, µs; <see cref="uint.MaxValue"/> stands for anything longer.</summary>
+        public uint ErrorBoundUs { get; }
+
+        /// <summary>C2 when the request was sent, ns.</summary>
+        public long T1Ns { get; }
+
+        /// <summary>C1 when the request arrived, ns.</summary>
+        public long T2Ns { get; }
+
+        /// <summary>C1 just before the reply was sent, ns.</summary>
+        public long T3Ns { get; }
+
+        /// <summary>Resolution of C1, ns; 0 when unknown. Half of it belongs to t2 and t3 each.</summary>
+        public uint ResolutionNs { get; }
+
+        /// <summary>Of a reply: whether the server's control clock follows its own reference.</summary>
+        public bool IsServerSynchronised => (Flags & NotSynchronisedFlag) == 0;
+
+        /// <summary>Of a token reply.</summary>
+        public bool IsAccepted => (Flags & AcceptedFlag) != 0;
+
+        public static SyncFrame Request(uint sequence, long t1Ns) =>
+            new SyncFrame(SyncFrameKind.Request, 0, sequence, 0, t1Ns, 0, 0, 0);
+
+        /// <summary>The answer to <paramref name="request"/>, whose sequence and t1 are echoed.</summary>
+        /// <param name="errorBound">The server's bound on its own C1; saturates at 2³²−1 µs.</param>
+        public static SyncFrame Reply(
+            in SyncFrame request, long t2Ns, long t3Ns, bool isSynchronised, TimeSpan errorBound, uint resolutionNs) =>
+            new SyncFrame(
+                SyncFrameKind.Reply, isSynchronised ? (ushort)0 : NotSynchronisedFlag, request.Sequence,
+                Microseconds(errorBound), request.T1Ns, t2Ns, t3Ns, resolutionNs);
+
+        /// <summary>The frame before a token.</summary>
+        public static SyncFrame Token() => new SyncFrame(SyncFrameKind.Token, 0, 0, 0, 0, 0, 0, 0);
+
+        public static SyncFrame TokenReply(bool isAccepted) =>
+            new SyncFrame(SyncFrameKind.TokenReply, isAccepted ? AcceptedFlag : (ushort)0, 0, 0, 0, 0, 0, 0);
+
+        /// <summary>Reads exactly one frame; never throws.</summary>
+        public static bool TryRead(ReadOnlySpan<byte> bytes, out SyncFrame frame, out SyncFrameFault fault)
+        {
+            fault = FaultOf(bytes);
+            frame = fault == SyncFrameFault.None ? Read(bytes) : default;
+            return fault == SyncFrameFault.None;
+        }
+
+        /// <summary>Writes the frame into the first <see cref="Size"/> bytes of <paramref name="bytes"/>.</summary>
+        /// <exception cref="ArgumentOutOfRangeException"><paramref name="bytes"/> is shorter than a frame.</exception>
+        public void Write(Span<byte> bytes)
+        {
+            BinaryPrimitives.WriteUInt32LittleEndian(bytes, Magic);
+            bytes[4] = Version;
+            bytes[5] = (byte)Kind;
+            BinaryPrimitives.WriteUInt16LittleEndian(bytes.Slice(6), Flags);
+            BinaryPrimitives.WriteUInt32LittleEndian(bytes.Slice(8), Sequence);
+            BinaryPrimitives.WriteUInt32LittleEndian(bytes.Slice(12), ErrorBoundUs);
+            BinaryPrimitives.WriteInt64LittleEndian(bytes.Slice(16), T1Ns);
+            BinaryPrimitives.WriteInt64LittleEndian(bytes.Slice(24), T2Ns);
+            BinaryPrimitives.WriteInt64LittleEndian(bytes.Slice(32), T3Ns);
+            BinaryPrimitives.WriteUInt32LittleEndian(bytes.Slice(40), ResolutionNs);
+            BinaryPrimitives.WriteUInt32LittleEndian(bytes.Slice(44), 0);
+        }
+
+        public bool Equals(SyncFrame other) =>
+            Kind == other.Kind && Flags == other.Flags && Sequence == other.Sequence && ErrorBoundUs == other.ErrorBoundUs &&
+            T1Ns == other.T1Ns && T2Ns == other.T2Ns && T3Ns == other.T3Ns && ResolutionNs == other.ResolutionNs;
+
+        public override bool Equals(object obj) => obj is SyncFrame other && Equals(other);
+        public override int GetHashCode() => HashCode.Combine(Kind, Flags, Sequence, ErrorBoundUs, T1Ns, T2Ns, T3Ns, ResolutionNs);
+        public static bool operator ==(SyncFrame a, SyncFrame b) => a.Equals(b);
+        public static bool operator !=(SyncFrame a, SyncFrame b) => !a.Equals(b);
+
+        static SyncFrameFault FaultOf(ReadOnlySpan<byte> bytes)
+        {
+            if (bytes.Length != Size) return SyncFrameFault.WrongSize;
+            if (BinaryPrimitives.ReadUInt32LittleEndian(bytes) != Magic) return SyncFrameFault.WrongMagic;
+            if (bytes[4] != Version) return SyncFrameFault.WrongVersion;
+            return IsKind(bytes[5]) ? SyncFrameFault.None : SyncFrameFault.WrongKind;
+        }
+
+        static bool IsKind(byte kind) =>
+            kind == (byte)SyncFrameKind.Request || kind == (byte)SyncFrameKind.Reply ||
+            kind == (byte)SyncFrameKind.Token || kind == (byte)SyncFrameKind.TokenReply;
+
+        static SyncFrame Read(ReadOnlySpan<byte> bytes) => new SyncFrame(
+            (SyncFrameKind)bytes[5],
+            BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(6)),
+            BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(8)),
+            BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(12)),
+            BinaryPrimitives.ReadInt64LittleEndian(bytes.Slice(16)),
+            BinaryPrimitives.ReadInt64LittleEndian(bytes.Slice(24)),
+            BinaryPrimitives.ReadInt64LittleEndian(bytes.Slice(32)),
+            BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(40)));
+
+        // Rounded up: a bound may be too wide, never too narrow.
+        static uint Microseconds(TimeSpan length)
+        {
+            const long TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000;
+            var microseconds = length.Ticks / TicksPerMicrosecond + (length.Ticks % TicksPerMicrosecond > 0 ? 1 : 0);
+            return (uint)Math.Max(0, Math.Min(uint.MaxValue, microseconds));
+        }
+    }
+}

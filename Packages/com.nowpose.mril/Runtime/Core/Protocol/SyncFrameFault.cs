@@ -1,0 +1,12 @@
+namespace Nowpose.Protocol
+{
+    /// <summary>Why bytes are not a sync frame. Any of them closes the connection.</summary>
+    public enum SyncFrameFault
+    {
+        None,
+        WrongSize,
+        WrongMagic,
+        WrongVersion,
+        WrongKind,
+    }
+}

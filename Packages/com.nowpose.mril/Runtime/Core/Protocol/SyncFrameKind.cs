@@ -1,0 +1,18 @@
+namespace Nowpose.Protocol
+{
+    /// <summary>What a sync frame is; the values are those on the wire.</summary>
+    public enum SyncFrameKind : byte
+    {
+        /// <summary>t1 from the headset.</summary>
+        Request = 1,
+
+        /// <summary>t1 echoed, with t2 and t3.</summary>
+        Reply = 2,
+
+        /// <summary>Announces a token, which follows the frame (<see cref="SyncToken"/>).</summary>
+        Token = 0x10,
+
+        /// <summary>Says whether the token was accepted.</summary>
+        TokenReply = 0x11,
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+using System.Buffers.Binary;
+using System.Text;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>What follows a sync frame of kind <see cref="SyncFrameKind.Token"/>: a u16 length and that many bytes of UTF-8.</summary>
+    public static class SyncToken
+    {
+        /// <summary>Bytes of the length that stands between frame and token.</summary>
+        public const int LengthSize = 2;
+
+        // Strict: bytes that are not UTF-8 are no token, rather than a token with replacement characters in it.
+        static readonly UTF8Encoding Utf8 = new UTF8Encoding(false, true);
+
+        /// <summary>The frame, the length and the token, ready to be sent as one.</summary>
+        /// <exception cref="InputException">The token is empty or longer than the protocol allows.</exception>
+        public static byte[] Write(string token)
+        {
+            var length = Check(token);
+            var bytes = new byte[SyncFrame.Size + LengthSize + length];
+            SyncFrame.Token().Write(bytes);
+            BinaryPrimitives.WriteUInt16LittleEndian(bytes.AsSpan(SyncFrame.Size), (ushort)length);
+            Utf8.GetBytes(token, 0, token.Length, bytes, SyncFrame.Size + LengthSize);
+            return bytes;
+        }
+
+        /// <summary>Reads the length; false when it is beyond the protocol's limit, which closes the connection.</summary>
+        public static bool TryReadLength(ReadOnlySpan<byte> bytes, out int length)
+        {
+            length = bytes.Length == LengthSize ? BinaryPrimitives.ReadUInt16LittleEndian(bytes) : 0;
+            return length > 0 && length <= ProtocolLimits.TokenBytes;
+        }
+
+        /// <summary>Reads the token itself; false when the bytes are not UTF-8.</summary>
+        public static bool TryReadText(ReadOnlySpan<byte> bytes, out string token)
+        {
+            token = null;
+            try
+            {
+                token = Utf8.GetString(bytes);
+                return true;
+            }
+            catch (DecoderFallbackException)
+            {
+                return false;
+            }
+        }
+
+        static int Check(string token)
+        {
+            var length = string.IsNullOrEmpty(token) ? 0 : Encoding.UTF8.GetByteCount(token);
+            if (length == 0 || length > ProtocolLimits.TokenBytes)
+                throw new InputException("token: " + length + " bytes of UTF-8; allowed are 1 to " + ProtocolLimits.TokenBytes);
+            return length;
+        }
+    }
+}
