@@ -1,0 +1,50 @@
+using System;
+using System.Security.Cryptography;
+using System.Security.Cryptography.X509Certificates;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>SHA-256 of a certificate's public key (SubjectPublicKeyInfo), as RFC 7469 pins it: survives renewal with the same key.</summary>
+    public sealed class CertificatePin : IEquatable<CertificatePin>
+    {
+        const string Prefix = "sha256/";
+        const int HashBytes = 32;
+
+        readonly byte[] _hash;
+
+        CertificatePin(byte[] hash) => _hash = hash;
+
+        /// <summary>Reads base64 of 32 bytes, with or without "sha256/" before it; blanks around it are ignored.</summary>
+        /// <exception cref="InputException">It is something else.</exception>
+        public static CertificatePin Parse(string text)
+        {
+            var trimmed = (text ?? "").Trim();
+            var base64 = trimmed.StartsWith(Prefix, StringComparison.Ordinal) ? trimmed.Substring(Prefix.Length) : trimmed;
+            var hash = new byte[HashBytes + 1];
+            // Longer than the buffer is refused too: one byte of slack tells 33 bytes from 32.
+            if (!Convert.TryFromBase64String(base64, hash, out var length) || length != HashBytes)
+                throw new InputException("certificate pin \"" + trimmed + "\": allowed is the base64 of 32 bytes, as the gateway prints it (sha256/…=)");
+            return new CertificatePin(hash.AsSpan(0, HashBytes).ToArray());
+        }
+
+        /// <summary>The pin of a certificate's public key.</summary>
+        /// <exception cref="InputException">The certificate is not one.</exception>
+        public static CertificatePin Of(X509Certificate certificate)
+        {
+            // Unity's Mono has no ExportSubjectPublicKeyInfo, so the key is cut out of the certificate's own bytes.
+            if (!SubjectPublicKeyInfo.TryFind(certificate.GetRawCertData(), out var info))
+                throw new InputException("certificate: its bytes are not those of an X.509 certificate, so it has no public key to pin");
+            using (var sha = SHA256.Create())
+                return new CertificatePin(sha.ComputeHash(info.ToArray()));
+        }
+
+        /// <summary>Whether the certificate has the pinned key; false for bytes that are no certificate. Says nothing of its dates.</summary>
+        public bool Matches(X509Certificate certificate) =>
+            certificate != null && SubjectPublicKeyInfo.TryFind(certificate.GetRawCertData(), out _) && Equals(Of(certificate));
+
+        public bool Equals(CertificatePin other) => other != null && _hash.AsSpan().SequenceEqual(other._hash);
+        public override bool Equals(object obj) => Equals(obj as CertificatePin);
+        public override int GetHashCode() => BitConverter.ToInt32(_hash, 0);
+        public override string ToString() => Prefix + Convert.ToBase64String(_hash);
+    }
+}
