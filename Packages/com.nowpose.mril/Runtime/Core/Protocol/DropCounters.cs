@@ -1,0 +1,49 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>Counts what was dropped, by reason. Any thread may count and read; counting allocates nothing.</summary>
+    public sealed class DropCounters
+    {
+        static readonly int ReasonCount = Enum.GetValues(typeof(DropReason)).Length;
+        readonly long[] _counts = new long[ReasonCount];
+
+        /// <summary>How many were dropped for that reason.</summary>
+        public long this[DropReason reason] => Interlocked.Read(ref _counts[(int)reason]);
+
+        /// <summary>How many were dropped for any reason.</summary>
+        public long Total
+        {
+            get
+            {
+                var total = 0L;
+                for (var i = 0; i < _counts.Length; i++)
+                    total += Interlocked.Read(ref _counts[i]);
+                return total;
+            }
+        }
+
+        /// <summary>Counts one drop; <see cref="DropReason.None"/> is not one.</summary>
+        public void Count(DropReason reason)
+        {
+            if (reason != DropReason.None)
+                Interlocked.Increment(ref _counts[(int)reason]);
+        }
+
+        /// <summary>The reasons that occurred, with their counts, in the order of the enumeration.</summary>
+        public IReadOnlyList<KeyValuePair<DropReason, long>> Snapshot()
+        {
+            var occurred = new List<KeyValuePair<DropReason, long>>();
+            for (var i = 0; i < _counts.Length; i++)
+            {
+                var count = Interlocked.Read(ref _counts[i]);
+                if (count > 0)
+                    occurred.Add(new KeyValuePair<DropReason, long>((DropReason)i, count));
+            }
+
+            return occurred;
+        }
+    }
+}

@@ -1,0 +1,21 @@
+using System.Collections.Generic;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>trajectory_msgs/JointTrajectory: set-points ahead of time. Accelerations and efforts are not read.</summary>
+    public sealed class JointTrajectoryMessage
+    {
+        public JointTrajectoryMessage(ControlTime stamp, string[] names, IReadOnlyList<JointTrajectoryPoint> points)
+        {
+            Stamp = stamp;
+            Names = names;
+            Points = points;
+        }
+
+        /// <summary>The control time the points' <see cref="JointTrajectoryPoint.TimeFromStart"/> counts from.</summary>
+        public ControlTime Stamp { get; }
+
+        public string[] Names { get; }
+        public IReadOnlyList<JointTrajectoryPoint> Points { get; }
+    }
+}

@@ -1,0 +1,24 @@
+using System;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>One set-point of a trajectory.</summary>
+    public sealed class JointTrajectoryPoint
+    {
+        public JointTrajectoryPoint(TimeSpan timeFromStart, double[] positions, double[] velocities = null)
+        {
+            TimeFromStart = timeFromStart;
+            Positions = positions;
+            Velocities = velocities;
+        }
+
+        /// <summary>After the trajectory's stamp.</summary>
+        public TimeSpan TimeFromStart { get; }
+
+        /// <summary>rad or m, one for each joint of the trajectory.</summary>
+        public double[] Positions { get; }
+
+        /// <summary>rad/s or m/s, NaN where absent; null when none is known.</summary>
+        public double[] Velocities { get; }
+    }
+}

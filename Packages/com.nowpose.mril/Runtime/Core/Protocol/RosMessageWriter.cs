@@ -1,0 +1,148 @@
+using System;
+using Newtonsoft.Json;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>Writes the bodies of publications.</summary>
+    static class RosMessageWriter
+    {
+        const long NanosecondsPerSecond = 1_000_000_000;
+
+        public static void Write(JsonWriter json, JointStateMessage message, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            Header(json, message.Stamp, form);
+            Texts(json, "name", message.Names);
+            Positions(json, "position", message.Positions);
+            Velocities(json, "velocity", message.Velocities);
+            Positions(json, "effort", Array.Empty<double>());
+            json.WriteEndObject();
+        }
+
+        public static void Write(JsonWriter json, JointTrajectoryMessage message, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            Header(json, message.Stamp, form);
+            Texts(json, "joint_names", message.Names);
+            json.WritePropertyName("points");
+            json.WriteStartArray();
+            foreach (var point in message.Points)
+                Write(json, point, form);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        public static void Write(JsonWriter json, DiagnosticsMessage message, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            Header(json, message.Stamp, form);
+            json.WritePropertyName("status");
+            json.WriteStartArray();
+            Status(json, message);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        /// <param name="nanoseconds">Since the epoch, or a length.</param>
+        public static void Write(JsonWriter json, long nanoseconds, RosTimeForm form)
+        {
+            // The rest is never negative: -0.25 s is -1 s and 750 000 000 ns.
+            var rest = (nanoseconds % NanosecondsPerSecond + NanosecondsPerSecond) % NanosecondsPerSecond;
+            json.WriteStartObject();
+            json.WritePropertyName(form == RosTimeForm.Secs ? "secs" : "sec");
+            json.WriteValue((nanoseconds - rest) / NanosecondsPerSecond);
+            json.WritePropertyName(form == RosTimeForm.Secs ? "nsecs" : "nanosec");
+            json.WriteValue(rest);
+            json.WriteEndObject();
+        }
+
+        static void Write(JsonWriter json, JointTrajectoryPoint point, RosTimeForm form)
+        {
+            json.WriteStartObject();
+            Positions(json, "positions", point.Positions);
+            Velocities(json, "velocities", point.Velocities);
+            Positions(json, "accelerations", Array.Empty<double>());
+            Positions(json, "effort", Array.Empty<double>());
+            json.WritePropertyName("time_from_start");
+            Write(json, new ControlTime(point.TimeFromStart).Nanoseconds, form);
+            json.WriteEndObject();
+        }
+
+        static void Status(JsonWriter json, DiagnosticsMessage message)
+        {
+            json.WriteStartObject();
+            json.WritePropertyName("level");
+            json.WriteValue(0);
+            Text(json, "name", "nowpose");
+            Text(json, "message", "");
+            Text(json, "hardware_id", message.HardwareId);
+            json.WritePropertyName("values");
+            json.WriteStartArray();
+            foreach (var pair in message.Values)
+            {
+                json.WriteStartObject();
+                Text(json, "key", pair.Key);
+                Text(json, "value", pair.Value);
+                json.WriteEndObject();
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        static void Header(JsonWriter json, ControlTime stamp, RosTimeForm form)
+        {
+            json.WritePropertyName("header");
+            json.WriteStartObject();
+            if (form == RosTimeForm.Secs)
+            {
+                // ROS 1 only; ROS 2 refuses fields it does not know.
+                json.WritePropertyName("seq");
+                json.WriteValue(0);
+            }
+
+            json.WritePropertyName("stamp");
+            Write(json, stamp.Nanoseconds, form);
+            Text(json, "frame_id", "");
+            json.WriteEndObject();
+        }
+
+        static void Text(JsonWriter json, string name, string value)
+        {
+            json.WritePropertyName(name);
+            json.WriteValue(value);
+        }
+
+        static void Texts(JsonWriter json, string name, string[] values)
+        {
+            json.WritePropertyName(name);
+            json.WriteStartArray();
+            foreach (var value in values)
+                json.WriteValue(value);
+            json.WriteEndArray();
+        }
+
+        static void Positions(JsonWriter json, string name, double[] values)
+        {
+            json.WritePropertyName(name);
+            json.WriteStartArray();
+            foreach (var value in values)
+            {
+                if (double.IsNaN(value) || double.IsInfinity(value))
+                    throw new ArgumentException(name + " holds " + value + ", which JSON cannot say; only finite values travel");
+                json.WriteValue(value);
+            }
+
+            json.WriteEndArray();
+        }
+
+        static void Velocities(JsonWriter json, string name, double[] values)
+        {
+            json.WritePropertyName(name);
+            json.WriteStartArray();
+            foreach (var value in values ?? Array.Empty<double>())
+                json.WriteValue(double.IsNaN(value) || double.IsInfinity(value) ? default(double?) : value);
+            json.WriteEndArray();
+        }
+    }
+}

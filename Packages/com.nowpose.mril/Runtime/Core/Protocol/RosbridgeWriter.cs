@@ -1,0 +1,126 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Text;
+using Newtonsoft.Json;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>Writes rosbridge v2 messages: valid JSON whatever the culture, numbers in full precision. Any thread.</summary>
+    public static class RosbridgeWriter
+    {
+        /// <param name="type">A type name; it also chooses the spelling of times (<see cref="RosTopics.TimeFormOf"/>). Null to name none.</param>
+        /// <param name="throttleRateMs">Shortest time between two messages; 0 for all of them.</param>
+        /// <param name="queueLength">Messages the server may keep waiting; 0 leaves it to the server.</param>
+        public static string Subscribe(string topic, string type = null, string id = null, int throttleRateMs = 0, int queueLength = 0) =>
+            Write("subscribe", id, topic, json =>
+            {
+                Optional(json, "type", type);
+                Optional(json, "throttle_rate", throttleRateMs);
+                Optional(json, "queue_length", queueLength);
+            });
+
+        public static string Unsubscribe(string topic, string id = null) => Write("unsubscribe", id, topic, _ => { });
+
+        public static string Advertise(string topic, string type, string id = null) =>
+            Write("advertise", id, topic, json => Optional(json, "type", type));
+
+        public static string Unadvertise(string topic, string id = null) => Write("unadvertise", id, topic, _ => { });
+
+        /// <exception cref="ArgumentException">A position is not finite.</exception>
+        public static string PublishJointState(string topic, JointStateMessage message, RosTimeForm form) =>
+            Publish(topic, json => RosMessageWriter.Write(json, message, form));
+
+        /// <exception cref="ArgumentException">A position is not finite.</exception>
+        public static string PublishJointTrajectory(string topic, JointTrajectoryMessage message, RosTimeForm form) =>
+            Publish(topic, json => RosMessageWriter.Write(json, message, form));
+
+        /// <summary>std_msgs/String: the robot description.</summary>
+        public static string PublishString(string topic, string data) => Publish(topic, json =>
+        {
+            json.WriteStartObject();
+            Optional(json, "data", data);
+            json.WriteEndObject();
+        });
+
+        public static string PublishDiagnostics(string topic, DiagnosticsMessage message, RosTimeForm form) =>
+            Publish(topic, json => RosMessageWriter.Write(json, message, form));
+
+        public static string CallService(string service, string id = null) => Write("call_service", id, null, json =>
+        {
+            Optional(json, "service", service);
+            json.WritePropertyName("args");
+            json.WriteStartObject();
+            json.WriteEndObject();
+        });
+
+        /// <summary>The response of /rosapi/get_time.</summary>
+        public static string TimeResponse(string service, string id, ControlTime time, RosTimeForm form) =>
+            Response(service, id, true, json =>
+            {
+                json.WriteStartObject();
+                json.WritePropertyName("time");
+                RosMessageWriter.Write(json, time.Nanoseconds, form);
+                json.WriteEndObject();
+            });
+
+        /// <summary>The response of a call that failed.</summary>
+        public static string FailedResponse(string service, string id, string why) =>
+            Response(service, id, false, json => json.WriteValue(why));
+
+        /// <param name="level">error, warning, info or none.</param>
+        public static string Status(string level, string message, string id = null) => Write("status", id, null, json =>
+        {
+            Optional(json, "level", level);
+            Optional(json, "msg", message);
+        });
+
+        static string Response(string service, string id, bool result, Action<JsonWriter> values) =>
+            Write("service_response", id, null, json =>
+            {
+                Optional(json, "service", service);
+                json.WritePropertyName("values");
+                values(json);
+                json.WritePropertyName("result");
+                json.WriteValue(result);
+            });
+
+        static string Publish(string topic, Action<JsonWriter> message) => Write("publish", null, topic, json =>
+        {
+            json.WritePropertyName("msg");
+            message(json);
+        });
+
+        static string Write(string op, string id, string topic, Action<JsonWriter> rest)
+        {
+            var text = new StringWriter(new StringBuilder(256), CultureInfo.InvariantCulture);
+            using (var json = new JsonTextWriter(text))
+            {
+                json.WriteStartObject();
+                Optional(json, "op", op);
+                Optional(json, "id", id);
+                Optional(json, "topic", topic);
+                rest(json);
+                json.WriteEndObject();
+            }
+
+            return text.ToString();
+        }
+
+        static void Optional(JsonWriter json, string name, string value)
+        {
+            if (value == null)
+                return;
+            json.WritePropertyName(name);
+            json.WriteValue(value);
+        }
+
+        static void Optional(JsonWriter json, string name, int value)
+        {
+            if (value == 0)
+                return;
+            json.WritePropertyName(name);
+            json.WriteValue(value);
+        }
+    }
+}

@@ -1,0 +1,182 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Threading;
+using NUnit.Framework;
+using Nowpose.Protocol;
+
+namespace Nowpose.Tests
+{
+    public class RosbridgeWriterTests
+    {
+        const int Seed = 7;
+
+        static RosbridgeMessage Read(string text)
+        {
+            Assert.That(RosbridgeReader.TryRead(text, out var message, out var reason), Is.True, reason + ": " + text);
+            return message;
+        }
+
+        [TestCase(RosTimeForm.Sec)]
+        [TestCase(RosTimeForm.Secs)]
+        public void JointState_ReadBack_IsTheSame(RosTimeForm form)
+        {
+            var random = new Random(Seed);
+            for (var i = 0; i < 300; i++)
+            {
+                var state = RandomState(random);
+
+                var read = Read(RosbridgeWriter.PublishJointState("/joint_states", state, form)).JointState;
+
+                Assert.That(read.Stamp, Is.EqualTo(state.Stamp), "message " + i + ", seed " + Seed);
+                Assert.That(read.Names, Is.EqualTo(state.Names));
+                Assert.That(read.Positions, Is.EqualTo(state.Positions));
+                Assert.That(read.Velocities, Is.EqualTo(state.Velocities));
+            }
+        }
+
+        [Test]
+        public void JointState_FormOfRos1AndRos2_AreSpeltDifferently()
+        {
+            var state = new JointStateMessage(ControlTime.FromNanoseconds(1_000_000_200), Array.Empty<string>(), Array.Empty<double>());
+
+            Assert.That(RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Secs), Does.Contain("{\"secs\":1,\"nsecs\":200}"));
+            Assert.That(RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Sec), Does.Contain("{\"sec\":1,\"nanosec\":200}"));
+        }
+
+        [Test]
+        public void JointState_GermanCulture_StillWritesPoints()
+        {
+            var before = Thread.CurrentThread.CurrentCulture;
+            try
+            {
+                var german = (CultureInfo)CultureInfo.InvariantCulture.Clone();
+                german.NumberFormat.NumberDecimalSeparator = ",";
+                Thread.CurrentThread.CurrentCulture = german;
+                var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { 1.5 });
+
+                Assert.That(RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Sec), Does.Contain("[1.5]"));
+            }
+            finally
+            {
+                Thread.CurrentThread.CurrentCulture = before;
+            }
+        }
+
+        [Test]
+        public void JointState_PositionNotFinite_IsRefused()
+        {
+            var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { double.NaN });
+
+            Assert.Throws<ArgumentException>(() => RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Sec));
+        }
+
+        [Test]
+        public void JointTrajectory_ReadBack_IsTheSame()
+        {
+            var points = new[]
+            {
+                new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1.0, 2 }, new[] { 0.5, double.NaN }),
+                new JointTrajectoryPoint(TimeSpan.FromSeconds(1.25), new[] { 3.0, 4 }),
+            };
+            var sent = new JointTrajectoryMessage(ControlTime.FromSeconds(9), new[] { "a", "b" }, points);
+
+            var read = Read(RosbridgeWriter.PublishJointTrajectory("/joint_trajectory", sent, RosTimeForm.Secs)).JointTrajectory;
+
+            Assert.That(read.Stamp, Is.EqualTo(sent.Stamp));
+            Assert.That(read.Names, Is.EqualTo(sent.Names));
+            Assert.That(read.Points.Select(point => point.TimeFromStart), Is.EqualTo(points.Select(point => point.TimeFromStart)));
+            Assert.That(read.Points.SelectMany(point => point.Positions), Is.EqualTo(new[] { 1.0, 2, 3, 4 }));
+            Assert.That(read.Points[0].Velocities, Is.EqualTo(new[] { 0.5, double.NaN }));
+            Assert.That(read.Points[1].Velocities, Is.Null);
+        }
+
+        [Test]
+        public void Subscribe_ReadBack_IsTheSame()
+        {
+            var message = Read(RosbridgeWriter.Subscribe("/joint_states", "sensor_msgs/JointState", "s1", 20, 3));
+
+            Assert.That(message.Op, Is.EqualTo(RosbridgeOp.Subscribe));
+            Assert.That(message.Topic, Is.EqualTo("/joint_states"));
+            Assert.That(message.Type, Is.EqualTo("sensor_msgs/JointState"));
+            Assert.That(message.Id, Is.EqualTo("s1"));
+            Assert.That(message.ThrottleRateMs, Is.EqualTo(20));
+            Assert.That(message.QueueLength, Is.EqualTo(3));
+        }
+
+        [Test]
+        public void TopicMessages_ReadBack_HaveTheirOp()
+        {
+            Assert.That(Read(RosbridgeWriter.Unsubscribe("/a", "1")).Op, Is.EqualTo(RosbridgeOp.Unsubscribe));
+            Assert.That(Read(RosbridgeWriter.Advertise("/a", "t/T", "1")).Op, Is.EqualTo(RosbridgeOp.Advertise));
+            Assert.That(Read(RosbridgeWriter.Unadvertise("/a")).Op, Is.EqualTo(RosbridgeOp.Unadvertise));
+        }
+
+        [Test]
+        public void Description_ReadBack_IsTheText()
+        {
+            const string Urdf = "<robot name=\"ü\">\n\t\"quoted\" \\ \u0001 </robot>";
+
+            Assert.That(Read(RosbridgeWriter.PublishString("/robot_description", Urdf)).Data, Is.EqualTo(Urdf));
+        }
+
+        [Test]
+        public void Diagnostics_ReadBack_IsTheSame()
+        {
+            var values = new[] { Pair("state", "synchronised"), Pair("rtt_ms", "3.5") };
+            var sent = new DiagnosticsMessage(default, "headset 1", values);
+
+            var read = Read(RosbridgeWriter.PublishDiagnostics("/nowpose/diagnostics", sent, RosTimeForm.Sec)).Diagnostics;
+
+            Assert.That(read.HardwareId, Is.EqualTo("headset 1"));
+            Assert.That(read.Values, Is.EqualTo(values));
+            Assert.That(read.Stamp, Is.EqualTo(default(ControlTime)));
+        }
+
+        [Test]
+        public void Service_CallAndResponse_CarryIdAndTime()
+        {
+            var call = Read(RosbridgeWriter.CallService("/rosapi/get_time", "c7"));
+            var time = ControlTime.FromNanoseconds(1_700_000_000_123_456_700);
+
+            var response = Read(RosbridgeWriter.TimeResponse(call.Service, call.Id, time, RosTimeForm.Secs));
+
+            Assert.That(response.Id, Is.EqualTo("c7"));
+            Assert.That(response.Result, Is.True);
+            Assert.That(response.Time, Is.EqualTo(time));
+        }
+
+        [Test]
+        public void FailedResponse_ReadBack_HasNoResult()
+        {
+            var response = Read(RosbridgeWriter.FailedResponse("/a", "1", "no such service"));
+
+            Assert.That(response.Result, Is.False);
+        }
+
+        [Test]
+        public void Status_ReadBack_IsTheSame()
+        {
+            var message = Read(RosbridgeWriter.Status("error", "Unknown operation: dance", "4"));
+
+            Assert.That(message.Level, Is.EqualTo("error"));
+            Assert.That(message.Text, Is.EqualTo("Unknown operation: dance"));
+            Assert.That(message.Id, Is.EqualTo("4"));
+        }
+
+        static KeyValuePair<string, string> Pair(string key, string value) => new KeyValuePair<string, string>(key, value);
+
+        static JointStateMessage RandomState(Random random)
+        {
+            var count = random.Next(0, 9);
+            var names = Enumerable.Range(0, count).Select(i => "joint \"" + i + "\" \u00e9").ToArray();
+            var positions = names.Select(_ => Number(random)).ToArray();
+            var velocities = names.Select(_ => random.Next(4) == 0 ? double.NaN : Number(random)).ToArray();
+            var stamp = ControlTime.FromNanoseconds(100L * random.Next(1, int.MaxValue) * random.Next(1, 1_000_000));
+            return new JointStateMessage(stamp, names, positions, count == 0 || random.Next(2) == 0 ? null : velocities);
+        }
+
+        static double Number(Random random) => (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-12, 13));
+    }
+}
