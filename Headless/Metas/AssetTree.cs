@@ -1,0 +1,79 @@
+namespace Nowpose.Metas;
+
+/// <summary>
+/// What the editor's import would meet in a project: everything under Assets/, in each embedded package, and inside each
+/// sample (a sample is hidden until the user imports it, but its metas travel with it).
+/// </summary>
+public sealed class AssetTree
+{
+    readonly string _root;
+    readonly List<AssetEntry> _assets = new();
+    readonly List<string> _metas = new();
+    readonly List<string> _buildFiles = new();
+
+    /// <param name="root">The folder that holds Assets/ and Packages/; either may be absent.</param>
+    public AssetTree(string root)
+    {
+        _root = root;
+        Walk("Assets");
+        foreach (var package in FoldersIn("Packages"))
+        {
+            Walk(package);
+            foreach (var sample in FoldersIn(package + "/Samples~")) Walk(sample);
+        }
+    }
+
+    /// <summary>In a stable order: by path, ordinal, parents before their contents.</summary>
+    public IReadOnlyList<AssetEntry> Assets => _assets;
+
+    /// <summary>Paths of all .meta files found, relative to the root.</summary>
+    public IReadOnlyList<string> Metas => _metas;
+
+    /// <summary>Build files and folders that lie where Unity would import them.</summary>
+    public IReadOnlyList<string> BuildFiles => _buildFiles;
+
+    public string FullPath(string path) => Path.Combine(_root, path);
+
+    IEnumerable<string> FoldersIn(string folder) => NamesIn(folder, Directory.GetDirectories).Where(IsImported);
+
+    void Walk(string folder)
+    {
+        foreach (var file in NamesIn(folder, Directory.GetFiles).Where(IsImported)) AddFile(file);
+        foreach (var child in FoldersIn(folder)) AddFolder(child);
+    }
+
+    void AddFile(string path)
+    {
+        if (AssetNames.IsMeta(path)) _metas.Add(path);
+        else if (AssetNames.IsBuildFile(path)) _buildFiles.Add(path);
+        else _assets.Add(new AssetEntry(path, IsFolder: false));
+    }
+
+    void AddFolder(string path)
+    {
+        if (AssetNames.IsBuildFolder(Path.GetFileName(path)))
+        {
+            _buildFiles.Add(path);
+            return;
+        }
+        // Git keeps no empty folders: the meta of one would be an orphan in the next clone.
+        if (HoldsAFile(path)) _assets.Add(new AssetEntry(path, IsFolder: true));
+        Walk(path);
+    }
+
+    bool HoldsAFile(string path)
+    {
+        return Directory.EnumerateFiles(FullPath(path), "*", SearchOption.AllDirectories).Any(f => !AssetNames.IsMeta(f));
+    }
+
+    List<string> NamesIn(string folder, Func<string, string[]> list)
+    {
+        var full = FullPath(folder);
+        if (!Directory.Exists(full)) return new List<string>();
+        var paths = list(full).Select(p => folder + "/" + Path.GetFileName(p)).ToList();
+        paths.Sort(StringComparer.Ordinal);
+        return paths;
+    }
+
+    static bool IsImported(string path) => !AssetNames.IsHidden(Path.GetFileName(path));
+}

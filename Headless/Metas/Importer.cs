@@ -1,0 +1,38 @@
+namespace Nowpose.Metas;
+
+/// <summary>The importer block of a .meta file: the importer's name and the fields that Unity writes for it.</summary>
+public sealed record Importer(string Name, params string[] Fields)
+{
+    const string NoExternalObjects = "externalObjects: {}";
+
+    static readonly Importer Default = new("DefaultImporter", NoExternalObjects);
+    static readonly Importer Manifest = new("PackageManifestImporter", NoExternalObjects);
+    static readonly Importer Text = new("TextScriptImporter", NoExternalObjects);
+
+    static readonly Dictionary<string, Importer> ByExtension = new(StringComparer.OrdinalIgnoreCase)
+    {
+        [".cs"] = new("MonoImporter", NoExternalObjects, "serializedVersion: 2", "defaultReferences: []", "executionOrder: 0",
+            "icon: {instanceID: 0}"),
+        [".asmdef"] = new("AssemblyDefinitionImporter", NoExternalObjects),
+        [".md"] = Text,
+        [".txt"] = Text,
+        [".json"] = Text,
+        [".xml"] = Text,
+        [".csv"] = Text,
+        [".bytes"] = Text,
+        [".urdf"] = Text,
+        [".prefab"] = new("PrefabImporter", NoExternalObjects),
+        [".asset"] = new("NativeFormatImporter", NoExternalObjects, "mainObjectFileID: 11400000"),
+        [".mat"] = new("NativeFormatImporter", NoExternalObjects, "mainObjectFileID: 2100000"),
+        [".shader"] = new("ShaderImporter", NoExternalObjects, "defaultTextures: []", "nonModifiableTextures: []",
+            "preprocessorOverride: 0"),
+    };
+
+    /// <summary>The importer Unity chooses for an asset; <c>DefaultImporter</c> for folders, scenes and what it does not know.</summary>
+    public static Importer For(AssetEntry asset)
+    {
+        if (asset.IsFolder) return Default;
+        if (Path.GetFileName(asset.Path) == "package.json") return Manifest;
+        return ByExtension.GetValueOrDefault(Path.GetExtension(asset.Path), Default);
+    }
+}
