@@ -1,0 +1,41 @@
+using System;
+using System.Net.WebSockets;
+using System.Threading;
+using System.Threading.Tasks;
+using Nowpose.Protocol;
+
+namespace Nowpose.Network
+{
+    /// <summary>ws://, or wss:// with a certificate that the device's own store trusts.</summary>
+    public sealed class ClientWebSocketLink : SystemWebSocketLink
+    {
+        readonly ConnectionSettings _settings;
+
+        public ClientWebSocketLink(ConnectionSettings settings, IHeadsetClock clock) : base(clock) => _settings = settings;
+
+        protected override async Task<WebSocket> OpenSocketAsync(CancellationToken cancel)
+        {
+            var socket = new ClientWebSocket();
+            socket.Options.KeepAliveInterval = ProtocolLimits.PingInterval;
+            if (_settings.Token != null) socket.Options.SetRequestHeader("Authorization", "Bearer " + _settings.Token);
+            try
+            {
+                await socket.ConnectAsync(_settings.WebSocketUri, cancel).ConfigureAwait(false);
+                return socket;
+            }
+            catch (WebSocketException failure)
+            {
+                socket.Dispose();
+                throw new GatewayRefusalException(Reason(failure), failure);
+            }
+        }
+
+        // This client tells the status code in its message only.
+        static string Reason(WebSocketException failure)
+        {
+            var message = failure.InnerException == null ? failure.Message : failure.Message + " (" + failure.InnerException.Message + ")";
+            if (message.Contains("401")) return WebSocketUpgrade.RefusalOf(401);
+            return message.Contains("403") ? WebSocketUpgrade.RefusalOf(403) : message;
+        }
+    }
+}

@@ -1,0 +1,83 @@
+using System;
+using System.Net;
+using System.Text;
+using Nowpose.Protocol;
+
+namespace Nowpose.Network
+{
+    /// <summary>Where the gateway is and how to reach it. Immutable, checked once.</summary>
+    public sealed class ConnectionSettings
+    {
+        /// <param name="host">Name or address of the gateway.</param>
+        /// <param name="syncPort">TCP port of the clock sync.</param>
+        /// <param name="webSocketPort">Port of the joint positions.</param>
+        /// <param name="pin">The gateway's public key; its presence means wss and TLS, trusted by this pin only.</param>
+        /// <param name="deviceTrust">wss and TLS trusted by the device's store; ignored when there is a pin.</param>
+        /// <param name="token">What proves this headset to the gateway; null for none. Travels over TLS or loopback only.</param>
+        /// <param name="insecureLan">Allows plain connections beyond loopback; the status says so.</param>
+        /// <param name="headsetName">Names this headset in its diagnostics.</param>
+        /// <exception cref="InputException">A value is out of range, or plain text would leave this machine unasked.</exception>
+        public ConnectionSettings(
+            string host, int syncPort = ProtocolLimits.SyncPort, int webSocketPort = ProtocolLimits.WebSocketPort,
+            CertificatePin pin = null, bool deviceTrust = false, string token = null, bool insecureLan = false,
+            string headsetName = "headset")
+        {
+            if (Uri.CheckHostName(host) == UriHostNameType.Unknown)
+                throw new InputException("host: '" + host + "' is neither a host name nor an address");
+            Host = host;
+            SyncPort = RequirePort(syncPort, "sync port");
+            WebSocketPort = RequirePort(webSocketPort, "WebSocket port");
+            Pin = pin;
+            Security = pin != null ? TransportSecurity.Pinned : deviceTrust ? TransportSecurity.DeviceTrust : TransportSecurity.Plain;
+            Token = RequireToken(token);
+            HeadsetName = string.IsNullOrWhiteSpace(headsetName) ? throw new InputException("headset name: is empty") : headsetName;
+            if (Security == TransportSecurity.Plain && !IsLoopback) RequirePlainIsWanted(insecureLan);
+        }
+
+        public string Host { get; }
+        public int SyncPort { get; }
+        public int WebSocketPort { get; }
+        public TransportSecurity Security { get; }
+
+        /// <summary>Null unless <see cref="Security"/> is pinned.</summary>
+        public CertificatePin Pin { get; }
+
+        /// <summary>Null for none. Never shown or logged.</summary>
+        public string Token { get; }
+
+        public string HeadsetName { get; }
+
+        /// <summary>Whether the gateway runs on this machine.</summary>
+        public bool IsLoopback => Host == "localhost" || (IPAddress.TryParse(Host, out var address) && IPAddress.IsLoopback(address));
+
+        /// <summary>ws:// or wss:// address of the joint positions.</summary>
+        public Uri WebSocketUri =>
+            new UriBuilder(Security == TransportSecurity.Plain ? "ws" : "wss", Host, WebSocketPort).Uri;
+
+        void RequirePlainIsWanted(bool insecureLan)
+        {
+            if (Token != null)
+                throw new InputException("token: would travel in plain text to " + Host + "; use a pin or a device-trusted certificate");
+            if (!insecureLan)
+                throw new InputException("host: " + Host + " is not this machine; give the gateway's pin, or allow plain connections on a trusted network (insecure LAN)");
+        }
+
+        static int RequirePort(int port, string name)
+        {
+            if (port < 1 || port > 65535) throw new InputException(name + ": " + port + " is out of range; allowed are 1 to 65535");
+            return port;
+        }
+
+        static string RequireToken(string token)
+        {
+            if (token == null) return null;
+            var bytes = Encoding.UTF8.GetByteCount(token);
+            if (bytes < 1 || bytes > ProtocolLimits.TokenBytes)
+                throw new InputException("token: " + bytes + " bytes long; allowed are 1 to " + ProtocolLimits.TokenBytes + " bytes");
+            foreach (var c in token)
+                if (c <= ' ' || c > '~')
+                    throw new InputException("token: holds a character that an HTTP header cannot carry; use letters, digits and punctuation of ASCII");
+            return token;
+        }
+    }
+}

@@ -1,0 +1,71 @@
+using System;
+using System.IO;
+using System.Net.Security;
+using System.Net.Sockets;
+using System.Security.Authentication;
+using System.Threading;
+using System.Threading.Tasks;
+
+namespace Nowpose.Network
+{
+    /// <summary>Opens a byte stream to the gateway: TCP without delay, inside TLS when the settings say so.</summary>
+    public sealed class GatewayDialer
+    {
+        readonly ConnectionSettings _settings;
+        readonly ServerTrust _trust;
+
+        public GatewayDialer(ConnectionSettings settings)
+        {
+            _settings = settings;
+            _trust = new ServerTrust(settings.Pin);
+        }
+
+        /// <exception cref="GatewayRefusalException">The certificate is not trusted.</exception>
+        /// <exception cref="SocketException">Nobody listens there, or the network is down.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
+        {
+            var tcp = new TcpClient { NoDelay = true };
+            try
+            {
+                // Closing the socket is the only way to end a connect or a handshake on .NET Standard 2.1.
+                using (cancel.Register(tcp.Dispose))
+                {
+                    await tcp.ConnectAsync(_settings.Host, port).ConfigureAwait(false);
+                    var plain = tcp.GetStream();
+                    return _settings.Security == TransportSecurity.Plain ? plain : await SecureAsync(plain).ConfigureAwait(false);
+                }
+            }
+            catch (Exception failure)
+            {
+                tcp.Dispose();
+                cancel.ThrowIfCancellationRequested();
+                if (failure is GatewayRefusalException || failure is SocketException || failure is IOException) throw;
+                throw new GatewayRefusalException(_settings.Host + ":" + port + ": " + failure.Message, failure);
+            }
+        }
+
+        async Task<Stream> SecureAsync(Stream plain)
+        {
+            string refusal = null;
+            var secure = new SslStream(plain, leaveInnerStreamOpen: false, (sender, certificate, chain, errors) =>
+            {
+                refusal = _trust.Refusal(certificate, errors, DateTime.Now);
+                return refusal == null;
+            });
+            try
+            {
+                // None lets the platform choose the best it has; .NET Standard 2.1 has no name for TLS 1.3.
+                await secure.AuthenticateAsClientAsync(
+                    _settings.Host, null, SslProtocols.None, checkCertificateRevocation: false).ConfigureAwait(false);
+                if (secure.SslProtocol < SslProtocols.Tls12)
+                    throw new GatewayRefusalException("TLS: the gateway speaks only " + secure.SslProtocol + "; 1.2 or 1.3 is needed");
+                return secure;
+            }
+            catch (AuthenticationException failure)
+            {
+                throw new GatewayRefusalException(refusal ?? "TLS: " + failure.Message, failure);
+            }
+        }
+    }
+}

@@ -1,0 +1,17 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Network
+{
+    /// <summary>What a <see cref="RosbridgeClient"/> serves. Called on the client's threads.</summary>
+    public interface IRosbridgeListener
+    {
+        /// <param name="message">Checked against every rule that needs no clock.</param>
+        /// <param name="arrival">When its last byte was read.</param>
+        void Received(JointStateMessage message, HeadsetTime arrival);
+
+        void Dropped(DropReason reason);
+
+        /// <summary>The headset's state for the once-a-second publication; null while there is nothing to say.</summary>
+        DiagnosticsMessage Diagnostics();
+    }
+}

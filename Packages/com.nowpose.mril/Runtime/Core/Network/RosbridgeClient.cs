@@ -1,0 +1,152 @@
+using System;
+using System.IO;
+using System.Net.Sockets;
+using System.Net.WebSockets;
+using System.Threading;
+using System.Threading.Tasks;
+using Nowpose.Protocol;
+
+namespace Nowpose.Network
+{
+    /// <summary>Subscribes to the joint positions over rosbridge and publishes this headset's diagnostics; reconnects for ever.</summary>
+    public sealed class RosbridgeClient : IDisposable
+    {
+        static readonly TimeSpan DiagnosticsInterval = TimeSpan.FromSeconds(1);
+
+        readonly Func<IWebSocketLink> _newLink;
+        readonly IHeadsetClock _clock;
+        readonly IRosbridgeListener _listener;
+        readonly CancellationTokenSource _stop = new CancellationTokenSource();
+        readonly Task _running;
+        volatile LinkStatus _status = LinkStatus.Connecting;
+        long _lastHeard;
+
+        /// <summary>Starts at once, on threads of the pool: no frame ever waits for it.</summary>
+        /// <param name="newLink">Makes the link of each attempt.</param>
+        public RosbridgeClient(Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener)
+        {
+            _newLink = newLink;
+            _clock = clock;
+            _listener = listener;
+            // Away from the caller's synchronisation context: under Unity, continuations there wait for the next frame.
+            _running = Task.Run(RunAsync);
+        }
+
+        public LinkStatus Status => _status;
+
+        public void Dispose()
+        {
+            if (_stop.IsCancellationRequested) return;
+            _stop.Cancel();
+            _running.Wait();
+            _stop.Dispose();
+            _status = LinkStatus.Idle;
+        }
+
+        async Task RunAsync()
+        {
+            var backoff = new Backoff(new Random());
+            while (!_stop.IsCancellationRequested)
+            {
+                try
+                {
+                    await ServeAsync(backoff).ConfigureAwait(false);
+                    _status = LinkStatus.Waiting("joint positions: the gateway closed the connection");
+                }
+                catch (Exception failure) when (IsOfTheNetwork(failure))
+                {
+                    _status = LinkStatus.Waiting("joint positions: " + failure.Message);
+                }
+                await WaitAsync(backoff.Next()).ConfigureAwait(false);
+            }
+        }
+
+        static bool IsOfTheNetwork(Exception failure) =>
+            failure is IOException || failure is SocketException || failure is WebSocketException
+            || failure is OperationCanceledException || failure is ObjectDisposedException;
+
+        async Task ServeAsync(Backoff backoff)
+        {
+            using (var link = _newLink())
+            using (var end = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
+            {
+                await OpenAsync(link).ConfigureAwait(false);
+                await SubscribeAsync(link, end.Token).ConfigureAwait(false);
+                _status = LinkStatus.Connected;
+                backoff.Reset();
+                var receiving = ReceiveAsync(link, end.Token);
+                var tending = TendAsync(link, end.Token);
+                await Task.WhenAny(receiving, tending).ConfigureAwait(false);
+                end.Cancel();
+                link.Dispose();
+                await Task.WhenAll(receiving, tending).ConfigureAwait(false);
+            }
+        }
+
+        async Task OpenAsync(IWebSocketLink link)
+        {
+            using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
+            {
+                inTime.CancelAfter(ProtocolLimits.PongTimeout);
+                await link.OpenAsync(inTime.Token).ConfigureAwait(false);
+            }
+            Heard(_clock.Now);
+        }
+
+        static async Task SubscribeAsync(IWebSocketLink link, CancellationToken cancel)
+        {
+            await link.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, RosTopics.JointStateType), cancel).ConfigureAwait(false);
+            await link.SendAsync(RosbridgeWriter.Advertise(RosTopics.Diagnostics, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
+        }
+
+        async Task ReceiveAsync(IWebSocketLink link, CancellationToken cancel)
+        {
+            while (true)
+            {
+                var received = await link.ReceiveAsync(cancel).ConfigureAwait(false);
+                if (received.IsClosed) return;
+                Heard(received.Arrival);
+                if (received.Text == null) _listener.Dropped(received.Dropped);
+                else Take(received);
+            }
+        }
+
+        void Take(in ReceivedText received)
+        {
+            if (!RosbridgeReader.TryRead(received.Text, out var message, out var reason)) _listener.Dropped(reason);
+            else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival);
+        }
+
+        // Publishes diagnostics, and asks the time of a gateway that has been silent: the answer tells a quiet plant from a
+        // connection that is gone without a word, as WiFi connections go.
+        async Task TendAsync(IWebSocketLink link, CancellationToken cancel)
+        {
+            while (true)
+            {
+                await Task.Delay(DiagnosticsInterval, cancel).ConfigureAwait(false);
+                var silence = _clock.Now - new HeadsetTime(new TimeSpan(Interlocked.Read(ref _lastHeard)));
+                if (silence > ProtocolLimits.PongTimeout)
+                    throw new IOException("nothing heard for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
+                if (silence >= ProtocolLimits.PingInterval)
+                    await link.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime), cancel).ConfigureAwait(false);
+                var diagnostics = _listener.Diagnostics();
+                if (diagnostics != null)
+                    await link.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
+            }
+        }
+
+        void Heard(HeadsetTime at) => Interlocked.Exchange(ref _lastHeard, at.SinceEpoch.Ticks);
+
+        async Task WaitAsync(TimeSpan length)
+        {
+            try
+            {
+                await Task.Delay(length, _stop.Token).ConfigureAwait(false);
+            }
+            catch (OperationCanceledException)
+            {
+                // Stopping: the loop ends by itself.
+            }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+using System;
+using System.Globalization;
+using System.Net.Security;
+using System.Security.Cryptography.X509Certificates;
+using Nowpose.Protocol;
+
+namespace Nowpose.Network
+{
+    /// <summary>Decides whether a server's certificate is the gateway's. There is no way to accept them all.</summary>
+    public sealed class ServerTrust
+    {
+        readonly CertificatePin _pin;
+
+        /// <param name="pin">The only key that is trusted; null to trust what the device's own store trusts.</param>
+        public ServerTrust(CertificatePin pin) => _pin = pin;
+
+        /// <returns>Why the certificate is refused; null when it is trusted.</returns>
+        /// <param name="certificate">What the server showed; may be null.</param>
+        /// <param name="errors">What the platform found. With a pin only the pin and the dates count: the gateway's certificate is usually self-signed.</param>
+        /// <param name="now">The device's time of day.</param>
+        public string Refusal(X509Certificate certificate, SslPolicyErrors errors, DateTime now)
+        {
+            if (certificate == null) return "certificate: the gateway showed none";
+            if (_pin == null)
+                return errors == SslPolicyErrors.None ? null : "certificate: not trusted by this device (" + errors + "); install it or use its pin";
+            if (!_pin.Matches(certificate))
+                return "certificate: its pin is " + CertificatePin.Of(certificate) + ", expected " + _pin + "; another server, or the gateway got a new key";
+            return DatesRefusal(certificate, now);
+        }
+
+        static string DatesRefusal(X509Certificate certificate, DateTime now)
+        {
+            using (var full = new X509Certificate2(certificate))
+            {
+                if (now > full.NotAfter) return "certificate: expired on " + Day(full.NotAfter) + "; renew it on the gateway";
+                if (now < full.NotBefore) return "certificate: not valid before " + Day(full.NotBefore) + "; check this device's date";
+                return null;
+            }
+        }
+
+        static string Day(DateTime moment) => moment.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,69 @@
+using System;
+using System.IO;
+using Nowpose.Protocol;
+using Nowpose.Sync;
+
+namespace Nowpose.Network
+{
+    /// <summary>One connection to the sync server: token first, then exchanges, one in flight. Blocking; one thread.</summary>
+    sealed class SyncConnection
+    {
+        readonly Stream _stream;
+        readonly IHeadsetClock _clock;
+        readonly byte[] _request = new byte[SyncFrame.Size];
+        readonly byte[] _reply = new byte[SyncFrame.Size];
+        uint _sequence;
+
+        public SyncConnection(Stream stream, IHeadsetClock clock)
+        {
+            _stream = stream;
+            _clock = clock;
+        }
+
+        /// <exception cref="GatewayRefusalException">The gateway does not accept it.</exception>
+        public void ShowToken(string token)
+        {
+            var bytes = SyncToken.Write(token);
+            _stream.Write(bytes, 0, bytes.Length);
+            _stream.Flush();
+            if (!Receive(SyncFrameKind.TokenReply).IsAccepted)
+                throw new GatewayRefusalException("the gateway does not accept this headset's token");
+        }
+
+        /// <summary>Sends a request and waits for its reply.</summary>
+        /// <returns>What is wrong with the reply; the exchange is valid only with <see cref="SyncExchangeFault.None"/>.</returns>
+        /// <exception cref="IOException">No reply in time, not a reply at all, or the connection is gone.</exception>
+        public SyncExchangeFault Exchange(out SyncExchange exchange)
+        {
+            var sequence = ++_sequence;
+            var t1 = _clock.Now;
+            SyncFrame.Request(sequence, t1.Nanoseconds).Write(_request);
+            _stream.Write(_request, 0, _request.Length);
+            _stream.Flush();
+            var reply = Receive(SyncFrameKind.Reply);
+            var t4 = _clock.Now;
+
+            exchange = new SyncExchange(
+                t1, ControlTime.FromNanoseconds(reply.T2Ns), ControlTime.FromNanoseconds(reply.T3Ns), t4,
+                new TimeSpan(reply.ResolutionNs / ClockTicks.NanosecondsPerTick), new TimeSpan(reply.ErrorBoundUs * 10L), reply.IsServerSynchronised);
+            if (reply.Sequence != sequence) return SyncExchangeFault.WrongSequence;
+            if (reply.T1Ns != t1.Nanoseconds) return SyncExchangeFault.WrongEcho;
+            return SyncExchangeRules.Check(exchange);
+        }
+
+        SyncFrame Receive(SyncFrameKind kind)
+        {
+            for (var got = 0; got < _reply.Length;)
+            {
+                var read = _stream.Read(_reply, got, _reply.Length - got);
+                if (read == 0) throw new EndOfStreamException("the gateway closed the connection");
+                got += read;
+            }
+            if (!SyncFrame.TryRead(_reply, out var frame, out var fault))
+                throw new GatewayRefusalException("the reply is no sync frame: " + fault);
+            if (frame.Kind != kind)
+                throw new GatewayRefusalException("the reply is a frame of kind " + frame.Kind + ", expected " + kind);
+            return frame;
+        }
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using System.IO;
+using System.Net.WebSockets;
+using System.Text;
+using System.Threading;
+using System.Threading.Tasks;
+using Nowpose.Protocol;
+
+namespace Nowpose.Network
+{
+    /// <summary>Puts the fragments of WebSocket messages together within the protocol's limits. Used by both ends.</summary>
+    /// <remarks>
+    /// A message that is too long or in too many pieces is read to its end and dropped, so the connection goes on. One that
+    /// does not come to its end in time, or is longer than sixteen times the longest allowed, ends the connection: nothing
+    /// says where the next one begins.
+    /// </remarks>
+    public sealed class TextMessageReader
+    {
+        const int ChunkBytes = 64 * 1024;
+        const int LongestDiscarded = 16 * ProtocolLimits.DescriptionBytes;
+
+        readonly WebSocket _socket;
+        readonly IHeadsetClock _clock;
+        readonly byte[] _chunk = new byte[ChunkBytes];
+        byte[] _message = new byte[ChunkBytes];
+        int _length;
+        int _fragments;
+
+        public TextMessageReader(WebSocket socket, IHeadsetClock clock)
+        {
+            _socket = socket;
+            _clock = clock;
+        }
+
+        /// <exception cref="IOException">The message broke a limit that ends the connection.</exception>
+        /// <exception cref="WebSocketException">The connection was lost.</exception>
+        public async Task<ReceivedText> ReceiveAsync(CancellationToken cancel)
+        {
+            _length = _fragments = 0;
+            var last = await _socket.ReceiveAsync(new ArraySegment<byte>(_chunk), cancel).ConfigureAwait(false);
+            Append(last);
+            if (!last.EndOfMessage) last = await RestAsync(cancel).ConfigureAwait(false);
+            var arrival = _clock.Now;
+            if (last.MessageType == WebSocketMessageType.Close) return ReceivedText.Closed;
+            var dropped = Fault(last.MessageType);
+            return dropped == DropReason.None
+                ? ReceivedText.Message(Encoding.UTF8.GetString(_message, 0, _length), arrival)
+                : ReceivedText.Drop(dropped, arrival);
+        }
+
+        async Task<WebSocketReceiveResult> RestAsync(CancellationToken cancel)
+        {
+            using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
+            {
+                inTime.CancelAfter(ProtocolLimits.MessageTimeout);
+                try
+                {
+                    while (true)
+                    {
+                        var next = await _socket.ReceiveAsync(new ArraySegment<byte>(_chunk), inTime.Token).ConfigureAwait(false);
+                        Append(next);
+                        if (next.EndOfMessage) return next;
+                        if (_length > LongestDiscarded) throw new IOException("a message of more than " + LongestDiscarded + " bytes");
+                    }
+                }
+                catch (OperationCanceledException) when (!cancel.IsCancellationRequested)
+                {
+                    throw new IOException("a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s");
+                }
+            }
+        }
+
+        void Append(WebSocketReceiveResult piece)
+        {
+            // The library fills the buffer from one frame as far as it goes: a buffer not full ends a fragment.
+            if (piece.Count < ChunkBytes) _fragments++;
+            var before = _length;
+            _length += piece.Count;
+            if (_length > ProtocolLimits.DescriptionBytes) return;
+            if (_length > _message.Length) Array.Resize(ref _message, Math.Min(2 * _length, ProtocolLimits.DescriptionBytes));
+            Array.Copy(_chunk, 0, _message, before, piece.Count);
+        }
+
+        DropReason Fault(WebSocketMessageType type)
+        {
+            if (type != WebSocketMessageType.Text) return DropReason.NotJson;
+            if (_length > ProtocolLimits.DescriptionBytes) return DropReason.TooLarge;
+            return _fragments > ProtocolLimits.FragmentsPerMessage ? DropReason.TooManyFragments : DropReason.None;
+        }
+    }
+}

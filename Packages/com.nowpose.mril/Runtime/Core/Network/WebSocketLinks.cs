@@ -1,0 +1,12 @@
+namespace Nowpose.Network
+{
+    /// <summary>Chooses how to open the WebSocket.</summary>
+    public static class WebSocketLinks
+    {
+        public static IWebSocketLink Create(ConnectionSettings settings, IHeadsetClock clock)
+        {
+            if (settings.Security == TransportSecurity.Pinned) return new PinnedWebSocketLink(settings, clock);
+            return new ClientWebSocketLink(settings, clock);
+        }
+    }
+}

@@ -1,0 +1,187 @@
+using System;
+using System.Collections.Concurrent;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Sync;
+
+namespace Nowpose.Session
+{
+    /// <summary>The headset runtime: synchronises the clock, measures how late samples are, and shows the robot at the moment of light.</summary>
+    /// <remarks>
+    /// The method of Schnierle &amp; Röck 2022. The same object runs in Unity, in the command line and in tests: it never
+    /// reads a clock in <see cref="Tick"/> and needs no network for it. <see cref="Tick"/>, <see cref="Connect"/>,
+    /// <see cref="Disconnect"/> and <see cref="Dispose"/> belong to one thread, the frame's; everything else may be called
+    /// from any. It never commands the robot.
+    /// </remarks>
+    public sealed class CompensationSession : IRosbridgeListener, IDisposable
+    {
+        /// <summary>So many messages may wait for the next frame; beyond, the oldest go. Ten seconds at 100 Hz.</summary>
+        const int QueueLength = 1000;
+
+        readonly SessionSettings _settings;
+        readonly IHeadsetClock _clock;
+        readonly ClockSynchroniser _synchroniser;
+        readonly JointTracks _tracks;
+        readonly DisplayFrame _frame;
+        readonly ApplicationLatency _latency = new ApplicationLatency();
+        readonly ConcurrentQueue<Arrival> _arrivals = new ConcurrentQueue<Arrival>();
+        readonly object _gate = new object();
+        VisualisationLatency _visualisation;
+        SyncClient _syncClient;
+        RosbridgeClient _rosbridgeClient;
+        bool _wasKnown;
+        int _steps;
+        long _samples;
+
+        /// <param name="robot">Its moving joints are matched with the samples' names.</param>
+        /// <param name="clock">Stamps what the network threads receive.</param>
+        public CompensationSession(SessionSettings settings, RobotModel robot, IHeadsetClock clock)
+        {
+            _settings = settings;
+            _clock = clock;
+            Robot = robot;
+            _visualisation = settings.Visualisation;
+            _synchroniser = new ClockSynchroniser(new RansacClockEstimator(settings.Ransac), settings.Clock);
+            _tracks = new JointTracks(robot, settings.Prediction);
+            _frame = new DisplayFrame(robot, _tracks);
+        }
+
+        public RobotModel Robot { get; }
+
+        /// <summary>Takes sync exchanges; the network feeds it, and so may a test.</summary>
+        public ClockSynchroniser Clock => _synchroniser;
+
+        /// <summary>What was dropped, by reason.</summary>
+        public DropCounters Drops { get; } = new DropCounters();
+
+        /// <summary>L_visu. May change while the session runs.</summary>
+        public VisualisationLatency Visualisation
+        {
+            get { lock (_gate) return _visualisation; }
+            set { lock (_gate) _visualisation = value; }
+        }
+
+        /// <summary>Starts both connections; they come up, and come back, by themselves. Does nothing while connected.</summary>
+        public void Connect()
+        {
+            if (_syncClient != null) return;
+            _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, _settings.SyncInterval);
+            _rosbridgeClient = new RosbridgeClient(() => WebSocketLinks.Create(_settings.Connection, _clock), _clock, this);
+        }
+
+        /// <summary>Ends both connections. What is known stays: the pose is held, the clock goes into holdover.</summary>
+        public void Disconnect()
+        {
+            _rosbridgeClient?.Dispose();
+            _syncClient?.Dispose();
+            _rosbridgeClient = null;
+            _syncClient = null;
+        }
+
+        public void Dispose() => Disconnect();
+
+        /// <summary>Computes what a frame displays. Allocates nothing once warm.</summary>
+        /// <param name="start">Headset time at which the frame begins.</param>
+        /// <returns>The session's own frame, overwritten by the next tick.</returns>
+        public DisplayFrame Tick(HeadsetTime start)
+        {
+            lock (_gate)
+            {
+                var clock = _synchroniser.ModelAt(start);
+                ForgetWhatAnotherClockStamped(clock);
+                while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
+                _frame.Update(start, clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null);
+                return _frame;
+            }
+        }
+
+        /// <summary>A message, queued for the next frame. Any thread.</summary>
+        /// <param name="message">Checked already.</param>
+        /// <param name="arrival">When it arrived on the headset clock.</param>
+        public void Received(JointStateMessage message, HeadsetTime arrival)
+        {
+            _arrivals.Enqueue(new Arrival(message, arrival));
+            if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out _)) Drops.Count(DropReason.SlowReader);
+        }
+
+        /// <summary>A message that never came so far as to be queued. Any thread.</summary>
+        public void Dropped(DropReason reason) => Drops.Count(reason);
+
+        /// <summary>A snapshot for panels and reports; allocates.</summary>
+        /// <param name="now">Headset time for the clock's offset and bound.</param>
+        public SessionStatistics Statistics(HeadsetTime now)
+        {
+            lock (_gate)
+            {
+                var clock = _synchroniser.ModelAt(now);
+                return new SessionStatistics
+                {
+                    Clock = clock,
+                    Offset = clock.IsKnown ? clock.OffsetAt(now) : (ClockOffset?)null,
+                    RoundTripTime = clock.IsKnown ? _synchroniser.RoundTripTime : (TimeSpan?)null,
+                    ClockSteps = _synchroniser.Steps,
+                    ApplicationLatency = _latency.Median,
+                    ApplicationLatency95 = _latency.Percentile95,
+                    NegativeLatencies = _latency.NegativeCount,
+                    VisualisationLatency = _visualisation.Length,
+                    Horizon = _frame.Horizon,
+                    Pose = _frame.State,
+                    Samples = _samples,
+                    Dropped = Drops.Total + (_syncClient?.Faults.Total ?? 0),
+                    SyncLink = _syncClient?.Status ?? LinkStatus.Idle,
+                    SampleLink = _rosbridgeClient?.Status ?? LinkStatus.Idle,
+                    Security = _settings.Connection.Security,
+                };
+            }
+        }
+
+        /// <summary>What this headset publishes about itself once a second; null until the control time is known. Any thread.</summary>
+        public DiagnosticsMessage Diagnostics()
+        {
+            var now = _clock.Now;
+            var statistics = Statistics(now);
+            if (!statistics.Clock.IsKnown) return null;
+            return SessionDiagnostics.Of(statistics, _settings.Connection.HeadsetName, statistics.Clock.ToControl(now));
+        }
+
+        // Stamps from before a step belong to another time line, and stamps from before the first exchange were never
+        // checked: one from the future would hold the display for as long.
+        void ForgetWhatAnotherClockStamped(in ClockModel clock)
+        {
+            if (_steps == _synchroniser.Steps && _wasKnown == clock.IsKnown) return;
+            _steps = _synchroniser.Steps;
+            _wasKnown = clock.IsKnown;
+            _tracks.Reset();
+            _latency.Reset();
+        }
+
+        void Take(in Arrival arrival, in ClockModel clock)
+        {
+            var stamp = arrival.Message.Stamp;
+            if (clock.IsKnown && StampRule.IsInFuture(stamp, clock.ToControl(arrival.At), clock.ErrorBound))
+            {
+                Drops.Count(DropReason.StampInFuture);
+                return;
+            }
+            var reason = _tracks.Add(arrival.Message);
+            Drops.Count(reason);
+            if (reason != DropReason.None) return;
+            _samples++;
+            if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);
+        }
+
+        readonly struct Arrival
+        {
+            public Arrival(JointStateMessage message, HeadsetTime at)
+            {
+                Message = message;
+                At = at;
+            }
+
+            public JointStateMessage Message { get; }
+            public HeadsetTime At { get; }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Prediction;
+
+namespace Nowpose.Session
+{
+    /// <summary>What one frame displays. The session owns it and overwrites it at the next tick: read it at once, or copy.</summary>
+    public sealed class DisplayFrame
+    {
+        readonly JointTracks _tracks;
+        readonly RobotModel _robot;
+        readonly ForwardKinematics _kinematics;
+        readonly RigidTransform[] _linkPoses;
+        readonly int _toolLink;
+        readonly int[] _armJoints;
+
+        internal DisplayFrame(RobotModel robot, JointTracks tracks)
+        {
+            _robot = robot;
+            _tracks = tracks;
+            _kinematics = new ForwardKinematics(robot);
+            _linkPoses = new RigidTransform[robot.Links.Count];
+            _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
+            _armJoints = ArmJointsOf(robot, _toolLink);
+        }
+
+        /// <summary>When the frame began, on the headset clock.</summary>
+        public HeadsetTime Start { get; private set; }
+
+        /// <summary>The moment of light on the control clock, to which joints are predicted; null while the clock is unsynchronised.</summary>
+        public ControlTime? DisplayTime { get; private set; }
+
+        /// <summary>Display time minus the newest sample's time; null while either is unknown.</summary>
+        public TimeSpan? Horizon { get; private set; }
+
+        public PoseState State { get; private set; }
+
+        /// <summary>Displayed joint positions, one per moving joint of the robot in its order, rad or m, mimic joints completed.</summary>
+        public ReadOnlySpan<double> Joints => _tracks.Positions;
+
+        /// <summary>How each of <see cref="Joints"/> was made.</summary>
+        public ReadOnlySpan<PredictionKind> Kinds => _tracks.Kinds;
+
+        /// <summary>Joint positions that a headset without compensation would show: the newest samples.</summary>
+        public ReadOnlySpan<double> HeldJoints => _tracks.Held;
+
+        /// <summary>Poses of all links in the robot's base frame, right-handed, metres, in the order of the robot's links.</summary>
+        public ReadOnlySpan<RigidTransform> LinkPoses => _linkPoses;
+
+        /// <summary>Pose of the tool centre point, or of the flange where the robot has no tool, in the robot's base frame.</summary>
+        public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
+
+        internal void Update(HeadsetTime start, ControlTime? displayTime)
+        {
+            Start = start;
+            DisplayTime = displayTime;
+            Horizon = displayTime - _tracks.Newest;
+            if (displayTime.HasValue) _tracks.Predict(displayTime.Value);
+            else _tracks.Hold();
+            _kinematics.Compute(_tracks.Positions, _linkPoses);
+            State = StateOf(displayTime.HasValue);
+        }
+
+        PoseState StateOf(bool isSynchronised)
+        {
+            bool any = false, held = false;
+            var kinds = _tracks.Kinds;
+            foreach (var joint in _armJoints)
+            {
+                any |= kinds[joint] != PredictionKind.None;
+                held |= kinds[joint] == PredictionKind.Held;
+            }
+            if (!any) return PoseState.NoData;
+            if (!isSynchronised) return PoseState.Unsynchronised;
+            return held ? PoseState.Held : PoseState.Current;
+        }
+
+        // A gripper that reports only when it moves must not make the arm look stale.
+        static int[] ArmJointsOf(RobotModel robot, int toolLink)
+        {
+            var joints = new System.Collections.Generic.List<int>();
+            for (var link = toolLink; link > 0; link = robot.Links[link].ParentIndex)
+                if (robot.Links[link].ParentJoint.MovingIndex >= 0) joints.Add(robot.Links[link].ParentJoint.MovingIndex);
+            return joints.ToArray();
+        }
+    }
+}

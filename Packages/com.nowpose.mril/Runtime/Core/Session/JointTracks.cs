@@ -1,0 +1,124 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Prediction;
+using Nowpose.Protocol;
+
+namespace Nowpose.Session
+{
+    /// <summary>One predictor per moving joint, fed with messages that may each carry only some of them. One thread.</summary>
+    sealed class JointTracks
+    {
+        readonly RobotModel _robot;
+        readonly IJointPredictor[] _predictors;
+        readonly double[] _positions;
+        readonly double[] _held;
+        readonly PredictionKind[] _kinds;
+        readonly bool[] _given;
+        bool _hasEpoch;
+        ControlTime _epoch;
+
+        public JointTracks(RobotModel robot, PredictionSettings settings)
+        {
+            _robot = robot;
+            var count = robot.MovingJoints.Count;
+            _predictors = new IJointPredictor[count];
+            for (var i = 0; i < count; i++) _predictors[i] = settings.Create(robot.MovingJoints[i].Limits);
+            _positions = new double[count];
+            _held = new double[count];
+            _kinds = new PredictionKind[count];
+            _given = new bool[count];
+        }
+
+        /// <summary>Positions at the last <see cref="Predict"/>, one per moving joint, rad or m.</summary>
+        public ReadOnlySpan<double> Positions => _positions;
+
+        /// <summary>The newest samples at the last <see cref="Predict"/>: what a display without compensation shows.</summary>
+        public ReadOnlySpan<double> Held => _held;
+
+        /// <summary>How each position was made. A joint without samples since a reset counts as held once it was shown.</summary>
+        public ReadOnlySpan<PredictionKind> Kinds => _kinds;
+
+        /// <summary>Control time of the newest sample of any joint; null while there is none.</summary>
+        public ControlTime? Newest { get; private set; }
+
+        /// <returns>Why the message was of no use; <see cref="DropReason.None"/> when a joint took its sample.</returns>
+        public DropReason Add(JointStateMessage message)
+        {
+            if (!_hasEpoch)
+            {
+                _epoch = message.Stamp;
+                _hasEpoch = true;
+            }
+            var time = ClockTicks.Seconds(message.Stamp - _epoch);
+            var reason = DropReason.UnknownJoint;
+            for (var i = 0; i < message.Names.Length; i++)
+            {
+                var joint = _robot.IndexOfMovingJoint(message.Names[i]);
+                if (joint < 0) continue;
+                var each = ReasonOf(_predictors[joint].Add(new JointSample(time, message.Positions[i])));
+                if (reason != DropReason.None) reason = each;
+            }
+            if (reason == DropReason.None && !(Newest > message.Stamp)) Newest = message.Stamp;
+            return reason;
+        }
+
+        /// <summary>All joints at a control time. Allocates nothing.</summary>
+        public void Predict(ControlTime at)
+        {
+            var time = ClockTicks.Seconds(at - _epoch);
+            for (var i = 0; i < _predictors.Length; i++)
+            {
+                var prediction = _predictors[i].At(time);
+                Show(i, prediction.Kind, prediction.Position);
+            }
+            CompleteMimics();
+        }
+
+        /// <summary>The newest samples as they are, all marked held: no time is known to predict to. Allocates nothing.</summary>
+        public void Hold()
+        {
+            for (var i = 0; i < _predictors.Length; i++)
+            {
+                var hasSample = !double.IsNegativeInfinity(_predictors[i].NewestTime);
+                Show(i, hasSample ? PredictionKind.Held : PredictionKind.None, _predictors[i].Hold);
+            }
+            CompleteMimics();
+        }
+
+        /// <summary>Forgets all samples, for their times mean nothing any more; what is displayed stays.</summary>
+        public void Reset()
+        {
+            foreach (var predictor in _predictors) predictor.Reset();
+            _hasEpoch = false;
+            Newest = null;
+        }
+
+        // Without a sample the joint stays where it was: a robot that folds into its zero pose would be worse than a late one.
+        void Show(int joint, PredictionKind kind, double position)
+        {
+            _given[joint] |= kind != PredictionKind.None;
+            if (kind != PredictionKind.None)
+            {
+                _positions[joint] = position;
+                _held[joint] = _predictors[joint].Hold;
+            }
+            _kinds[joint] = kind == PredictionKind.None && _given[joint] ? PredictionKind.Held : kind;
+        }
+
+        void CompleteMimics()
+        {
+            _robot.CompleteMimics(_positions, _given);
+            _robot.CompleteMimics(_held, _given);
+        }
+
+        static DropReason ReasonOf(SampleOutcome outcome)
+        {
+            switch (outcome)
+            {
+                case SampleOutcome.Duplicate: return DropReason.DuplicateSample;
+                case SampleOutcome.TooOld: return DropReason.LateSample;
+                default: return DropReason.None;
+            }
+        }
+    }
+}

@@ -1,0 +1,38 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using Nowpose.Protocol;
+
+namespace Nowpose.Session
+{
+    /// <summary>Puts statistics into the words of the diagnostics topic; what is unknown is left out.</summary>
+    static class SessionDiagnostics
+    {
+        public static DiagnosticsMessage Of(SessionStatistics statistics, string headsetName, ControlTime now)
+        {
+            var values = new List<KeyValuePair<string, string>>();
+            void Add(string key, string value) => values.Add(new KeyValuePair<string, string>(key, value));
+            void AddMs(string key, TimeSpan? length)
+            {
+                if (length.HasValue) Add(key, Number(length.Value.TotalMilliseconds));
+            }
+
+            Add("state", statistics.Clock.State.ToString().ToLowerInvariant());
+            if (statistics.Offset.HasValue)
+            {
+                Add("offset_ns", (statistics.Offset.Value.HeadsetMinusControl.Ticks * (decimal)ClockTicks.NanosecondsPerTick).ToString(CultureInfo.InvariantCulture));
+                Add("skew_ppm", Number(statistics.Clock.Skew * 1e6));
+                Add("error_bound_us", Number(statistics.Clock.ErrorBound.TotalMilliseconds * 1000));
+            }
+            AddMs("rtt_ms", statistics.RoundTripTime);
+            AddMs("l_app_ms", statistics.ApplicationLatency);
+            AddMs("l_visu_ms", statistics.VisualisationLatency);
+            AddMs("horizon_ms", statistics.Horizon);
+            Add("samples", statistics.Samples.ToString(CultureInfo.InvariantCulture));
+            Add("dropped", statistics.Dropped.ToString(CultureInfo.InvariantCulture));
+            return new DiagnosticsMessage(now, headsetName, values);
+        }
+
+        static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
+    }
+}

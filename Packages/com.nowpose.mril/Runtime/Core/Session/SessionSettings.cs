@@ -1,0 +1,41 @@
+using System;
+using System.Globalization;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Sync;
+
+namespace Nowpose.Session
+{
+    /// <summary>Everything a session is told once. Immutable; what adapts while it runs is state of the session.</summary>
+    public sealed class SessionSettings
+    {
+        /// <param name="connection">Where the gateway is.</param>
+        /// <param name="visualisation">L_visu of this device at the start.</param>
+        /// <param name="prediction">Null for the defaults.</param>
+        /// <param name="clock">Null for the defaults.</param>
+        /// <param name="ransac">Constants of the clock estimator; null for the paper's.</param>
+        /// <param name="syncIntervalMs">From one sync exchange to the next, ms; the server allows 100 requests a second.</param>
+        public SessionSettings(
+            ConnectionSettings connection, VisualisationLatency visualisation, PredictionSettings prediction = null,
+            ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = 200)
+        {
+            Connection = connection ?? throw new ArgumentNullException(nameof(connection));
+            Visualisation = visualisation;
+            Prediction = prediction ?? PredictionSettings.Default;
+            Clock = clock ?? ClockSettings.Default;
+            Ransac = ransac ?? RansacSettings.Paper;
+            if (!(syncIntervalMs >= 1000.0 / ProtocolLimits.SyncRequestsPerSecond * 2 && syncIntervalMs <= 10_000))
+                throw new InputException(string.Format(
+                    CultureInfo.InvariantCulture, "sync interval: {0} ms is out of range; allowed are 20 to 10000 ms", syncIntervalMs));
+            SyncInterval = ClockTicks.Span(syncIntervalMs / 1000);
+        }
+
+        public ConnectionSettings Connection { get; }
+        public VisualisationLatency Visualisation { get; }
+        public PredictionSettings Prediction { get; }
+        public ClockSettings Clock { get; }
+        public RansacSettings Ransac { get; }
+        public TimeSpan SyncInterval { get; }
+    }
+}

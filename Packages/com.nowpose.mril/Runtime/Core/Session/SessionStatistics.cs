@@ -1,0 +1,42 @@
+using System;
+using Nowpose.Network;
+
+namespace Nowpose.Session
+{
+    /// <summary>How a session does, at one moment. Null stands for "not known yet".</summary>
+    public sealed class SessionStatistics
+    {
+        public ClockModel Clock { get; internal set; }
+
+        /// <summary>Φ at the moment of the snapshot.</summary>
+        public ClockOffset? Offset { get; internal set; }
+
+        public TimeSpan? RoundTripTime { get; internal set; }
+
+        /// <summary>Steps of a clock since the start.</summary>
+        public int ClockSteps { get; internal set; }
+
+        /// <summary>Median of L_app over the newest 200 samples.</summary>
+        public TimeSpan? ApplicationLatency { get; internal set; }
+
+        /// <summary>95th percentile of L_app over the newest 200 samples.</summary>
+        public TimeSpan? ApplicationLatency95 { get; internal set; }
+
+        /// <summary>Samples that arrived, by the clocks, before they were taken.</summary>
+        public long NegativeLatencies { get; internal set; }
+
+        public TimeSpan VisualisationLatency { get; internal set; }
+        public TimeSpan? Horizon { get; internal set; }
+        public PoseState Pose { get; internal set; }
+
+        /// <summary>Messages whose samples were used.</summary>
+        public long Samples { get; internal set; }
+
+        /// <summary>Messages that were dropped, for whatever reason, and unusable sync exchanges.</summary>
+        public long Dropped { get; internal set; }
+
+        public LinkStatus SyncLink { get; internal set; }
+        public LinkStatus SampleLink { get; internal set; }
+        public TransportSecurity Security { get; internal set; }
+    }
+}

@@ -1,0 +1,259 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using MathNet.Numerics.Statistics;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Prediction;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class CompensationSessionTests
+    {
+        const int Seed = 7;
+        static readonly int Shoulder = TestRobot.Model.IndexOfMovingJoint("shoulder");
+        static readonly int Elbow = TestRobot.Model.IndexOfMovingJoint("elbow");
+
+        static double Rms(IEnumerable<double> values) => Math.Sqrt(values.Average(v => v * v));
+
+        [TestCase("lan")]
+        [TestCase("wifi")]
+        public void Tick_WholeSession_ShowsTheRobotWhereItIs(string network)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Named(network), Seed);
+            simulated.Run(6);
+            var errors = new List<double>();
+            var holdErrors = new List<double>();
+            var lightErrorsMs = new List<double>();
+
+            simulated.Run(30, (frame, light) =>
+            {
+                var truth = SimulatedSession.TruthAt(light);
+                errors.Add(frame.Joints[Shoulder] - truth.Shoulder);
+                errors.Add(frame.Joints[Elbow] - truth.Elbow);
+                holdErrors.Add(frame.HeldJoints[Shoulder] - truth.Shoulder);
+                holdErrors.Add(frame.HeldJoints[Elbow] - truth.Elbow);
+                var trueLight = HeadsetTime.FromSeconds(light);
+                lightErrorsMs.Add((frame.DisplayTime.Value - simulated.Link.TrueOffset(trueLight).ToControl(trueLight)).TotalMilliseconds);
+                Assert.That(frame.State, Is.EqualTo(PoseState.Current), "at " + light + " s, seed " + Seed);
+            });
+
+            Assert.That(1 - Rms(errors) / Rms(holdErrors), Is.GreaterThan(0.9), "a sine this slow is nearly a parabola; seed " + Seed);
+            Assert.That(Rms(holdErrors), Is.GreaterThan(0.05), "the effect is there to be removed");
+            Assert.That(lightErrorsMs.Max(Math.Abs), Is.LessThan(1), "seed " + Seed);
+        }
+
+        [Test]
+        public void Statistics_WholeSession_MeasureTheLatencyThatWasSimulated()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(20);
+            var arrived = simulated.TrueLatenciesMs.Take((int)simulated.Session.Statistics(default).Samples).ToList();
+            var recent = arrived.Skip(arrived.Count - 200).ToArray();
+
+            var statistics = simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now));
+
+            Assert.That(statistics.Clock.State, Is.EqualTo(ClockState.Synchronised));
+            Assert.That(statistics.ApplicationLatency.Value.TotalMilliseconds, Is.EqualTo(recent.Quantile(0.5)).Within(0.2));
+            Assert.That(statistics.ApplicationLatency95.Value.TotalMilliseconds, Is.EqualTo(recent.Quantile(0.95)).Within(0.5));
+            Assert.That(statistics.NegativeLatencies, Is.EqualTo(0));
+            Assert.That(statistics.Samples, Is.EqualTo(20 / 0.05).Within(5));
+            Assert.That(statistics.Dropped, Is.EqualTo(0));
+            Assert.That(statistics.VisualisationLatency, Is.EqualTo(TimeSpan.FromMilliseconds(40)));
+        }
+
+        [Test]
+        public void Tick_BeforeAnythingArrived_SaysNoData()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+
+            var frame = session.Tick(HeadsetTime.FromSeconds(0));
+
+            Assert.That(frame.State, Is.EqualTo(PoseState.NoData));
+            Assert.That(frame.DisplayTime, Is.Null);
+            Assert.That(frame.ToolPose.X, Is.EqualTo(1).Within(1e-12), "the robot's zero pose");
+        }
+
+        [Test]
+        public void Tick_WithoutClock_HoldsTheNewestSampleAndSaysSo()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            Send(session, 100, 0.25);
+            Send(session, 100.05, 0.5);
+
+            var frame = session.Tick(HeadsetTime.FromSeconds(1));
+
+            Assert.That(frame.State, Is.EqualTo(PoseState.Unsynchronised));
+            Assert.That(frame.Joints[Shoulder], Is.EqualTo(0.5));
+            Assert.That(frame.Kinds[Shoulder], Is.EqualTo(PredictionKind.Held));
+        }
+
+        [Test]
+        public void Tick_GatewayGone_HoldsThePoseAndSaysSoUntilItIsBack()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
+            simulated.Run(10);
+            simulated.IsGatewayUp = false;
+            simulated.Run(1);
+            var shown = new List<double>();
+
+            simulated.Run(3, (frame, light) =>
+            {
+                shown.Add(frame.Joints[Shoulder]);
+                Assert.That(frame.State, Is.EqualTo(PoseState.Held));
+            });
+            simulated.IsGatewayUp = true;
+            simulated.Run(1);
+            var states = new List<PoseState>();
+            simulated.Run(1, (frame, light) => states.Add(frame.State));
+
+            Assert.That(shown.Max() - shown.Min(), Is.EqualTo(0), "a held pose does not move");
+            Assert.That(states, Is.All.EqualTo(PoseState.Current));
+        }
+
+        [TestCase(3600)]
+        [TestCase(-3600)]
+        [TestCase(0.2)]
+        public void Tick_ControlClockSteps_IsCurrentAgainWithinTwoSeconds(double stepSeconds)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
+            simulated.Run(10);
+
+            simulated.Link.Step = TimeSpan.FromSeconds(stepSeconds);
+            simulated.Run(2, (frame, light) => Assert.That(Math.Abs(frame.Joints[Shoulder]), Is.LessThan(1.5), "nothing flies off"));
+
+            var errors = new List<double>();
+            simulated.Run(5, (frame, light) =>
+            {
+                errors.Add(frame.Joints[Shoulder] - SimulatedSession.TruthAt(light).Shoulder);
+                Assert.That(frame.State, Is.EqualTo(PoseState.Current));
+            });
+            Assert.That(Rms(errors), Is.LessThan(0.01));
+            Assert.That(simulated.Session.Clock.Steps, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Received_StampFarInTheFuture_IsDroppedAndDoesNotStopTheRest()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(10);
+            var now = HeadsetTime.FromSeconds(simulated.Now);
+            var future = simulated.Link.TrueOffset(now).ToControl(now) + TimeSpan.FromSeconds(30);
+
+            simulated.Session.Received(new JointStateMessage(future, new[] { "shoulder" }, new[] { 2.9 }), now);
+            simulated.Run(1, (frame, light) =>
+                Assert.That(frame.Joints[Shoulder], Is.EqualTo(SimulatedSession.TruthAt(light).Shoulder).Within(0.05)));
+
+            Assert.That(simulated.Session.Drops[DropReason.StampInFuture], Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Received_DuplicatesLateAndForeignSamples_AreCountedByReason()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            foreach (var at in new[] { 1.0, 1.1, 1.2, 1.3, 1.3, 0.5 }) Send(session, at, at);
+            session.Received(new JointStateMessage(ControlTime.FromSeconds(2), new[] { "other_robot" }, new[] { 1.0 }), default);
+
+            session.Tick(HeadsetTime.FromSeconds(1));
+
+            Assert.That(session.Drops[DropReason.DuplicateSample], Is.EqualTo(1));
+            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(1));
+            Assert.That(session.Drops[DropReason.UnknownJoint], Is.EqualTo(1));
+            Assert.That(session.Statistics(default).Samples, Is.EqualTo(4));
+        }
+
+        [Test]
+        public void Tick_ArmAndGripperPublishApart_EachKeepsItsOwnHistoryAndTheArmDecides()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            var now = HeadsetTime.FromSeconds(0);
+            simulated.Session.Received(
+                new JointStateMessage(simulated.Link.TrueOffset(now).ToControl(now), new[] { "grip" }, new[] { 0.02 }), now);
+            simulated.Run(0.05);
+            simulated.Run(10);
+            var grip = TestRobot.Model.IndexOfMovingJoint("grip");
+            var at = HeadsetTime.FromSeconds(simulated.Now);
+            simulated.Session.Received(
+                new JointStateMessage(simulated.Link.TrueOffset(at).ToControl(at), new[] { "grip" }, new[] { 0.03 }), at);
+
+            simulated.Run(2, (frame, light) =>
+            {
+                Assert.That(frame.State, Is.EqualTo(PoseState.Current), "the gripper's silence is not the arm's");
+                Assert.That(frame.Kinds[grip], Is.EqualTo(PredictionKind.Held));
+                Assert.That(frame.Joints[grip], Is.EqualTo(0.03));
+            });
+        }
+
+        [Test]
+        public void Tick_JointAtItsLimit_IsNotPredictedBeyond()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            var session = simulated.Session;
+            for (var i = 0; i < 20; i++)
+            {
+                var t = HeadsetTime.FromSeconds(i * 0.2);
+                simulated.Link.TryExchange(t, out var exchange);
+                session.Clock.Add(exchange, out _);
+            }
+            session.Tick(HeadsetTime.FromSeconds(4));
+            foreach (var age in new[] { 0.2, 0.1, 0.0 })
+            {
+                var t = HeadsetTime.FromSeconds(4 - age);
+                session.Received(new JointStateMessage(
+                    simulated.Link.TrueOffset(t).ToControl(t), new[] { "shoulder" }, new[] { 2.99 - 2 * age }), t);
+            }
+
+            var frame = session.Tick(HeadsetTime.FromSeconds(4.05));
+
+            Assert.That(frame.Joints[Shoulder], Is.EqualTo(3).Within(1e-12), "0.18 rad past the limit if it were not clamped");
+        }
+
+        [Test]
+        public void Received_MoreThanTheQueueHolds_LosesTheOldest()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            for (var i = 0; i < 1100; i++) Send(session, 1 + i * 0.01, i);
+
+            session.Tick(default);
+
+            Assert.That(session.Drops[DropReason.SlowReader], Is.EqualTo(100));
+            Assert.That(session.Statistics(default).Samples, Is.EqualTo(1000));
+        }
+
+        [TestCase("", "host: ''")]
+        [TestCase("not a host", "host: 'not a host'")]
+        [TestCase("192.168.0.5", "is not this machine")]
+        public void ConnectionSettings_BadHost_SaysWhatToDo(string host, string named)
+        {
+            var error = Assert.Throws<InputException>(() => new ConnectionSettings(host));
+
+            Assert.That(error.Message, Does.Contain(named));
+        }
+
+        [Test]
+        public void ConnectionSettings_TokenInPlainTextBeyondLoopback_IsRefusedEvenOnATrustedLan()
+        {
+            var error = Assert.Throws<InputException>(() => new ConnectionSettings("192.168.0.5", token: "secret", insecureLan: true));
+
+            Assert.That(error.Message, Does.Contain("plain text").And.Not.Contain("secret"));
+        }
+
+        [Test]
+        public void Settings_OutOfRange_NameValueUnitAndRange()
+        {
+            Assert.That(Assert.Throws<InputException>(() => new PredictionSettings(horizonCapMs: -1)).Message,
+                Is.EqualTo("horizon cap: -1 ms is out of range; allowed are 0 to 5000 ms"));
+            Assert.That(Assert.Throws<InputException>(() => new SessionSettings(
+                    new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.Zero), syncIntervalMs: 5)).Message,
+                Is.EqualTo("sync interval: 5 ms is out of range; allowed are 20 to 10000 ms"));
+        }
+
+        static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Received(
+            new JointStateMessage(ControlTime.FromSeconds(controlSeconds), new[] { "shoulder" }, new[] { shoulder }), default);
+    }
+}

@@ -1,0 +1,104 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+
+namespace Nowpose.Tests
+{
+    /// <summary>A whole session in virtual time: a moving robot, a network, two clocks, frames at 60 fps. Nothing waits, everything is seeded.</summary>
+    sealed class SimulatedSession
+    {
+        const double FrameSeconds = 1 / 60.0;
+        const double SampleSeconds = 0.05;
+        static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
+
+        readonly PathDelay _sampleDelay;
+        readonly Random _random;
+        readonly Queue<(HeadsetTime At, JointStateMessage Message)> _underway = new Queue<(HeadsetTime, JointStateMessage)>();
+        SyncExchange? _exchange;
+        double _nextFrame, _nextSample, _nextExchange;
+        HeadsetTime _lastArrival;
+
+        public SimulatedSession(NetworkProfile network, int seed, string predictor = "quadratic")
+        {
+            Link = new SimulatedLink(network, seed, skewPpm: 45, driftPpm: 2);
+            _sampleDelay = network.Down(seed + 1000);
+            _random = new Random(seed);
+            Session = new CompensationSession(
+                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor)),
+                TestRobot.Model, new NoClock());
+        }
+
+        public CompensationSession Session { get; }
+        public SimulatedLink Link { get; }
+
+        /// <summary>Whether samples and replies leave the control system.</summary>
+        public bool IsGatewayUp { get; set; } = true;
+
+        public double Now { get; private set; }
+
+        /// <summary>How long each sample took from the robot to the headset, ms.</summary>
+        public List<double> TrueLatenciesMs { get; } = new List<double>();
+
+        /// <summary>Where the joints truly are; seconds of headset time stand for the robot's own.</summary>
+        public static (double Shoulder, double Elbow) TruthAt(double seconds) =>
+            (Math.Sin(seconds * 1.3), 0.8 * Math.Sin(seconds * 0.9 + 1));
+
+        /// <summary>Runs on; each frame is handed over with the seconds at which its light appears.</summary>
+        public void Run(double seconds, Action<DisplayFrame, double> seen = null)
+        {
+            for (var end = Now + seconds; Now < end; Now += 0.0005)
+            {
+                var now = HeadsetTime.FromSeconds(Now);
+                Deliver(now);
+                if (Now >= _nextSample) Sample(now);
+                if (Now >= _nextExchange) Exchange(now);
+                if (Now < _nextFrame) continue;
+                _nextFrame += FrameSeconds;
+                var frame = Session.Tick(now);
+                seen?.Invoke(frame, Now + Visualisation.TotalSeconds);
+            }
+        }
+
+        void Deliver(HeadsetTime now)
+        {
+            while (_underway.Count > 0 && _underway.Peek().At <= now)
+            {
+                var (at, message) = _underway.Dequeue();
+                Session.Received(message, at);
+            }
+            if (_exchange?.T4 > now) return;
+            if (_exchange.HasValue) Session.Clock.Add(_exchange.Value, out _);
+            _exchange = null;
+        }
+
+        void Sample(HeadsetTime now)
+        {
+            _nextSample += SampleSeconds;
+            if (!IsGatewayUp) return;
+            var (shoulder, elbow) = TruthAt(now.SinceEpoch.TotalSeconds);
+            var message = new JointStateMessage(Link.TrueOffset(now).ToControl(now), new[] { "elbow", "shoulder" }, new[] { elbow, shoulder });
+            var acquisition = TimeSpan.FromMilliseconds(55 + 50 * _random.NextDouble());
+            var at = now + acquisition + _sampleDelay.Next();
+            if (at < _lastArrival) at = _lastArrival;
+            _lastArrival = at;
+            TrueLatenciesMs.Add((at - now).TotalMilliseconds);
+            _underway.Enqueue((at, message));
+        }
+
+        void Exchange(HeadsetTime now)
+        {
+            _nextExchange += 0.2;
+            if (IsGatewayUp && _exchange == null && Link.TryExchange(now, out var exchange)) _exchange = exchange;
+        }
+
+        sealed class NoClock : IHeadsetClock
+        {
+            public HeadsetTime Now => throw new InvalidOperationException("a session without network reads no clock");
+        }
+    }
+}
