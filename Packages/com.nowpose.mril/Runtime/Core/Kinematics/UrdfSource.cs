@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using System.IO;
 using System.Linq;
 using System.Xml;
 using System.Xml.Linq;
@@ -9,6 +10,7 @@ namespace Nowpose.Kinematics
     /// <summary>Reads attributes of one URDF and words what is wrong with them, always with its name and the line.</summary>
     sealed class UrdfSource
     {
+        const int DeepestElement = 100;
         const int LongestQuote = 60;
         readonly string _name;
 
@@ -16,17 +18,16 @@ namespace Nowpose.Kinematics
 
         public XElement ParseRoot(string text)
         {
-            var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null };
+            // A byte order mark survives in text that did not come from a file.
+            text = text.TrimStart('\uFEFF');
             try
             {
-                // A byte order mark survives in text that did not come from a file.
-                using (var lines = new System.IO.StringReader(text.TrimStart('\uFEFF')))
-                using (var reader = XmlReader.Create(lines, settings))
-                    return XDocument.Load(reader, LoadOptions.SetLineInfo).Root;
+                using (var reader = Reader(text)) RequireShallow(reader);
+                using (var reader = Reader(text)) return XDocument.Load(reader, LoadOptions.SetLineInfo).Root;
             }
             catch (XmlException e)
             {
-                throw new InputException(OneLine(_name + ":" + Math.Max(1, e.LineNumber) + ": " + Explain(e)), e);
+                throw Malformed(text, e);
             }
         }
 
@@ -89,9 +90,28 @@ namespace Nowpose.Kinematics
 
         static bool Named(XElement element, out string name) => (name = (string)element.Attribute("name")) != null;
 
-        static string Explain(XmlException e) => e.Message.Contains("DTD", StringComparison.OrdinalIgnoreCase)
-            ? "a document type (DTD) with its entities is not allowed in a URDF"
-            : "not well-formed XML: " + e.Message;
+        static XmlReader Reader(string text) => XmlReader.Create(
+            new StringReader(text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null });
+
+        // XDocument walks up to the root for each node it adds: what is nested 100 000 deep would take minutes.
+        void RequireShallow(XmlReader reader)
+        {
+            while (reader.Read())
+            {
+                if (reader.Depth > DeepestElement)
+                    throw new InputException(_name + ":" + ((IXmlLineInfo)reader).LineNumber
+                        + ": elements are nested more than " + DeepestElement + " deep");
+            }
+        }
+
+        InputException Malformed(string text, XmlException e)
+        {
+            var isDtd = e.Message.Contains("DTD", StringComparison.OrdinalIgnoreCase);
+            // The reader gives the line before the document type's own.
+            var line = isDtd ? 1 + text.Take(text.IndexOf("<!DOCTYPE", StringComparison.Ordinal)).Count(c => c == '\n') : e.LineNumber;
+            var reason = isDtd ? "a document type (DTD) with its entities is not allowed in a URDF" : "not well-formed XML: " + e.Message;
+            return new InputException(OneLine(_name + ":" + Math.Max(1, line) + ": " + reason), e);
+        }
 
         static string OneLine(string text) => new string(text.Select(c => char.IsControl(c) ? ' ' : c).ToArray());
     }

@@ -1,0 +1,29 @@
+using System.IO;
+using System.Runtime.CompilerServices;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Tests
+{
+    /// <summary>The package's robots and the tests' own files, found from where this source lies.</summary>
+    static class UrdfFiles
+    {
+        public static RobotModel Robot(string name) => UrdfReader.Read(Text(name + ".urdf"), name + ".urdf");
+
+        public static string Text(string file, [CallerFilePath] string here = "")
+        {
+            var own = Path.Combine(Path.GetDirectoryName(here), file);
+            return File.ReadAllText(File.Exists(own)
+                ? own
+                : Path.Combine(Path.GetDirectoryName(here), "..", "..", "..", "..", "Runtime", "Robots", file));
+        }
+
+        /// <summary>A robot of one line per element: what stands first in <paramref name="body"/> is on line 2.</summary>
+        public static RobotModel Read(string body) => UrdfReader.Read("<robot name='r'>\n" + body + "\n</robot>", "r.urdf");
+
+        public static string Links(params string[] names) => "<link name='" + string.Join("'/><link name='", names) + "'/>";
+
+        public static string Joint(string name, string parent, string child, string type = "revolute", string inside = "") =>
+            "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" + child + "'/>"
+            + inside + "</joint>";
+    }
+}
