@@ -1,0 +1,117 @@
+using System;
+using System.Linq;
+using Newtonsoft.Json.Linq;
+using Nowpose.Kinematics;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class ForwardKinematicsTests
+    {
+        const double Tolerance = 1e-9;
+
+        static readonly double[][] Ur5DenavitHartenberg =
+        {
+            // d, a, alpha
+            new[] { 0.089159, 0, Math.PI / 2 },
+            new[] { 0, -0.425, 0 },
+            new[] { 0, -0.39225, 0 },
+            new[] { 0.10915, 0, Math.PI / 2 },
+            new[] { 0.09465, 0, -Math.PI / 2 },
+            new[] { 0.0823, 0, 0 },
+        };
+
+        // Poses by urdf-loader and three.js; Headless/Tests/Kinematics/make-reference.mjs wrote them.
+        [TestCase("youbot")]
+        [TestCase("ur5")]
+        [TestCase("odd_axes")]
+        public void Compute_AnyPositions_AgreesWithAnotherLibrary(string name)
+        {
+            var model = UrdfFiles.Robot(name);
+            var reference = JObject.Parse(UrdfFiles.Text("reference_poses.json"))["robots"].Single(r => (string)r["robot"] == name);
+
+            foreach (var situation in reference["cases"])
+            {
+                var poses = Poses(model, (JObject)situation["joints"]);
+
+                Assert.That(situation["links"].Count(), Is.EqualTo(model.Links.Count));
+                foreach (var link in (JObject)situation["links"])
+                    Assert.That(
+                        poses[model.IndexOfLink(link.Key)].ToRowMajor16(),
+                        Is.EqualTo(link.Value.Select(v => (double)v).ToArray()).Within(Tolerance), link.Key);
+            }
+        }
+
+        [Test]
+        public void Compute_Ur5_IsTheProductOfItsDenavitHartenbergMatrices()
+        {
+            var model = UrdfFiles.Robot("ur5");
+            var poses = new RigidTransform[model.Links.Count];
+            var random = new Random(5);
+
+            for (var i = 0; i < 50; i++)
+            {
+                var q = Enumerable.Range(0, 6).Select(_ => (2 * random.NextDouble() - 1) * 3 * Math.PI).ToArray();
+                new ForwardKinematics(model).Compute(q, poses);
+                Assert.That(
+                    poses[model.IndexOfLink("tool0")].ToRowMajor16(),
+                    Is.EqualTo(DenavitHartenberg(q).ToRowMajor16()).Within(1e-12));
+            }
+        }
+
+        [Test]
+        public void Compute_QuarterTurnAboutZ_TurnsXToY()
+        {
+            var model = UrdfFiles.Read(UrdfFiles.Links("a", "b", "c")
+                + UrdfFiles.Joint("turn", "a", "b", inside: "<origin xyz='1 2 3'/><axis xyz='0 0 9'/>")
+                + UrdfFiles.Joint("slide", "b", "c", "prismatic", "<axis xyz='2 0 0'/>"));
+            var poses = new RigidTransform[3];
+
+            new ForwardKinematics(model).Compute(new[] { Math.PI / 2, 0.5 }, poses);
+
+            Assert.That(poses[2].ToRowMajor16(), Is.EqualTo(new[]
+            {
+                0.0, -1, 0, 1,
+                1, 0, 0, 2.5,
+                0, 0, 1, 3,
+                0, 0, 0, 1,
+            }).Within(1e-15));
+        }
+
+        [Test]
+        public void Compute_WrongLengths_Refuses()
+        {
+            var kinematics = new ForwardKinematics(UrdfFiles.Robot("ur5"));
+
+            Assert.Throws<ArgumentException>(() => kinematics.Compute(new double[5], new RigidTransform[8]));
+            Assert.Throws<ArgumentException>(() => kinematics.Compute(new double[6], new RigidTransform[7]));
+        }
+
+        static RigidTransform[] Poses(RobotModel model, JObject joints)
+        {
+            var positions = new double[model.MovingJoints.Count];
+            var given = new bool[positions.Length];
+            foreach (var joint in joints)
+            {
+                var index = model.IndexOfMovingJoint(joint.Key);
+                positions[index] = (double)joint.Value;
+                given[index] = true;
+            }
+            model.CompleteMimics(positions, given);
+            var poses = new RigidTransform[model.Links.Count];
+            new ForwardKinematics(model).Compute(positions, poses);
+            return poses;
+        }
+
+        static RigidTransform DenavitHartenberg(double[] q)
+        {
+            var product = RigidTransform.Identity;
+            for (var i = 0; i < q.Length; i++)
+            {
+                var (d, a, alpha) = (Ur5DenavitHartenberg[i][0], Ur5DenavitHartenberg[i][1], Ur5DenavitHartenberg[i][2]);
+                product = product * RigidTransform.FromXyzRpy(0, 0, d, 0, 0, q[i]) * RigidTransform.FromXyzRpy(a, 0, 0, alpha, 0, 0);
+            }
+            return product;
+        }
+    }
+}

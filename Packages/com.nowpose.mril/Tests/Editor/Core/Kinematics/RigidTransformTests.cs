@@ -1,0 +1,47 @@
+using System;
+using Nowpose.Kinematics;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class RigidTransformTests
+    {
+        [Test]
+        public void FromXyzRpy_QuarterTurns_TurnsAboutFixedXThenYThenZ()
+        {
+            var pose = RigidTransform.FromXyzRpy(1, 2, 3, Math.PI / 2, Math.PI / 2, Math.PI / 2);
+
+            // x → x → −z → −z; y → z → x → y; z → −y → −y → x, worked out by hand.
+            Assert.That(pose.ToRowMajor16(), Is.EqualTo(new[]
+            {
+                0.0, 0, 1, 1,
+                0, 1, 0, 2,
+                -1, 0, 0, 3,
+                0, 0, 0, 1,
+            }).Within(1e-15));
+        }
+
+        [Test]
+        public void FromXyzRpy_OfThreeAngles_IsYawTimesPitchTimesRoll()
+        {
+            var product = RigidTransform.FromXyzRpy(0.1, 0.2, 0.3, 0, 0, 2.5)
+                * RigidTransform.FromXyzRpy(0, 0, 0, 0, -0.7, 0)
+                * RigidTransform.FromXyzRpy(0, 0, 0, 1.1, 0, 0);
+
+            Assert.That(
+                RigidTransform.FromXyzRpy(0.1, 0.2, 0.3, 1.1, -0.7, 2.5).ToRowMajor16(),
+                Is.EqualTo(product.ToRowMajor16()).Within(1e-15));
+        }
+
+        [Test]
+        public void Multiply_ThreePoses_IsAssociative()
+        {
+            var a = RigidTransform.FromXyzRpy(1, -2, 3, 0.1, 0.2, 0.3);
+            var b = RigidTransform.FromXyzRpy(-4, 5, 6, -1, 2, -3);
+            var c = RigidTransform.FromXyzRpy(7, 8, -9, 3, 1, 2);
+
+            Assert.That(((a * b) * c).ToRowMajor16(), Is.EqualTo((a * (b * c)).ToRowMajor16()).Within(1e-14));
+            Assert.That((a * RigidTransform.Identity).ToRowMajor16(), Is.EqualTo(a.ToRowMajor16()));
+        }
+    }
+}
