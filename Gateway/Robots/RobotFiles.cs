@@ -1,0 +1,37 @@
+using Nowpose.Kinematics;
+
+namespace Nowpose.Gateway.Robots;
+
+/// <summary>Robots by the name of one that comes along, or by the path of a URDF.</summary>
+public static class RobotFiles
+{
+    static readonly string[] Included = ["youbot", "ur5"];
+
+    /// <param name="nameOrPath">"youbot", "ur5" or the path of a .urdf file.</param>
+    /// <exception cref="InputException">There is no such robot, or its URDF cannot be read or computed.</exception>
+    public static RobotModel Load(string nameOrPath) => UrdfReader.Read(LoadText(nameOrPath), nameOrPath);
+
+    /// <summary>The URDF itself, as it is sent to a headset; not checked.</summary>
+    /// <inheritdoc cref="Load"/>
+    public static string LoadText(string nameOrPath)
+    {
+        if (Included.Contains(nameOrPath))
+            return File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Robots", nameOrPath + ".urdf"));
+        if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException("no robot named; " + Allowed);
+        if (Directory.Exists(nameOrPath)) throw new InputException($"{nameOrPath}: is a folder; {Allowed}");
+        try
+        {
+            return File.ReadAllText(nameOrPath);
+        }
+        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new InputException($"{nameOrPath}: no such file; {Allowed}", e);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new InputException($"{nameOrPath}: cannot be read: {e.Message.ReplaceLineEndings(" ")}", e);
+        }
+    }
+
+    static string Allowed => string.Join(", ", Included) + " or the path of a .urdf file is needed";
+}
