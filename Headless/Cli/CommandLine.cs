@@ -29,6 +29,7 @@ public static class CommandLine
     {
         yield return Sync.SyncVerb.Create();
         yield return Replay.ReplayVerb.Create();
+        yield return Kinematics.KinematicsVerb.Create();
     }
 
     static async Task<int> InvokeAsync(ParseResult parsed)

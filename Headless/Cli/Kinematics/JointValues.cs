@@ -1,0 +1,74 @@
+using System.Globalization;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Cli.Kinematics;
+
+/// <summary>The values of <c>--joints</c>, checked against the robot they are for.</summary>
+sealed class JointValues
+{
+    readonly RobotModel _model;
+    readonly double[] _positions;
+    readonly bool[] _given;
+
+    /// <param name="list"><c>name=value,name=value…</c>, or empty.</param>
+    public JointValues(RobotModel model, string list)
+    {
+        _model = model;
+        _positions = new double[model.MovingJoints.Count];
+        _given = new bool[model.MovingJoints.Count];
+        if (list.Trim().Length == 0) return;
+        foreach (var entry in list.Split(',', StringSplitOptions.TrimEntries)) Take(entry);
+    }
+
+    /// <summary>Positions of all moving joints: 0 where nothing else is known, mimic joints after their masters.</summary>
+    public double[] Complete()
+    {
+        var positions = (double[])_positions.Clone();
+        _model.CompleteMimics(positions, _given);
+        return positions;
+    }
+
+    /// <summary>One sentence per given value that the joint cannot reach.</summary>
+    public IEnumerable<string> OutOfLimits()
+    {
+        for (var i = 0; i < _positions.Length; i++)
+        {
+            var joint = _model.MovingJoints[i];
+            if (_given[i] && !joint.Limits.Contains(_positions[i])) yield return OutOfLimits(joint, _positions[i]);
+        }
+    }
+
+    static string OutOfLimits(RobotJoint joint, double value)
+    {
+        var unit = joint.Kind == JointKind.Prismatic ? "m" : "rad";
+        return FormattableString.Invariant(
+            $"joint {joint.Name}: {value} {unit} is outside its limits {joint.Limits.Lower} to {joint.Limits.Upper} {unit}; computed as given");
+    }
+
+    void Take(string entry)
+    {
+        var split = entry.LastIndexOf('=');
+        if (split < 1) throw new InputException($"--joints: '{entry}' is not of the form name=value");
+        var index = MovingJoint(entry[..split].TrimEnd());
+        if (_given[index]) throw new InputException($"--joints: {_model.MovingJoints[index].Name} is given twice");
+        _given[index] = true;
+        _positions[index] = Value(_model.MovingJoints[index], entry[(split + 1)..]);
+    }
+
+    int MovingJoint(string name)
+    {
+        var index = _model.IndexOfMovingJoint(name);
+        if (index >= 0) return index;
+        var reason = _model.Joints.Any(joint => joint.Name == name) ? $"{name} is a fixed joint" : $"there is no joint {name}";
+        var names = string.Join(", ", _model.MovingJoints.Select(joint => joint.Name));
+        throw new InputException($"--joints: {reason}; {(names.Length == 0 ? "this robot has none that moves" : "allowed are " + names)}");
+    }
+
+    static double Value(RobotJoint joint, string text)
+    {
+        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && double.IsFinite(value))
+            return value;
+        var unit = joint.Kind == JointKind.Prismatic ? "m" : "rad";
+        throw new InputException($"--joints: {joint.Name}: '{text}' is not a finite number in {unit}");
+    }
+}

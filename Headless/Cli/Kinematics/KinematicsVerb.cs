@@ -1,0 +1,43 @@
+using System.CommandLine;
+using Nowpose.Gateway.Robots;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Cli.Kinematics;
+
+/// <summary><c>kinematics FILE.urdf</c>: link poses for joint values.</summary>
+static class KinematicsVerb
+{
+    public static Command Create()
+    {
+        var file = new Argument<string>("FILE.urdf") { Description = "The robot: a URDF, or youbot or ur5." };
+        var joints = new Option<string>("--joints")
+        {
+            Description = "Joint values in rad (prismatic: m), as in a=0.1,b=-0.2; others are 0, mimic joints follow their masters unless given.",
+        };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of matrices." };
+        var verb = new Command("kinematics", "Compute the poses of all links relative to the root link.") { file, joints, json };
+        verb.SetAction(parsed => Run(parsed.GetValue(file), parsed.GetValue(joints), parsed.GetValue(json)));
+        return verb;
+    }
+
+    static int Run(string file, string joints, bool json)
+    {
+        var model = RobotFiles.Load(file);
+        var values = new JointValues(model, joints ?? "");
+        foreach (var note in values.OutOfLimits())
+            Console.Error.WriteLine("nowpose: " + note);
+        var poses = Poses(model, values.Complete());
+        Console.Out.Write(json ? PoseOutput.Json(model, poses) : PoseOutput.Matrices(model, poses));
+        return ExitStatus.Done;
+    }
+
+    static double[][] Poses(RobotModel model, double[] positions)
+    {
+        var poses = new RigidTransform[model.Links.Count];
+        new ForwardKinematics(model).Compute(positions, poses);
+        var matrices = Array.ConvertAll(poses, pose => pose.ToRowMajor16());
+        if (!matrices.All(matrix => matrix.All(double.IsFinite)))
+            throw new InputException("--joints: these values are too large; the poses leave the range of numbers");
+        return matrices;
+    }
+}

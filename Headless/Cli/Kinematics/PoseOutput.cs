@@ -1,0 +1,55 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Cli.Kinematics;
+
+/// <summary>Prints link poses, given as row-major 4×4 matrices in the model's order of links.</summary>
+static class PoseOutput
+{
+    public static string Json(RobotModel model, double[][] poses)
+    {
+        using var bytes = new MemoryStream();
+        using (var json = new Utf8JsonWriter(bytes, new JsonWriterOptions { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
+        {
+            json.WriteStartObject();
+            json.WriteString("root", model.Root.Name);
+            json.WriteStartObject("links");
+            for (var i = 0; i < poses.Length; i++) WritePose(json, model.Links[i].Name, poses[i]);
+            json.WriteEndObject();
+            json.WriteEndObject();
+        }
+        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
+    }
+
+    public static string Matrices(RobotModel model, double[][] poses)
+    {
+        var text = new StringBuilder($"{model.Name}: poses relative to {model.Root.Name}, metres\n");
+        for (var i = 0; i < poses.Length; i++)
+        {
+            text.Append('\n').Append(model.Links[i].Name).Append('\n');
+            for (var row = 0; row < 4; row++) AppendRow(text, poses[i].AsSpan(4 * row, 4));
+        }
+        return text.ToString();
+    }
+
+    static void WritePose(Utf8JsonWriter json, string link, double[] pose)
+    {
+        json.WriteStartArray(link);
+        // Shortest text that reads back as the same number, which is what the writer does with a double.
+        foreach (var number in pose) json.WriteNumberValue(number);
+        json.WriteEndArray();
+    }
+
+    static void AppendRow(StringBuilder text, ReadOnlySpan<double> row)
+    {
+        foreach (var number in row)
+        {
+            // + 0.0: what rounds to zero shows no sign.
+            text.Append(CultureInfo.InvariantCulture, $"{Math.Round(number, 6) + 0.0,13:0.000000}");
+        }
+        text.Append('\n');
+    }
+}

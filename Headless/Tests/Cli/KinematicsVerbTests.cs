@@ -1,0 +1,128 @@
+using System.Text.Json;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+public class KinematicsVerbTests
+{
+    const string Slide = """
+        <robot name="slide"><link name="base"/><link name="a"/><link name="b"/><link name="plate"/>
+        <joint name="lead" type="prismatic"><parent link="base"/><child link="a"/><limit lower="0" upper="0.5"/></joint>
+        <joint name="follow" type="prismatic"><parent link="base"/><child link="b"/><mimic joint="lead" multiplier="2" offset="0.1"/></joint>
+        <joint name="mount" type="fixed"><parent link="base"/><child link="plate"/><axis xyz="0 0 0"/></joint></robot>
+        """;
+
+    static async Task<CliRun> RunAsync(params string[] options)
+    {
+        using var file = new TemporaryFile(Slide, ".urdf");
+        return await CliRun.OfAsync(["kinematics", file.Path, .. options]);
+    }
+
+    static double X(CliRun run, string link) =>
+        JsonDocument.Parse(run.Output).RootElement.GetProperty("links").GetProperty(link)[3].GetDouble();
+
+    [Test]
+    public async Task Kinematics_Json_HasRootAndRowMajorMatrices()
+    {
+        var run = await RunAsync("--joints", "lead=0.1", "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Errors, Is.Empty);
+        var result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(result.GetProperty("root").GetString(), Is.EqualTo("base"));
+        Assert.That(result.GetProperty("links").EnumerateObject().Select(link => link.Name), Is.EquivalentTo(new[] { "base", "a", "b", "plate" }));
+        Assert.That(
+            result.GetProperty("links").GetProperty("a").EnumerateArray().Select(v => v.GetDouble()),
+            Is.EqualTo(new[] { 1, 0, 0, 0.1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }));
+    }
+
+    [TestCase("lead=0", 0, 0.1)]
+    [TestCase("lead=0.25", 0.25, 0.6)]
+    [TestCase(" lead = 0.3 , follow = -1e-3 ", 0.3, -0.001)]
+    [TestCase("follow=0.30000000000000004", 0, 0.30000000000000004)]
+    public async Task Kinematics_Mimic_FollowsUnlessGiven(string joints, double a, double b)
+    {
+        var run = await RunAsync("--json", "--joints=" + joints);
+
+        Assert.That((X(run, "a"), X(run, "b")), Is.EqualTo((a, b)));
+    }
+
+    [Test]
+    public async Task Kinematics_NoJoints_AreAllZeroAndMimicsFollow()
+    {
+        var run = await RunAsync("--json");
+
+        Assert.That((X(run, "a"), X(run, "b")), Is.EqualTo((0.0, 0.1)));
+    }
+
+    [Test]
+    public async Task Kinematics_OutsideLimits_IsComputedWithANote()
+    {
+        var run = await RunAsync("--joints", "lead=-0.25", "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(X(run, "a"), Is.EqualTo(-0.25));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: joint lead: -0.25 m is outside its limits 0 to 0.5 m; computed as given"));
+    }
+
+    [Test]
+    public async Task Kinematics_WithoutJson_PrintsAMatrixPerLink()
+    {
+        var run = await RunAsync("--joints", "lead=0.125");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(run.Lines[0], Is.EqualTo("slide: poses relative to base, metres"));
+        Assert.That(run.Output, Does.Contain("\na\n     1.000000     0.000000     0.000000     0.125000\n"));
+    }
+
+    [TestCase("youbot", "tool_centre_point")]
+    [TestCase("ur5", "tool0")]
+    public async Task Kinematics_RobotThatComesAlong_IsFoundByName(string robot, string tool)
+    {
+        var run = await CliRun.OfAsync("kinematics", robot, "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Output, Does.Contain('"' + tool + '"'));
+    }
+
+    [TestCase("nothing=1", "there is no joint nothing; allowed are lead, follow")]
+    [TestCase("mount=1", "mount is a fixed joint; allowed are lead, follow")]
+    [TestCase("lead=1,lead=1", "lead is given twice")]
+    [TestCase("lead=x", "lead: 'x' is not a finite number in m")]
+    [TestCase("lead=NaN", "lead: 'NaN' is not a finite number in m")]
+    [TestCase("lead=", "lead: '' is not a finite number in m")]
+    [TestCase("lead", "'lead' is not of the form name=value")]
+    [TestCase("lead=1,", "'' is not of the form name=value")]
+    [TestCase("lead=1.5e308", "too large")]
+    public async Task Kinematics_BadJoints_IsOneLineAndExit2(string joints, string message)
+    {
+        var run = await RunAsync("--joints", joints, "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Output, Is.Empty);
+        Assert.That(run.Errors.TrimEnd().Split('\n')[^1], Does.StartWith("nowpose: --joints: ").And.Contains(message));
+    }
+
+    [Test]
+    public async Task Kinematics_BadUrdf_NamesFileLineAndElement()
+    {
+        using var file = new TemporaryFile("<robot name='r'>\n<link name='a'/>\n<link name='b'/></robot>", ".urdf");
+
+        var run = await CliRun.OfAsync("kinematics", file.Path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.StartWith($"nowpose: {file.Path}:3: link 'b': two root links"));
+        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
+    }
+
+    [TestCase("no-such-robot", "no-such-robot: no such file; youbot, ur5 or the path of a .urdf file is needed")]
+    [TestCase(".", ".: is a folder; youbot, ur5 or the path of a .urdf file is needed")]
+    [TestCase(" ", "no robot named; youbot, ur5 or the path of a .urdf file is needed")]
+    public async Task Kinematics_NoSuchRobot_SaysWhatIsAllowed(string robot, string message)
+    {
+        var run = await CliRun.OfAsync("kinematics", robot);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: " + message));
+    }
+}
