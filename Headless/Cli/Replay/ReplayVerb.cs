@@ -2,7 +2,6 @@ using System.CommandLine;
 using Nowpose.Cli.Options;
 using Nowpose.Gateway.Recordings;
 using Nowpose.Prediction;
-using Spectre.Console;
 
 namespace Nowpose.Cli.Replay;
 
@@ -56,7 +55,7 @@ static class ReplayVerb
     {
         var result = new ReplayRun(path, MotionRecording.Read(path), settings).Run(cancellation);
         if (json) Console.Out.WriteLine(ReplayJson.Of(result));
-        else ReplayTable.Write(AnsiConsole.Console, result);
+        else ReplayTable.Write(ResultConsole.Create(), result);
         return cancellation.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 }

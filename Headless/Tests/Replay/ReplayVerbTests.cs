@@ -1,0 +1,192 @@
+using System.Text.Json;
+using Nowpose.Cli;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests;
+
+public class ReplayVerbTests
+{
+    string _folder;
+    string _file;
+
+    [SetUp]
+    public void WriteRecording()
+    {
+        _folder = Directory.CreateTempSubdirectory("nowpose-replay-").FullName;
+        _file = new RecordedMotion(10, RecordedMotion.EvenTimes(4, 0.01m), Math.Sin, t => Math.Cos(2 * t)).WriteTo(_folder);
+    }
+
+    [TearDown]
+    public void DeleteFolder() => Directory.Delete(_folder, recursive: true);
+
+    static async Task<(int Status, string Out, string Error)> Run(params string[] arguments)
+    {
+        var (before, beforeError) = (Console.Out, Console.Error);
+        using var output = new StringWriter();
+        using var error = new StringWriter();
+        Console.SetOut(output);
+        Console.SetError(error);
+        try
+        {
+            var status = await CommandLine.RunAsync(["replay", .. arguments]);
+            return (status, output.ToString(), error.ToString());
+        }
+        finally
+        {
+            Console.SetOut(before);
+            Console.SetError(beforeError);
+        }
+    }
+
+    async Task<JsonElement> RunJson(params string[] arguments)
+    {
+        var (status, output, error) = await Run([_file, "--json", .. arguments]);
+
+        Assert.That(status, Is.EqualTo(0), error);
+        using var json = JsonDocument.Parse(output);
+        return json.RootElement.Clone();
+    }
+
+    static string[] Keys(JsonElement element) => [.. element.EnumerateObject().Select(property => property.Name)];
+
+    [Test]
+    public async Task Json_Result_HasTheContractsKeys()
+    {
+        var result = await RunJson();
+
+        Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
+        Assert.That(Keys(result.GetProperty("axes")[1]), Is.EqualTo(new[] { "name", "rms_hold", "rms", "p95", "max" }));
+        Assert.That(result.GetProperty("axes").EnumerateArray().Select(a => a.GetProperty("name").GetString()), Is.EqualTo(new[] { "q1", "q2" }));
+        Assert.That(result.GetProperty("file").GetString(), Is.EqualTo(_file));
+        Assert.That(result.GetProperty("predictor").GetString(), Is.EqualTo("quadratic"));
+        Assert.That(result.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.9));
+    }
+
+    [Test]
+    public async Task Json_NothingMoves_SaysNull()
+    {
+        File.WriteAllText(_file, "t,a\n0,1\n2,1\n");
+
+        Assert.That((await RunJson()).GetProperty("reduction").ValueKind, Is.EqualTo(JsonValueKind.Null));
+    }
+
+    // Each option of its own must change a result, in the way the option says.
+    [TestCase("--sampling-ms=100", "rms", 1)]
+    [TestCase("--latency-ms=200", "rms_hold", 1)]
+    [TestCase("--latency-ms=50", "rms_hold", -1)]
+    [TestCase("--fps=120", "frames", 1)]
+    [TestCase("--predictor=linear", "rms", 1)]
+    [TestCase("--latency-error-ms=20", "rms", 1)]
+    [TestCase("--stamp-error-ms=5", "rms", 1)]
+    [TestCase("--jitter-ms=40", "rms_hold", 1)]
+    [TestCase("--loss=0.3", "rms_hold", 1)]
+    public async Task Json_Option_IsHeeded(string option, string key, int sign)
+    {
+        var plain = (await RunJson()).GetProperty(key).GetDouble();
+
+        var joined = (await RunJson(option)).GetProperty(key).GetDouble();
+        var apart = (await RunJson(option.Split('='))).GetProperty(key).GetDouble();
+
+        Assert.That(sign * (joined - plain), Is.GreaterThan(0.01 * plain));
+        Assert.That(apart, Is.EqualTo(joined));
+    }
+
+    [Test]
+    public async Task Json_Seed_ChangesWhatIsRandomOnly()
+    {
+        var jittered = (await RunJson("--jitter-ms", "40", "--seed", "1")).GetProperty("rms").GetDouble();
+
+        Assert.That((await RunJson("--jitter-ms", "40", "--seed", "2")).GetProperty("rms").GetDouble(), Is.Not.EqualTo(jittered));
+        Assert.That((await RunJson("--seed", "2")).GetProperty("rms").GetDouble(), Is.EqualTo((await RunJson()).GetProperty("rms").GetDouble()));
+    }
+
+    [Test]
+    public async Task Table_Result_ShowsEveryAxisOnStdout()
+    {
+        var (status, output, error) = await Run(_file);
+
+        Assert.That(status, Is.EqualTo(0));
+        Assert.That(error, Is.Empty);
+        Assert.That(output, Does.Contain("q1").And.Contain("q2").And.Contain("uncompensated RMS").And.Contain("motion.csv: quadratic"));
+    }
+
+    [TestCase("--sampling-ms", "0", "0.1 to 10000 ms")]
+    [TestCase("--sampling-ms", "-5", "0.1 to 10000 ms")]
+    [TestCase("--sampling-ms", "NaN", "0.1 to 10000 ms")]
+    [TestCase("--sampling-ms", "fast", "0.1 to 10000 ms")]
+    [TestCase("--sampling-ms", "5,5", "0.1 to 10000 ms")]
+    [TestCase("--latency-ms", "-1", "0 to 10000 ms")]
+    [TestCase("--latency-ms", "Infinity", "0 to 10000 ms")]
+    [TestCase("--fps", "0", "1 to 1000")]
+    [TestCase("--fps", "1e9", "1 to 1000")]
+    [TestCase("--latency-error-ms", "1e5", "-10000 to 10000 ms")]
+    [TestCase("--stamp-error-ms", "-1", "0 to 10000 ms")]
+    [TestCase("--jitter-ms", "-1", "0 to 10000 ms")]
+    [TestCase("--loss", "1.1", "0 to 1")]
+    [TestCase("--loss", "-0.1", "0 to 1")]
+    [TestCase("--seed", "1.5", "")]
+    [TestCase("--predictor", "quartic", "hold, linear, quadratic, cubic")]
+    [TestCase("--window", "3", "--window")]
+    public async Task Option_Impossible_IsOneLineAndExit2(string option, string value, string allowed)
+    {
+        var (status, output, error) = await Run(_file, option, value);
+
+        AssertRefused(status, output, error, option, allowed);
+    }
+
+    [TestCase("--fps")]
+    [TestCase("--sampling-ms")]
+    [TestCase("--predictor")]
+    public async Task Option_WithoutValue_IsOneLineAndExit2(string option)
+    {
+        var (status, output, error) = await Run(_file, option);
+
+        AssertRefused(status, output, error, option);
+    }
+
+    [Test]
+    public async Task File_NotGiven_IsOneLineAndExit2()
+    {
+        var (status, output, error) = await Run();
+
+        AssertRefused(status, output, error, "FILE.csv");
+    }
+
+    [Test]
+    public async Task File_Missing_IsOneLineAndExit2()
+    {
+        var (status, output, error) = await Run(Path.Combine(_folder, "none.csv"));
+
+        AssertRefused(status, output, error, "none.csv", "no such file");
+    }
+
+    [TestCase("t,a\n0,1\n1,\n", "motion.csv:3: field 'a' is empty")]
+    [TestCase("t,a\n0,1\n1,x\n", "motion.csv:3: field 'a': 'x' is not a number")]
+    [TestCase("t,a\n1,1\n0,1\n", "motion.csv:3: field t: '0' s is not after")]
+    [TestCase("t,a\n1,1\n", "motion.csv: 1 rows of data")]
+    [TestCase("t,a\n0,1\n0.2,2\n", "too short to score a frame")]
+    public async Task File_Bad_IsOneLineAndExit2(string content, string expected)
+    {
+        File.WriteAllText(_file, content);
+
+        var (status, output, error) = await Run(_file);
+
+        AssertRefused(status, output, error, expected);
+    }
+
+    [Test]
+    public async Task Loss_OfEverything_IsOneLineAndExit2()
+    {
+        var (status, output, error) = await Run(_file, "--loss", "1");
+
+        AssertRefused(status, output, error, "--loss 1", "no sample arrived");
+    }
+
+    static void AssertRefused(int status, string output, string error, params string[] expected)
+    {
+        Assert.That(status, Is.EqualTo(2), error);
+        Assert.That(output, Is.Empty);
+        Assert.That(error.TrimEnd().Split('\n').Length, Is.EqualTo(1), error);
+        foreach (var text in expected) Assert.That(error, Does.Contain(text));
+    }
+}
