@@ -1,5 +1,5 @@
 using System.Text.Json;
-using Nowpose.Cli;
+using Nowpose.Headless.Tests.Cli;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests;
@@ -19,31 +19,14 @@ public class ReplayVerbTests
     [TearDown]
     public void DeleteFolder() => Directory.Delete(_folder, recursive: true);
 
-    static async Task<(int Status, string Out, string Error)> Run(params string[] arguments)
-    {
-        var (before, beforeError) = (Console.Out, Console.Error);
-        using var output = new StringWriter();
-        using var error = new StringWriter();
-        Console.SetOut(output);
-        Console.SetError(error);
-        try
-        {
-            var status = await CommandLine.RunAsync(["replay", .. arguments]);
-            return (status, output.ToString(), error.ToString());
-        }
-        finally
-        {
-            Console.SetOut(before);
-            Console.SetError(beforeError);
-        }
-    }
+    static Task<CliRun> Run(params string[] arguments) => CliRun.OfAsync(["replay", .. arguments]);
 
     async Task<JsonElement> RunJson(params string[] arguments)
     {
-        var (status, output, error) = await Run([_file, "--json", .. arguments]);
+        var run = await Run([_file, "--json", .. arguments]);
 
-        Assert.That(status, Is.EqualTo(0), error);
-        using var json = JsonDocument.Parse(output);
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        using var json = JsonDocument.Parse(run.Output);
         return json.RootElement.Clone();
     }
 
@@ -103,11 +86,11 @@ public class ReplayVerbTests
     [Test]
     public async Task Table_Result_ShowsEveryAxisOnStdout()
     {
-        var (status, output, error) = await Run(_file);
+        var run = await Run(_file);
 
-        Assert.That(status, Is.EqualTo(0));
-        Assert.That(error, Is.Empty);
-        Assert.That(output, Does.Contain("q1").And.Contain("q2").And.Contain("uncompensated RMS").And.Contain("motion.csv: quadratic"));
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(run.Errors, Is.Empty);
+        Assert.That(run.Output, Does.Contain("q1").And.Contain("q2").And.Contain("uncompensated RMS").And.Contain("motion.csv: quadratic"));
     }
 
     [TestCase("--sampling-ms", "0", "0.1 to 10000 ms")]
@@ -129,9 +112,9 @@ public class ReplayVerbTests
     [TestCase("--window", "3", "--window")]
     public async Task Option_Impossible_IsOneLineAndExit2(string option, string value, string allowed)
     {
-        var (status, output, error) = await Run(_file, option, value);
+        var run = await Run(_file, option, value);
 
-        AssertRefused(status, output, error, option, allowed);
+        AssertRefused(run, option, allowed);
     }
 
     [TestCase("--fps")]
@@ -139,25 +122,25 @@ public class ReplayVerbTests
     [TestCase("--predictor")]
     public async Task Option_WithoutValue_IsOneLineAndExit2(string option)
     {
-        var (status, output, error) = await Run(_file, option);
+        var run = await Run(_file, option);
 
-        AssertRefused(status, output, error, option);
+        AssertRefused(run, option);
     }
 
     [Test]
     public async Task File_NotGiven_IsOneLineAndExit2()
     {
-        var (status, output, error) = await Run();
+        var run = await Run();
 
-        AssertRefused(status, output, error, "FILE.csv");
+        AssertRefused(run, "FILE.csv");
     }
 
     [Test]
     public async Task File_Missing_IsOneLineAndExit2()
     {
-        var (status, output, error) = await Run(Path.Combine(_folder, "none.csv"));
+        var run = await Run(Path.Combine(_folder, "none.csv"));
 
-        AssertRefused(status, output, error, "none.csv", "no such file");
+        AssertRefused(run, "none.csv", "no such file");
     }
 
     [TestCase("t,a\n0,1\n1,\n", "motion.csv:3: field 'a' is empty")]
@@ -169,24 +152,24 @@ public class ReplayVerbTests
     {
         File.WriteAllText(_file, content);
 
-        var (status, output, error) = await Run(_file);
+        var run = await Run(_file);
 
-        AssertRefused(status, output, error, expected);
+        AssertRefused(run, expected);
     }
 
     [Test]
     public async Task Loss_OfEverything_IsOneLineAndExit2()
     {
-        var (status, output, error) = await Run(_file, "--loss", "1");
+        var run = await Run(_file, "--loss", "1");
 
-        AssertRefused(status, output, error, "--loss 1", "no sample arrived");
+        AssertRefused(run, "--loss 1", "no sample arrived");
     }
 
-    static void AssertRefused(int status, string output, string error, params string[] expected)
+    static void AssertRefused(CliRun run, params string[] expected)
     {
-        Assert.That(status, Is.EqualTo(2), error);
-        Assert.That(output, Is.Empty);
-        Assert.That(error.TrimEnd().Split('\n').Length, Is.EqualTo(1), error);
-        foreach (var text in expected) Assert.That(error, Does.Contain(text));
+        Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
+        Assert.That(run.Output, Is.Empty);
+        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);
+        foreach (var text in expected) Assert.That(run.Errors, Does.Contain(text));
     }
 }
