@@ -9,7 +9,7 @@ namespace Nowpose.Session
     sealed class JointTracks
     {
         readonly RobotModel _robot;
-        readonly IJointPredictor[] _predictors;
+        readonly JointTrack[] _tracks;
         readonly double[] _positions;
         readonly double[] _held;
         readonly PredictionKind[] _kinds;
@@ -21,8 +21,8 @@ namespace Nowpose.Session
         {
             _robot = robot;
             var count = robot.MovingJoints.Count;
-            _predictors = new IJointPredictor[count];
-            for (var i = 0; i < count; i++) _predictors[i] = settings.Create(robot.MovingJoints[i].Limits);
+            _tracks = new JointTrack[count];
+            for (var i = 0; i < count; i++) _tracks[i] = new JointTrack(settings.Create(robot.MovingJoints[i].Limits));
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];
@@ -55,7 +55,7 @@ namespace Nowpose.Session
             {
                 var joint = _robot.IndexOfMovingJoint(message.Names[i]);
                 if (joint < 0) continue;
-                var each = ReasonOf(_predictors[joint].Add(new JointSample(time, message.Positions[i])));
+                var each = ReasonOf(_tracks[joint].Add(new JointSample(time, message.Positions[i])));
                 if (reason != DropReason.None) reason = each;
             }
             if (reason == DropReason.None && !(Newest > message.Stamp)) Newest = message.Stamp;
@@ -66,9 +66,9 @@ namespace Nowpose.Session
         public void Predict(ControlTime at)
         {
             var time = ClockTicks.Seconds(at - _epoch);
-            for (var i = 0; i < _predictors.Length; i++)
+            for (var i = 0; i < _tracks.Length; i++)
             {
-                var prediction = _predictors[i].At(time);
+                var prediction = _tracks[i].At(time);
                 Show(i, prediction.Kind, prediction.Position);
             }
             CompleteMimics();
@@ -77,10 +77,9 @@ namespace Nowpose.Session
         /// <summary>The newest samples as they are, all marked held: no time is known to predict to. Allocates nothing.</summary>
         public void Hold()
         {
-            for (var i = 0; i < _predictors.Length; i++)
+            for (var i = 0; i < _tracks.Length; i++)
             {
-                var hasSample = !double.IsNegativeInfinity(_predictors[i].NewestTime);
-                Show(i, hasSample ? PredictionKind.Held : PredictionKind.None, _predictors[i].Hold);
+                Show(i, _tracks[i].HasSample ? PredictionKind.Held : PredictionKind.None, _tracks[i].Hold);
             }
             CompleteMimics();
         }
@@ -88,7 +87,7 @@ namespace Nowpose.Session
         /// <summary>Forgets all samples, for their times mean nothing any more; what is displayed stays.</summary>
         public void Reset()
         {
-            foreach (var predictor in _predictors) predictor.Reset();
+            foreach (var track in _tracks) track.Reset();
             _hasEpoch = false;
             Newest = null;
         }
@@ -100,7 +99,7 @@ namespace Nowpose.Session
             if (kind != PredictionKind.None)
             {
                 _positions[joint] = position;
-                _held[joint] = _predictors[joint].Hold;
+                _held[joint] = _tracks[joint].Hold;
             }
             _kinds[joint] = kind == PredictionKind.None && _given[joint] ? PredictionKind.Held : kind;
         }

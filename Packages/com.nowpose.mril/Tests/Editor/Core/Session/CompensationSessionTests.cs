@@ -119,6 +119,8 @@ namespace Nowpose.Tests
         [TestCase(3600)]
         [TestCase(-3600)]
         [TestCase(0.2)]
+        [TestCase(-0.2)]
+        [TestCase(-0.1)]
         public void Tick_ControlClockSteps_IsCurrentAgainWithinTwoSeconds(double stepSeconds)
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
@@ -156,15 +158,40 @@ namespace Nowpose.Tests
         public void Received_DuplicatesLateAndForeignSamples_AreCountedByReason()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
-            foreach (var at in new[] { 1.0, 1.1, 1.2, 1.3, 1.3, 0.5 }) Send(session, at, at);
+            foreach (var at in new[] { 1.0, 1.1, 1.2, 1.3, 1.3, 1.3, 0.5, 1.4 }) Send(session, at, at);
             session.Received(new JointStateMessage(ControlTime.FromSeconds(2), new[] { "other_robot" }, new[] { 1.0 }), default);
 
             session.Tick(HeadsetTime.FromSeconds(1));
 
-            Assert.That(session.Drops[DropReason.DuplicateSample], Is.EqualTo(1));
-            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(1));
+            Assert.That(session.Drops[DropReason.DuplicateSample], Is.EqualTo(2));
+            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(1), "too old to be of use");
             Assert.That(session.Drops[DropReason.UnknownJoint], Is.EqualTo(1));
-            Assert.That(session.Statistics(default).Samples, Is.EqualTo(4));
+        }
+
+        [Test]
+        public void Received_OneSampleOvertaken_GoesToItsPlace()
+        {
+            double At(params double[] order)
+            {
+                var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+                simulated.IsGatewayUp = false;
+                for (var i = 0; i < 5; i++)
+                {
+                    simulated.Link.TryExchange(HeadsetTime.FromSeconds(i * 0.2), out var exchange);
+                    simulated.Session.Clock.Add(exchange, out _);
+                }
+                simulated.Session.Tick(HeadsetTime.FromSeconds(1));
+                foreach (var age in order)
+                {
+                    var t = HeadsetTime.FromSeconds(1 - age);
+                    simulated.Session.Received(new JointStateMessage(
+                        simulated.Link.TrueOffset(t).ToControl(t), new[] { "shoulder" }, new[] { 4 * age * age }), HeadsetTime.FromSeconds(1));
+                }
+                return simulated.Session.Tick(HeadsetTime.FromSeconds(1.02)).Joints[Shoulder];
+            }
+
+            Assert.That(At(0.15, 0.05, 0.1, 0), Is.EqualTo(At(0.15, 0.1, 0.05, 0)));
+            Assert.That(At(0.15, 0.05, 0), Is.EqualTo(At(0.15, 0.1, 0.05, 0)).Within(1e-4), "a parabola either way");
         }
 
         [Test]

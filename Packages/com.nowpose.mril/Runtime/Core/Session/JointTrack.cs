@@ -1,0 +1,60 @@
+using Nowpose.Prediction;
+
+namespace Nowpose.Session
+{
+    /// <summary>One joint's samples on their way to its predictor: tells a sample that was overtaken from a clock that went back.</summary>
+    /// <remarks>
+    /// Both arrive with a stamp that is not newer than the newest. Taking a sample of a stepped clock for an overtaken one
+    /// tears the section apart, so a late sample waits for the next: if that one is newer, it was overtaken and goes to
+    /// its place; if that one is late too, the source's time went back and the history starts anew with the two.
+    /// </remarks>
+    sealed class JointTrack
+    {
+        readonly IJointPredictor _predictor;
+        JointSample _late;
+        bool _hasLate;
+
+        public JointTrack(IJointPredictor predictor) => _predictor = predictor;
+
+        public bool HasSample => !double.IsNegativeInfinity(_predictor.NewestTime);
+
+        /// <summary>The newest sample's position.</summary>
+        public double Hold => _predictor.Hold;
+
+        public JointPrediction At(double time) => _predictor.At(time);
+
+        public SampleOutcome Add(in JointSample sample)
+        {
+            if (sample.Order > _predictor.NewestTime) return AddNewer(sample);
+            // The same message twice says nothing about clocks.
+            if (sample.Order == _predictor.NewestTime && sample.Position == _predictor.Hold) return SampleOutcome.Duplicate;
+            if (_hasLate) return StartAnew(sample);
+            _late = sample;
+            _hasLate = true;
+            return SampleOutcome.Late;
+        }
+
+        public void Reset()
+        {
+            _predictor.Reset();
+            _hasLate = false;
+        }
+
+        SampleOutcome AddNewer(in JointSample sample)
+        {
+            var overtaken = _hasLate ? _predictor.Add(_late) : SampleOutcome.Accepted;
+            _hasLate = false;
+            var outcome = _predictor.Add(sample);
+            // What was set aside was reported as late; of no use after all, it is reported now.
+            return overtaken == SampleOutcome.Duplicate || overtaken == SampleOutcome.TooOld ? overtaken : outcome;
+        }
+
+        SampleOutcome StartAnew(in JointSample sample)
+        {
+            var first = _late;
+            Reset();
+            _predictor.Add(first);
+            return _predictor.Add(sample);
+        }
+    }
+}
