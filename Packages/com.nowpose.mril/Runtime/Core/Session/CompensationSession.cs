@@ -26,7 +26,7 @@ namespace Nowpose.Session
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
         readonly ApplicationLatency _latency = new ApplicationLatency();
-        readonly ConcurrentQueue<Arrival> _arrivals = new ConcurrentQueue<Arrival>();
+        readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
         readonly object _gate = new object();
         VisualisationLatency _visualisation;
         SyncClient _syncClient;
@@ -52,6 +52,9 @@ namespace Nowpose.Session
 
         /// <summary>Takes sync exchanges; the network feeds it, and so may a test.</summary>
         public ClockSynchroniser Clock => _synchroniser;
+
+        /// <summary>Each message whose samples were used, with its L_app where the clock is known; raised within <see cref="Tick"/>.</summary>
+        public event Action<SampleArrival, TimeSpan?> SampleTaken;
 
         /// <summary>What was dropped, by reason.</summary>
         public DropCounters Drops { get; } = new DropCounters();
@@ -102,7 +105,7 @@ namespace Nowpose.Session
         /// <param name="arrival">When it arrived on the headset clock.</param>
         public void Received(JointStateMessage message, HeadsetTime arrival)
         {
-            _arrivals.Enqueue(new Arrival(message, arrival));
+            _arrivals.Enqueue(new SampleArrival(message, arrival));
             if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out _)) Drops.Count(DropReason.SlowReader);
         }
 
@@ -157,7 +160,7 @@ namespace Nowpose.Session
             _latency.Reset();
         }
 
-        void Take(in Arrival arrival, in ClockModel clock)
+        void Take(in SampleArrival arrival, in ClockModel clock)
         {
             var stamp = arrival.Message.Stamp;
             if (clock.IsKnown && StampRule.IsInFuture(stamp, clock.ToControl(arrival.At), clock.ErrorBound))
@@ -170,18 +173,7 @@ namespace Nowpose.Session
             if (reason != DropReason.None) return;
             _samples++;
             if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);
-        }
-
-        readonly struct Arrival
-        {
-            public Arrival(JointStateMessage message, HeadsetTime at)
-            {
-                Message = message;
-                At = at;
-            }
-
-            public JointStateMessage Message { get; }
-            public HeadsetTime At { get; }
+            SampleTaken?.Invoke(arrival, clock.IsKnown ? _latency.Newest : (TimeSpan?)null);
         }
     }
 }
