@@ -28,7 +28,10 @@ public sealed class MotionRecording
     /// <summary>Time of the last row relative to the first, s; positive.</summary>
     public double Duration => _times[^1];
 
-    /// <summary>Reads <c>FILE.csv</c> or <c>FILE.csv.gz</c>: a header <c>t</c> or <c>t_s</c> (seconds, strictly increasing), then one column per joint.</summary>
+    /// <summary>
+    /// Reads <c>FILE.csv</c> or <c>FILE.csv.gz</c>: a header, first the time <c>t</c> or <c>t_s</c> (seconds, strictly
+    /// increasing), then one column per joint.
+    /// </summary>
     /// <exception cref="InputException">The file cannot be read or is not of this form; names file, line and field.</exception>
     public static MotionRecording Read(string path)
     {
@@ -44,7 +47,7 @@ public sealed class MotionRecording
     {
         if (double.IsNaN(secondsSinceStart)) throw new ArgumentException("a time is a number", nameof(secondsSinceStart));
         if (positions.Length != _names.Length)
-            throw new ArgumentException($"room for {positions.Length} joints, the recording has {_names.Length}", nameof(positions));
+            throw new ArgumentException($"room for {positions.Length} joints, not {_names.Length}", nameof(positions));
 
         var after = FirstRowAfter(secondsSinceStart);
         if (after == 0 || after == _times.Length)

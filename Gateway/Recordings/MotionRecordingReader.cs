@@ -52,7 +52,8 @@ sealed class MotionRecordingReader : IDisposable
         if (!NextRow()) throw new InputException($"{_path}: is empty; a header such as t,joint_1,joint_2 is needed");
         _header = (string[])_csv.Record.Clone();
         if (_header[0] is not ("t" or "t_s"))
-            throw Wrong($"first column is {Shown(_header[0])}; a header is needed whose first column is the time in seconds, t or t_s, columns separated by commas");
+            throw Wrong($"first column is {Shown(_header[0])}; a header is needed that begins with the time in seconds, "
+                + "t or t_s, columns separated by commas");
         if (_header.Length < 2) throw Wrong($"no joint column after {_header[0]}; at least one is needed");
         for (var i = 1; i < _header.Length; i++) CheckName(i);
     }
@@ -61,7 +62,8 @@ sealed class MotionRecordingReader : IDisposable
     {
         var name = _header[column];
         if (name.Length == 0) throw Wrong($"column {column + 1} has no name; each joint needs one");
-        if (Array.IndexOf(_header, name) < column) throw Wrong($"column {column + 1}: name {Shown(name)} stands twice; each joint needs its own");
+        if (Array.IndexOf(_header, name) < column)
+            throw Wrong($"column {column + 1}: name {Shown(name)} stands twice; each joint needs its own");
     }
 
     bool NextRow()

@@ -5,16 +5,19 @@ namespace Nowpose.Gateway.Recordings;
 /// <summary>Opens text files that users name, compressed or not, with errors a user understands.</summary>
 public static class RecordingText
 {
-    /// <summary>The text of a file; one whose name ends in <c>.gz</c> is unpacked while it is read. The caller disposes it.</summary>
+    /// <summary>The text of a file, unpacked while read if its name ends in <c>.gz</c>. The caller disposes it.</summary>
     /// <exception cref="InputException">There is no such file, or it cannot be opened.</exception>
     public static TextReader Open(string path)
     {
-        if (string.IsNullOrWhiteSpace(path)) throw new InputException("no file named; a path of a .csv or .csv.gz file is needed");
-        if (Directory.Exists(path)) throw new InputException($"{path}: is a folder; the path of a .csv or .csv.gz file is needed");
+        if (string.IsNullOrWhiteSpace(path))
+            throw new InputException("no file named; a path of a .csv or .csv.gz file is needed");
+        if (Directory.Exists(path))
+            throw new InputException($"{path}: is a folder; the path of a .csv or .csv.gz file is needed");
         try
         {
             Stream bytes = File.OpenRead(path);
-            if (path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) bytes = new GZipStream(bytes, CompressionMode.Decompress);
+            if (path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase))
+                bytes = new GZipStream(bytes, CompressionMode.Decompress);
             return new StreamReader(bytes);
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)

@@ -18,7 +18,8 @@ sealed class AxisError
     {
         _predicted.Sort();
         var count = _predicted.Count;
-        return new ReplayResult.Axis(name, Math.Sqrt(_heldSquares / count), Math.Sqrt(_squares / count), Quantile(0.95), _predicted[^1]);
+        return new ReplayResult.Axis(
+            name, Math.Sqrt(_heldSquares / count), Math.Sqrt(_squares / count), Quantile(0.95), _predicted[^1]);
     }
 
     /// <summary>Linear between order statistics: the q-quantile of n values stands at rank q (n − 1).</summary>

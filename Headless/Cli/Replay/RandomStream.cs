@@ -1,7 +1,10 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Uniform numbers that depend on seed and purpose only: the same on every machine, and jitter stays as it is when loss changes.</summary>
-/// <remarks>SplitMix64 (Steele, Lea, Flood 2014): neighbouring seeds are independent, which <see cref="Random"/> does not promise.</remarks>
+/// <summary>Uniform numbers that depend on seed and purpose only: jitter stays as it is when loss changes.</summary>
+/// <remarks>
+/// SplitMix64 (Steele, Lea, Flood 2014): the same on every machine, and neighbouring seeds are independent, which
+/// <see cref="Random"/> does not promise.
+/// </remarks>
 sealed class RandomStream
 {
     const ulong Golden = 0x9E3779B97F4A7C15;

@@ -13,7 +13,7 @@ public sealed class ReplayResult
         Rms = Math.Sqrt(axes.Sum(axis => axis.Rms * axis.Rms));
     }
 
-    /// <summary>One column: error of holding (RMS) and of the prediction (RMS, 95th percentile and maximum of the absolute error).</summary>
+    /// <summary>One column: error of holding (RMS) and of the prediction (RMS; of the absolute error P95 and maximum).</summary>
     public readonly record struct Axis(string Name, double RmsHold, double Rms, double P95, double Max);
 
     public string File { get; }

@@ -50,7 +50,8 @@ public sealed class ReplayRun
             cancellation.ThrowIfCancellationRequested();
             throw NothingScored();
         }
-        var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. _errors.Zip(_recording.Names, (error, name) => error.Summary(name))]);
+        var axes = _errors.Zip(_recording.Names, (error, name) => error.Summary(name));
+        var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
         if (!double.IsFinite(result.Rms + result.RmsHold))
             throw new InputException($"{_path}: the errors are too large to be squared; are the positions in rad or m?");
         return result;
@@ -85,16 +86,18 @@ public sealed class ReplayRun
         var values = _recording.Duration * _settings.FrameRateHz * _recording.Names.Count;
         var samples = _recording.Duration / _settings.SamplingInterval;
         if (values > MostValues || samples > MostSamples)
-            throw new InputException(FormattableString.Invariant(
-                $"{_path}: {_recording.Duration:G6} s are too long to replay at {_settings.FrameRateHz} frames per second and a sample every {_settings.SamplingInterval * 1e3} ms; is the time column in seconds?"));
+            throw new InputException($"{_path}: " + FormattableString.Invariant(
+                $"{_recording.Duration:G6} s are too long to replay at {_settings.FrameRateHz} frames per second ")
+                + FormattableString.Invariant($"and a sample every {_settings.SamplingInterval * 1e3:G6} ms; is the time column in seconds?"));
     }
 
     InputException NothingScored()
     {
         var needed = 4 * _settings.SamplingInterval + _settings.Latency + _settings.Jitter + 1 / _settings.FrameRateHz;
         var cause = _recording.Duration < needed
-            ? $"{_recording.Duration:G6} s are too short to score a frame: sample 4 must arrive first, so at least {needed:G6} s are needed"
-            : $"--loss {_settings.Loss}: no sample arrived, so no frame could be scored";
-        return new InputException(FormattableString.Invariant($"{_path}: ") + cause);
+            ? FormattableString.Invariant($"{_recording.Duration:G6} s are too short to score a frame: sample 4 must arrive first, ")
+                + FormattableString.Invariant($"which takes up to {needed:G6} s")
+            : FormattableString.Invariant($"--loss {_settings.Loss}: no sample arrived, so no frame could be scored");
+        return new InputException($"{_path}: {cause}");
     }
 }

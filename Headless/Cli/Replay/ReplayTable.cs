@@ -8,7 +8,8 @@ static class ReplayTable
 {
     public static void Write(IAnsiConsole console, ReplayResult result)
     {
-        var table = new Table().Title(Markup.Escape($"{Path.GetFileName(result.File)}: {result.Predictor}, {result.Frames} frames"));
+        var title = $"{Path.GetFileName(result.File)}: {result.Predictor}, {result.Frames} frames";
+        var table = new Table().Title(Markup.Escape(title));
         table.AddColumn("axis");
         foreach (var heading in new[] { "uncompensated RMS", "compensated RMS", "P95", "max", "reduction" })
             table.AddColumn(new TableColumn(heading).RightAligned());

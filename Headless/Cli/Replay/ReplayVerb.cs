@@ -21,8 +21,8 @@ static class ReplayVerb
         var fps = NumberOption.Create("--fps", "Frames per second.", 60.0, 1, 1000, "");
         var predictor = ChoiceOption.Create("--predictor", "How positions are predicted.", Predictors.Default, Predictors.Names);
         var latencyError = NumberOption.Create("--latency-error-ms", "Added to the time asked for.", 0.0, -10000, 10000, "ms");
-        var stampError = NumberOption.Create("--stamp-error-ms", "Half-width of a uniform error on each sample's time.", 0.0, 0, 10000, "ms");
-        var jitter = NumberOption.Create("--jitter-ms", "Greatest additional delay of a sample, uniform from 0.", 0.0, 0, 10000, "ms");
+        var stampError = NumberOption.Create("--stamp-error-ms", "Half-width of a uniform error on each t_k.", 0.0, 0, 10000, "ms");
+        var jitter = NumberOption.Create("--jitter-ms", "Greatest additional delay, uniform from 0.", 0.0, 0, 10000, "ms");
         var loss = NumberOption.Create("--loss", "Probability that a sample never arrives.", 0.0, 0, 1, "");
         var seed = NumberOption.Create("--seed", "Start of all that is random.", 1, int.MinValue, int.MaxValue, "");
         var json = new Option<bool>("--json") { Description = "Print JSON instead of a table." };
@@ -46,7 +46,8 @@ static class ReplayVerb
                 Seed = parsed.GetValue(seed)
             };
             // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has measured.
-            return Task.Run(() => Run(parsed.GetRequiredValue(file), settings, parsed.GetValue(json), cancellation), CancellationToken.None);
+            return Task.Run(
+                () => Run(parsed.GetRequiredValue(file), settings, parsed.GetValue(json), cancellation), CancellationToken.None);
         });
         return verb;
     }

@@ -2,7 +2,8 @@ using Nowpose.Gateway.Recordings;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Samples a recording every T_s and hands the samples out as they arrive. Times in seconds since the recording's start.</summary>
+/// <summary>Samples a recording every T_s and hands the samples out as they arrive.</summary>
+/// <remarks>Times in seconds since the recording's start.</remarks>
 sealed class SampleFlow
 {
     /// <summary>The sample whose arrival starts the scoring: the first with the longest history, h = 4, behind it.</summary>

@@ -11,7 +11,8 @@ sealed class ReplayReference
     readonly List<double>[] _held;
     readonly List<double>[] _predicted;
 
-    public ReplayReference(RecordedMotion motion, decimal samplingMs, decimal latencyMs, decimal fps, int degree, int history, decimal latencyErrorMs)
+    public ReplayReference(RecordedMotion motion, decimal samplingMs, decimal latencyMs, decimal fps,
+        int degree, int history, decimal latencyErrorMs)
     {
         var (interval, latency, end) = (samplingMs / 1000, latencyMs / 1000, Math.Round(motion.Times[^1], Tick));
         _held = [.. Enumerable.Range(0, motion.Joints).Select(_ => new List<double>())];
@@ -42,7 +43,9 @@ sealed class ReplayReference
         var sorted = _predicted[joint].Select(Math.Abs).Order().ToArray();
         var rank = 0.95m * (sorted.Length - 1);
         var below = (int)Math.Floor(rank);
-        return below + 1 == sorted.Length ? sorted[below] : sorted[below] + (double)(rank - below) * (sorted[below + 1] - sorted[below]);
+        return below + 1 == sorted.Length
+            ? sorted[below]
+            : sorted[below] + (double)(rank - below) * (sorted[below + 1] - sorted[below]);
     }
 
     void Score(RecordedMotion motion, decimal[] arrived, decimal frame, decimal asked, int degree, int history)

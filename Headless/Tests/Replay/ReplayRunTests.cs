@@ -85,7 +85,8 @@ public class ReplayRunTests
         AssertAgrees(motion, 50, 100, 60, "cubic", 3, 3, 0);
     }
 
-    void AssertAgrees(RecordedMotion motion, decimal samplingMs, decimal latencyMs, decimal fps, string predictor, int degree, int history, decimal latencyErrorMs)
+    void AssertAgrees(RecordedMotion motion, decimal samplingMs, decimal latencyMs, decimal fps, string predictor,
+        int degree, int history, decimal latencyErrorMs)
     {
         var expected = new ReplayReference(motion, samplingMs, latencyMs, fps, degree, history, latencyErrorMs);
 

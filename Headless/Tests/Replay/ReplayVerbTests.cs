@@ -39,7 +39,8 @@ public class ReplayVerbTests
 
         Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
         Assert.That(Keys(result.GetProperty("axes")[1]), Is.EqualTo(new[] { "name", "rms_hold", "rms", "p95", "max" }));
-        Assert.That(result.GetProperty("axes").EnumerateArray().Select(a => a.GetProperty("name").GetString()), Is.EqualTo(new[] { "q1", "q2" }));
+        Assert.That(result.GetProperty("axes").EnumerateArray().Select(axis => axis.GetProperty("name").GetString()),
+            Is.EqualTo(new[] { "q1", "q2" }));
         Assert.That(result.GetProperty("file").GetString(), Is.EqualTo(_file));
         Assert.That(result.GetProperty("predictor").GetString(), Is.EqualTo("quadratic"));
         Assert.That(result.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.9));
@@ -80,7 +81,8 @@ public class ReplayVerbTests
         var jittered = (await RunJson("--jitter-ms", "40", "--seed", "1")).GetProperty("rms").GetDouble();
 
         Assert.That((await RunJson("--jitter-ms", "40", "--seed", "2")).GetProperty("rms").GetDouble(), Is.Not.EqualTo(jittered));
-        Assert.That((await RunJson("--seed", "2")).GetProperty("rms").GetDouble(), Is.EqualTo((await RunJson()).GetProperty("rms").GetDouble()));
+        Assert.That((await RunJson("--seed", "2")).GetProperty("rms").GetDouble(),
+            Is.EqualTo((await RunJson()).GetProperty("rms").GetDouble()));
     }
 
     [Test]
@@ -90,7 +92,8 @@ public class ReplayVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0));
         Assert.That(run.Errors, Is.Empty);
-        Assert.That(run.Output, Does.Contain("q1").And.Contain("q2").And.Contain("uncompensated RMS").And.Contain("motion.csv: quadratic"));
+        Assert.That(run.Output, Does.Contain("q1").And.Contain("q2")
+            .And.Contain("uncompensated RMS").And.Contain("motion.csv: quadratic"));
     }
 
     [TestCase("--sampling-ms", "0", "0.1 to 10000 ms")]

@@ -1,7 +1,9 @@
+using System.Globalization;
+
 namespace Nowpose.Prediction
 {
     /// <summary>One joint's position at a time asked for, and how it was made.</summary>
-    /// <remarks><c>default</c> is "no sample yet": position 0, <see cref="PredictionKind.None"/>. The position is always finite.</remarks>
+    /// <remarks><c>default</c> is "no sample yet": position 0, <see cref="PredictionKind.None"/>. Always finite.</remarks>
     public readonly struct JointPrediction
     {
         public JointPrediction(double position, PredictionKind kind)
@@ -15,6 +17,6 @@ namespace Nowpose.Prediction
 
         public PredictionKind Kind { get; }
 
-        public override string ToString() => Kind + " " + Position.ToString("R", System.Globalization.CultureInfo.InvariantCulture);
+        public override string ToString() => Kind + " " + Position.ToString("R", CultureInfo.InvariantCulture);
     }
 }

@@ -17,7 +17,8 @@ namespace Nowpose.Prediction
         public JointSample(double time, double position, double order)
         {
             if (!double.IsFinite(time) || !double.IsFinite(position) || !double.IsFinite(order))
-                throw new ArgumentException("a sample's time, position and order are finite numbers, not " + time + " s, " + position + ", " + order + " s");
+                throw new ArgumentException(
+                    "time, position and order must be finite, not " + time + " s, " + position + ", " + order + " s");
             Time = time;
             Position = position;
             Order = order;

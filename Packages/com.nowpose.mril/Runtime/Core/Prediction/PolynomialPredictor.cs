@@ -2,7 +2,9 @@ using System;
 
 namespace Nowpose.Prediction
 {
-    /// <summary>Section-wise polynomials of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.</summary>
+    /// <summary>
+    /// Section-wise polynomials of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.
+    /// </summary>
     /// <remarks>
     /// A section is solved once when a sample counts and only evaluated per frame. Fewer than h + 1 samples, or stamps
     /// that coincide, are met by the highest degree they determine; a single sample is held.

@@ -15,7 +15,7 @@ namespace Nowpose.Prediction
             double horizonCap = 0.3, double maximumGap = 0.5)
         {
             if (!(lower <= upper) || double.IsPositiveInfinity(lower) || double.IsNegativeInfinity(upper))
-                throw new ArgumentException("position limits " + lower + " to " + upper + ": the lower one must not be above the upper one");
+                throw new ArgumentException("position limits " + lower + " to " + upper + ": lower must not exceed upper");
             if (!(horizonCap >= 0))
                 throw new ArgumentOutOfRangeException(nameof(horizonCap), horizonCap, "seconds, 0 or more");
             if (!(maximumGap > 0))

@@ -30,7 +30,7 @@ namespace Nowpose.Prediction
             return age == 0 ? SampleOutcome.Accepted : SampleOutcome.Late;
         }
 
-        /// <summary>How many samples, from the newest back, follow each other without a gap longer than the greatest allowed.</summary>
+        /// <summary>How many samples, from the newest back, follow each other without a longer gap than allowed.</summary>
         public int CountWithoutGap(double maximumGap)
         {
             var count = Math.Min(Count, 1);

@@ -39,8 +39,10 @@ namespace Nowpose.Tests
             Assert.That(profile.AccelerationAt(0.75), Is.EqualTo(-2500).Within(1e-8));
         }
 
-        [TestCase(200, 0.1 + 0.4123105625617661, Description = "no cruise: v²/a + v a/j = d, T = 2 (v/a + a/j) = a/j + sqrt((a/j)² + 4 d/a)")]
-        [TestCase(10, 0.18566355334451112, Description = "jerk only: 4 (d / 2j)^(1/3)")]
+        // No cruise: v²/a + v a/j = d, so T = 2 (v/a + a/j) = a/j + sqrt((a/j)² + 4 d/a).
+        [TestCase(200, 0.1 + 0.4123105625617661)]
+        // Jerk only: 4 (d / 2j)^(1/3).
+        [TestCase(10, 0.18566355334451112)]
         public void Duration_ShortStroke_IsTheClosedForm(double distance, double expected)
         {
             Assert.That(new SevenPhaseProfile(distance, 1000, 5000, 50000).Duration, Is.EqualTo(expected).Within(1e-12));
@@ -101,7 +103,7 @@ namespace Nowpose.Tests
                 var t = (i + 0.37) * step;
                 var velocity = (profile.PositionAt(t + step) - profile.PositionAt(t - step)) / (2 * step);
                 var acceleration = (profile.VelocityAt(t + step) - profile.VelocityAt(t - step)) / (2 * step);
-                // A central difference errs by jerk·step²/6 in the first case, by at most jerk·step at a phase's edge in the second.
+                // A central difference errs by jerk·step²/6 of the position, by at most jerk·step of the velocity.
                 Assert.That(profile.VelocityAt(t), Is.EqualTo(velocity).Within(move[3] * step * step + 1e-9 * move[1]), "velocity at " + t);
                 Assert.That(profile.AccelerationAt(t), Is.EqualTo(acceleration).Within(move[3] * step + 1e-9 * move[2]), "acceleration at " + t);
             }

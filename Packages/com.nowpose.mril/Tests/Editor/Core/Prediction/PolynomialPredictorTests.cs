@@ -10,7 +10,8 @@ namespace Nowpose.Tests
     {
         static readonly double[] UnevenTimes = { 0.013, 0.05, 0.112, 0.149, 0.21, 0.247, 0.301 };
 
-        static PolynomialPredictor Unlimited(int degree, int history) => new PolynomialPredictor(degree, history, PredictionLimits.Unlimited);
+        static PolynomialPredictor Unlimited(int degree, int history) =>
+            new PolynomialPredictor(degree, history, PredictionLimits.Unlimited);
 
         static void Feed(IJointPredictor predictor, double[] times, Func<double, double> motion)
         {
@@ -71,7 +72,8 @@ namespace Nowpose.Tests
 
                 var expected = Polynomial.Evaluate(times.Last() + 0.1, Fit.Polynomial(times, positions, degree));
 
-                Assert.That(predictor.At(times.Last() + 0.1).Position, Is.EqualTo(expected).Within(1e-9 * (1 + Math.Abs(expected))), "seed " + seed);
+                Assert.That(predictor.At(times.Last() + 0.1).Position,
+                    Is.EqualTo(expected).Within(1e-9 * (1 + Math.Abs(expected))), "seed " + seed);
             }
         }
 
@@ -117,7 +119,8 @@ namespace Nowpose.Tests
                 Feed(inOrder, times, Math.Sin);
                 Feed(shuffled, times.OrderBy(_ => random.Next()).ToArray(), Math.Sin);
 
-                Assert.That(shuffled.At(times.Last() + 0.1).Position, Is.EqualTo(inOrder.At(times.Last() + 0.1).Position), "seed " + seed);
+                Assert.That(shuffled.At(times.Last() + 0.1).Position,
+                    Is.EqualTo(inOrder.At(times.Last() + 0.1).Position), "seed " + seed);
                 Assert.That(shuffled.Hold, Is.EqualTo(Math.Sin(times.Last())), "seed " + seed);
                 Assert.That(shuffled.NewestTime, Is.EqualTo(times.Last()), "seed " + seed);
             }

@@ -48,7 +48,10 @@ namespace Nowpose.Tests
             {
                 var t = framePhase + frame / FrameRateHz;
                 for (; sampleTime + Latency <= t; sampleTime += SamplingInterval)
-                    predictor.Add(new JointSample(sampleTime + StampError * (2 * random.NextDouble() - 1), Position(sampleTime), sampleTime));
+                {
+                    var told = sampleTime + StampError * (2 * random.NextDouble() - 1);
+                    predictor.Add(new JointSample(told, Position(sampleTime), sampleTime));
+                }
                 if (t < WarmUp) continue;
                 held += Squared(predictor.Hold - Position(t));
                 predicted += Squared(predictor.At(t).Position - Position(t));

@@ -7,7 +7,8 @@ namespace Nowpose.Tests
         const int Seed = 7;
 
         static double Ratio(string predictor, double sampling = 0.05, double latency = 0.1, double stampError = 0) =>
-            new SimulatedPrediction { SamplingInterval = sampling, Latency = latency, StampError = stampError }.Ratio(predictor, Seed);
+            new SimulatedPrediction { SamplingInterval = sampling, Latency = latency, StampError = stampError }
+                .Ratio(predictor, Seed);
 
         // Expected: an independent simulation of the paper's Figs 13 and 14 in Python.
         [TestCase("hold", 1)]
@@ -30,7 +31,8 @@ namespace Nowpose.Tests
         [TestCase(0.05, 0, "quadratic", 0.084)]
         [TestCase(0.05, 0.25, "quadratic", 0.621)]
         [TestCase(0.05, 0.25, "cubic", 0.938)]
-        public void Ratio_OtherIntervalsAndLatencies_IsAsInFigures13And14(double sampling, double latency, string predictor, double expected)
+        public void Ratio_OtherIntervalsAndLatencies_IsAsInFigures13And14(
+            double sampling, double latency, string predictor, double expected)
         {
             Assert.That(Ratio(predictor, sampling, latency), Is.EqualTo(expected).Within(0.02), "seed " + Seed);
         }
