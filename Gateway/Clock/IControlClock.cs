@@ -1,0 +1,16 @@
+namespace Nowpose.Gateway.Clock;
+
+/// <summary>The control clock C1, the master clock of the control system. May be read from any thread; never goes back.</summary>
+public interface IControlClock
+{
+    ControlTime Now { get; }
+
+    /// <summary>How wrong the clock itself may be against its own reference.</summary>
+    TimeSpan ErrorBound => TimeSpan.Zero;
+
+    /// <summary>Whether the clock follows its own reference.</summary>
+    bool IsSynchronised => true;
+
+    /// <summary>The step in which the clock advances; zero when unknown.</summary>
+    TimeSpan Resolution => TimeSpan.Zero;
+}

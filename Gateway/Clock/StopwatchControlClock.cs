@@ -1,0 +1,44 @@
+using System.Diagnostics;
+
+namespace Nowpose.Gateway.Clock;
+
+/// <summary>A control clock made of this machine's monotonic counter, with an epoch and a rate of its own.</summary>
+/// <remarks>The truth of a simulation: <see cref="AtCount"/> tells what it showed at any count of <see cref="Stopwatch"/>.</remarks>
+public sealed class StopwatchControlClock : IControlClock
+{
+    readonly long _startCount = Stopwatch.GetTimestamp();
+    readonly ControlTime _start;
+    readonly double _skew;
+
+    /// <param name="atStart">What the clock shows now.</param>
+    /// <param name="skew">Its rate less one: it advances (1 + skew) seconds in a second of the counter. 1e-6 is 1 ppm.</param>
+    public StopwatchControlClock(ControlTime atStart, double skew = 0)
+    {
+        if (!(Math.Abs(skew) < 0.1))
+            throw new ArgumentOutOfRangeException(nameof(skew), skew, "a clock's skew lies within ±0.1 (100 000 ppm)");
+        _start = atStart;
+        _skew = skew;
+    }
+
+    public ControlTime Now => AtCount(Stopwatch.GetTimestamp());
+
+    public TimeSpan ErrorBound { get; init; }
+    public bool IsSynchronised { get; init; } = true;
+
+    /// <summary>At least the 100 ns of the time types. Longer for a controller that stamps whole cycles: times are cut to it.</summary>
+    public TimeSpan Resolution { get; init; } = new(1);
+
+    /// <summary>A clock that shows Unix time from now on.</summary>
+    public static StopwatchControlClock FromUnixTime(double skew = 0) => new(new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch), skew);
+
+    /// <summary>What the clock shows when <see cref="Stopwatch.GetTimestamp"/> returns <paramref name="count"/>.</summary>
+    public ControlTime AtCount(long count)
+    {
+        // Whole ticks first: the skew's share is small, so a double holds it to far below a tick.
+        var elapsed = (long)((Int128)(count - _startCount) * TimeSpan.TicksPerSecond / Stopwatch.Frequency);
+        var shown = _start + new TimeSpan(elapsed + (long)Math.Round(elapsed * _skew));
+        return shown - new TimeSpan(FloorRest(shown.SinceEpoch.Ticks, Resolution.Ticks));
+    }
+
+    static long FloorRest(long ticks, long step) => step <= 1 ? 0 : (ticks % step + step) % step;
+}

@@ -1,0 +1,49 @@
+using System.Diagnostics;
+using NUnit.Framework;
+using Nowpose.Gateway.Clock;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class StopwatchControlClockTests
+{
+    static readonly ControlTime Epoch = ControlTime.FromSeconds(123);
+
+    [TestCase(0)]
+    [TestCase(80e-6)]
+    [TestCase(-80e-6)]
+    public void AtCount_AnHourLater_HasGainedTheSkew(double skew)
+    {
+        var clock = new StopwatchControlClock(Epoch, skew);
+        var count = Stopwatch.GetTimestamp();
+
+        var advanced = clock.AtCount(count + 3600 * Stopwatch.Frequency) - clock.AtCount(count);
+
+        var expected = TimeSpan.FromSeconds(3600) + new TimeSpan((long)Math.Round(3600e7 * skew));
+        Assert.That(Math.Abs((advanced - expected).Ticks), Is.LessThanOrEqualTo(2));
+    }
+
+    [Test]
+    public void Now_AtStart_IsTheEpoch()
+    {
+        var before = Stopwatch.GetTimestamp();
+        var clock = new StopwatchControlClock(Epoch);
+        var now = clock.Now;
+        var took = Stopwatch.GetElapsedTime(before);
+
+        Assert.That(now >= Epoch && now - Epoch <= took, Is.True, now.ToString());
+    }
+
+    [Test]
+    public void Now_WholeCycles_IsCutToThem()
+    {
+        var clock = new StopwatchControlClock(new ControlTime(new TimeSpan(-12_345)), 0) { Resolution = TimeSpan.FromMilliseconds(1) };
+
+        Assert.That(clock.AtCount(Stopwatch.GetTimestamp()).SinceEpoch.Ticks % TimeSpan.TicksPerMillisecond, Is.Zero);
+        Assert.That(clock.AtCount(0) <= clock.AtCount(1), Is.True);
+    }
+
+    [TestCase(double.NaN)]
+    [TestCase(0.5)]
+    public void Constructor_SkewOfNoClock_IsRefused(double skew) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => new StopwatchControlClock(Epoch, skew));
+}
