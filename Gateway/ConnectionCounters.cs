@@ -1,0 +1,35 @@
+namespace Nowpose.Gateway;
+
+/// <summary>How many connections there are and were, and why they ended. Any thread.</summary>
+public sealed class ConnectionCounters
+{
+    readonly long[] _closures = new long[Enum.GetValues<Closure>().Length];
+    int _open;
+    long _accepted;
+
+    public int Open => Volatile.Read(ref _open);
+    public long Accepted => Interlocked.Read(ref _accepted);
+    public long this[Closure closure] => Interlocked.Read(ref _closures[(int)closure]);
+
+    /// <summary>Takes a place if one of <paramref name="limit"/> is free; <see cref="Leave"/> gives it back.</summary>
+    internal bool TryEnter(int limit)
+    {
+        if (Interlocked.Increment(ref _open) <= limit)
+        {
+            Interlocked.Increment(ref _accepted);
+            return true;
+        }
+
+        Interlocked.Decrement(ref _open);
+        Count(Closure.ConnectionLimit);
+        return false;
+    }
+
+    internal void Leave(Closure why)
+    {
+        Count(why);
+        Interlocked.Decrement(ref _open);
+    }
+
+    internal void Count(Closure why) => Interlocked.Increment(ref _closures[(int)why]);
+}

@@ -1,0 +1,103 @@
+using System.Net;
+using System.Security.Cryptography;
+using System.Security.Cryptography.X509Certificates;
+
+namespace Nowpose.Gateway.Security;
+
+/// <summary>The gateway's TLS certificate: loaded from a file, or made by itself.</summary>
+public static class CertificateFiles
+{
+    // Headsets pin the key, so the end date only matters to clients that trust it by hand; theirs is a limit of 825 days.
+    static readonly TimeSpan Validity = TimeSpan.FromDays(825);
+
+    /// <summary>A self-signed ECDSA P-256 certificate for this machine, in memory only: its pin is new each time.</summary>
+    public static X509Certificate2 Generate() => Generate(DateTimeOffset.UtcNow.AddDays(-1), DateTimeOffset.UtcNow + Validity);
+
+    /// <summary>The same with dates of the caller's.</summary>
+    public static X509Certificate2 Generate(DateTimeOffset from, DateTimeOffset to)
+    {
+        using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
+        var request = new CertificateRequest("CN=Nowpose gateway", key, HashAlgorithmName.SHA256);
+        request.CertificateExtensions.Add(Names());
+        request.CertificateExtensions.Add(new X509BasicConstraintsExtension(false, false, 0, true));
+        request.CertificateExtensions.Add(new X509KeyUsageExtension(X509KeyUsageFlags.DigitalSignature, true));
+        request.CertificateExtensions.Add(new X509EnhancedKeyUsageExtension([new Oid("1.3.6.1.5.5.7.3.1")], false));
+        using var certificate = request.CreateSelfSigned(from, to);
+        return Usable(certificate);
+    }
+
+    /// <summary>Loads a .pfx without password or a .pem with its key; a path where no file is gets a new one.</summary>
+    /// <param name="keyPath">The .pem file of the key when it is not in the certificate's own; null otherwise.</param>
+    /// <exception cref="InputException">The file cannot be read, has no private key, or is not valid now.</exception>
+    public static X509Certificate2 LoadOrGenerate(string path, string keyPath)
+    {
+        if (!File.Exists(path) && keyPath == null)
+            Save(path);
+        var certificate = Load(path, keyPath);
+        var now = DateTime.Now;
+        if (now < certificate.NotBefore || now > certificate.NotAfter)
+            throw new InputException(
+                $"{path}: valid from {certificate.NotBefore:yyyy-MM-dd} to {certificate.NotAfter:yyyy-MM-dd}, not today; renew it or delete it to have a new one made");
+        return certificate;
+    }
+
+    static X509Certificate2 Load(string path, string keyPath)
+    {
+        try
+        {
+            if (IsPfx(path))
+                return WithKey(X509CertificateLoader.LoadPkcs12FromFile(path, null), path);
+            using var certificate = X509Certificate2.CreateFromPemFile(path, keyPath);
+            return Usable(certificate);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or CryptographicException)
+        {
+            throw new InputException($"{path}: no usable certificate with private key ({e.Message}); allowed are .pfx without password and .pem", e);
+        }
+    }
+
+    static X509Certificate2 WithKey(X509Certificate2 certificate, string path) => certificate.HasPrivateKey
+        ? certificate : throw new InputException($"{path}: the certificate has no private key, which a server needs");
+
+    static void Save(string path)
+    {
+        using var certificate = Generate();
+        var bytes = IsPfx(path) ? certificate.Export(X509ContentType.Pfx) : System.Text.Encoding.ASCII.GetBytes(Pem(certificate));
+        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write };
+        if (!OperatingSystem.IsWindows())
+            options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
+        try
+        {
+            using var file = new FileStream(path, options);
+            file.Write(bytes);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new InputException($"{path}: the new certificate cannot be written ({e.Message})", e);
+        }
+    }
+
+    static string Pem(X509Certificate2 certificate)
+    {
+        using var key = certificate.GetECDsaPrivateKey();
+        return certificate.ExportCertificatePem() + "\n" + key.ExportPkcs8PrivateKeyPem() + "\n";
+    }
+
+    static bool IsPfx(string path) =>
+        path.EndsWith(".pfx", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".p12", StringComparison.OrdinalIgnoreCase);
+
+    // Windows' TLS cannot use a key that lives in memory only: through PKCS #12 it gets one it can.
+    static X509Certificate2 Usable(X509Certificate2 certificate) =>
+        X509CertificateLoader.LoadPkcs12(certificate.Export(X509ContentType.Pfx), null, X509KeyStorageFlags.Exportable);
+
+    static X509Extension Names()
+    {
+        var names = new SubjectAlternativeNameBuilder();
+        names.AddDnsName("localhost");
+        if (Uri.CheckHostName(Environment.MachineName) == UriHostNameType.Dns)
+            names.AddDnsName(Environment.MachineName);
+        names.AddIpAddress(IPAddress.Loopback);
+        names.AddIpAddress(IPAddress.IPv6Loopback);
+        return names.Build();
+    }
+}

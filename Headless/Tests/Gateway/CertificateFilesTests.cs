@@ -1,0 +1,76 @@
+using System.Security.Cryptography.X509Certificates;
+using NUnit.Framework;
+using Nowpose.Gateway.Security;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class CertificateFilesTests
+{
+    string _folder;
+
+    [SetUp]
+    public void SetUp() => _folder = Directory.CreateTempSubdirectory("nowpose-certificate").FullName;
+
+    [TearDown]
+    public void TearDown() => Directory.Delete(_folder, true);
+
+    [TestCase("gateway.pfx")]
+    [TestCase("gateway.pem")]
+    public void LoadOrGenerate_Twice_KeepsTheKey(string name)
+    {
+        var path = Path.Combine(_folder, name);
+
+        using var first = CertificateFiles.LoadOrGenerate(path, null);
+        using var second = CertificateFiles.LoadOrGenerate(path, null);
+
+        Assert.That(first.HasPrivateKey && second.HasPrivateKey, Is.True);
+        Assert.That(CertificatePin.Of(first), Is.EqualTo(CertificatePin.Of(second)));
+        if (!OperatingSystem.IsWindows())
+            Assert.That(File.GetUnixFileMode(path), Is.EqualTo(UnixFileMode.UserRead | UnixFileMode.UserWrite));
+    }
+
+    [Test]
+    public void Generate_Twice_GivesTwoKeys()
+    {
+        using var first = CertificateFiles.Generate();
+        using var second = CertificateFiles.Generate();
+
+        Assert.That(CertificatePin.Of(first), Is.Not.EqualTo(CertificatePin.Of(second)));
+        Assert.That(first.MatchesHostname("localhost"), Is.True);
+    }
+
+    [Test]
+    public void LoadOrGenerate_Expired_SaysSince()
+    {
+        var path = Path.Combine(_folder, "old.pfx");
+        using var old = CertificateFiles.Generate(new DateTimeOffset(2020, 1, 1, 0, 0, 0, TimeSpan.Zero), new DateTimeOffset(2021, 1, 2, 12, 0, 0, TimeSpan.Zero));
+        File.WriteAllBytes(path, old.Export(X509ContentType.Pfx));
+
+        var error = Assert.Throws<InputException>(() => CertificateFiles.LoadOrGenerate(path, null));
+
+        Assert.That(error.Message, Does.Contain(path).And.Contain("2021-01-02"));
+    }
+
+    [TestCase("bad.pfx")]
+    [TestCase("bad.pem")]
+    public void LoadOrGenerate_OtherFile_IsRefusedInOneLine(string name)
+    {
+        var path = Path.Combine(_folder, name);
+        File.WriteAllText(path, "not a certificate");
+
+        var error = Assert.Throws<InputException>(() => CertificateFiles.LoadOrGenerate(path, null));
+
+        Assert.That(error.Message, Does.Contain(path).And.Not.Contain("\n"));
+    }
+
+    [Test]
+    public void LoadOrGenerate_CertificateWithoutKey_IsRefused()
+    {
+        var path = Path.Combine(_folder, "public.pem");
+        using var whole = CertificateFiles.Generate();
+        File.WriteAllText(path, whole.ExportCertificatePem());
+
+        Assert.Throws<InputException>(() => CertificateFiles.LoadOrGenerate(path, null));
+    }
+}

@@ -1,0 +1,52 @@
+using NUnit.Framework;
+using Nowpose.Gateway.Security;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class TokenListTests
+{
+    string _path;
+
+    [SetUp]
+    public void SetUp() => _path = Path.GetTempFileName();
+
+    [TearDown]
+    public void TearDown() => File.Delete(_path);
+
+    TokenList Read(string text)
+    {
+        File.WriteAllText(_path, text);
+        return TokenList.Read(_path);
+    }
+
+    [Test]
+    public void Read_RolesCommentsAndBlanks_GivesEachItsRole()
+    {
+        var tokens = Read("# the cell\n\nobserver abc\n  source\tdef  \n");
+
+        Assert.That(tokens.RoleOf("abc"), Is.EqualTo(Role.Observer));
+        Assert.That(tokens.RoleOf("def"), Is.EqualTo(Role.Source));
+        Assert.That(tokens.RoleOf("abcd"), Is.Null);
+        Assert.That(tokens.RoleOf(""), Is.Null);
+        Assert.That(tokens.RoleOf(null), Is.Null);
+    }
+
+    [TestCase("observer a\nadmin secret\n")]
+    [TestCase("observer a\nsource\n")]
+    [TestCase("observer a\nsource secret more\n")]
+    public void Read_OtherLine_NamesFileAndLineButNoToken(string text)
+    {
+        var error = Assert.Throws<InputException>(() => Read(text));
+
+        Assert.That(error.Message, Does.Contain(_path + ", line 2").And.Not.Contain("secret"));
+    }
+
+    [Test]
+    public void Read_NoToken_IsRefused() => Assert.Throws<InputException>(() => Read("# none\n"));
+
+    [Test]
+    public void Read_TooLong_IsRefused() => Assert.Throws<InputException>(() => Read("source " + new string('x', 513)));
+
+    [Test]
+    public void Read_NoFile_IsRefused() => Assert.Throws<InputException>(() => TokenList.Read(_path + ".none"));
+}
