@@ -1,0 +1,57 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Hub;
+
+/// <summary>One publisher on the hub: a plant of this process, or a client. Disposing it frees its joints.</summary>
+public sealed class HubSource : IDisposable
+{
+    static readonly string[] TheRobot = ["the robot"];
+
+    readonly MessageHub _hub;
+    // The last names claimed: a source sends the same ones over and over.
+    string[] _claimed = [];
+
+    internal HubSource(MessageHub hub) => _hub = hub;
+
+    /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
+    /// <returns>That joint, or null when the message went out.</returns>
+    public string TryPublish(JointStateMessage message)
+    {
+        var taken = message.Names.AsSpan().SequenceEqual(_claimed) ? null : _hub.Claim(this, RosTopics.JointStates, message.Names);
+        if (taken != null)
+            return taken;
+        _claimed = message.Names;
+        _hub.Publish(HubMessage.Of(message));
+        return null;
+    }
+
+    /// <inheritdoc cref="TryPublish(JointStateMessage)"/>
+    public string TryPublish(JointTrajectoryMessage message)
+    {
+        var taken = _hub.Claim(this, RosTopics.JointTrajectory, message.Names);
+        if (taken == null)
+            _hub.Publish(HubMessage.Of(message));
+        return taken;
+    }
+
+    /// <summary>Publishes the robot description, kept for whoever subscribes later, unless another source has given one.</summary>
+    /// <returns>What is taken, or null when it went out.</returns>
+    public string TryDescribe(string urdf)
+    {
+        var taken = _hub.Claim(this, RosTopics.RobotDescription, TheRobot);
+        if (taken == null)
+            _hub.PublishDescription(HubMessage.Description(urdf));
+        return taken;
+    }
+
+    public void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message));
+
+    /// <summary>Gives back what was claimed on one topic.</summary>
+    public void Release(string topic)
+    {
+        _claimed = [];
+        _hub.Release(this, topic);
+    }
+
+    public void Dispose() => Release(null);
+}

@@ -1,0 +1,87 @@
+using System.Collections.Immutable;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Hub;
+
+/// <summary>Where sources and subscribers meet. Any thread; publishing never waits for a subscriber.</summary>
+public sealed class MessageHub
+{
+    readonly Lock _lock = new();
+    readonly Dictionary<(string Topic, string Name), HubSource> _owners = [];
+    ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>> _subscribers =
+        ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>>.Empty;
+    HubMessage _description;
+
+    /// <summary>Somebody who publishes; a joint belongs to the first source that publishes it, until that one is disposed.</summary>
+    public HubSource OpenSource() => new(this);
+
+    /// <summary>Calls <paramref name="receive"/> for every message of a topic from now on, on the publisher's thread: it must not wait.</summary>
+    /// <remarks>A robot description that was published before is handed over at once.</remarks>
+    public IDisposable Subscribe(string topic, Action<HubMessage> receive)
+    {
+        lock (_lock)
+        {
+            var present = _subscribers.GetValueOrDefault(topic, []);
+            _subscribers = _subscribers.SetItem(topic, present.Add(receive));
+            if (topic == RosTopics.RobotDescription && _description != null)
+                receive(_description);
+        }
+
+        return new Subscriber(this, topic, receive);
+    }
+
+    internal void Publish(HubMessage message)
+    {
+        var subscribers = Volatile.Read(ref _subscribers).GetValueOrDefault(message.Topic, []);
+        foreach (var receive in subscribers)
+            receive(message);
+    }
+
+    internal void PublishDescription(HubMessage message)
+    {
+        // Under the lock: a subscriber that comes just now gets it once, as the kept one or as the new one.
+        lock (_lock)
+        {
+            _description = message;
+            Publish(message);
+        }
+    }
+
+    /// <summary>Takes all of the names or none.</summary>
+    /// <returns>The name that belongs to another source, or null when all are the asker's now.</returns>
+    internal string Claim(HubSource source, string topic, string[] names)
+    {
+        lock (_lock)
+        {
+            foreach (var name in names)
+            {
+                if (_owners.TryGetValue((topic, name), out var owner) && owner != source)
+                    return name;
+            }
+
+            foreach (var name in names)
+                _owners[(topic, name)] = source;
+            return null;
+        }
+    }
+
+    internal void Release(HubSource source, string topic)
+    {
+        lock (_lock)
+        {
+            foreach (var key in _owners.Where(entry => entry.Value == source && (topic == null || entry.Key.Topic == topic)).Select(entry => entry.Key).ToList())
+                _owners.Remove(key);
+        }
+    }
+
+    void Unsubscribe(string topic, Action<HubMessage> receive)
+    {
+        lock (_lock)
+            _subscribers = _subscribers.SetItem(topic, _subscribers.GetValueOrDefault(topic, []).Remove(receive));
+    }
+
+    sealed class Subscriber(MessageHub hub, string topic, Action<HubMessage> receive) : IDisposable
+    {
+        public void Dispose() => hub.Unsubscribe(topic, receive);
+    }
+}
