@@ -1,0 +1,34 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>What a client is told of a dropped message: the rule, and what is allowed.</summary>
+static class DropText
+{
+    public static string Of(DropReason reason) => reason switch
+    {
+        DropReason.NotJson => "not one JSON object as text",
+        DropReason.TooLarge => $"longer than {ProtocolLimits.MessageBytes} bytes ({ProtocolLimits.DescriptionBytes} for {RosTopics.RobotDescription})",
+        DropReason.TooDeep => $"nested deeper than {ProtocolLimits.Nesting} levels",
+        DropReason.TooManyFragments => $"more than {ProtocolLimits.FragmentsPerMessage} fragments",
+        DropReason.TooSlow => "not complete in time",
+        DropReason.MissingField => "a field is missing or empty",
+        DropReason.WrongType => "a field or topic has another type than expected",
+        DropReason.DuplicateField => "a field stands there twice",
+        DropReason.OutOfRange => "a number is out of range",
+        DropReason.UnknownTopic => "the gateway has no such topic to publish on",
+        DropReason.UnknownService => "no such service",
+        DropReason.TooManyTopics => $"at most {ProtocolLimits.TopicsPerClient} topics for a client",
+        DropReason.NotFinite => "a number is not finite",
+        DropReason.LengthMismatch => "arrays differ in length",
+        DropReason.TooManyJoints => $"more than {ProtocolLimits.Joints} joints",
+        DropReason.NameTooLong => $"a name is longer than {ProtocolLimits.NameLength} characters",
+        DropReason.DuplicateName => "a joint is named twice",
+        DropReason.StampZero => "the stamp is zero",
+        DropReason.StampOutOfRange => "the stamp's nanoseconds are not 0 to 999999999, or its seconds not 32 bits",
+        DropReason.StampInFuture => "the stamp lies in the future of the control clock",
+        DropReason.NotAllowed => "the role of this client does not allow it",
+        DropReason.JointTaken => "belongs to another source",
+        _ => reason.ToString(),
+    };
+}

@@ -1,0 +1,90 @@
+using System.Diagnostics;
+using System.Net.WebSockets;
+using System.Text;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>Puts messages together and gets past those that break a limit, as far as that is bounded itself.</summary>
+sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, GatewayOptions options)
+{
+    const int FirstBytes = 4096;
+
+    byte[] _buffer = new byte[FirstBytes];
+    long _length;
+    long _startedAt;
+    Task<ValueWebSocketReceiveResult> _receiving;
+
+    public async Task<Received> NextAsync()
+    {
+        _length = 0;
+        _startedAt = 0;
+        while (true)
+        {
+            _receiving = socket.ReceiveAsync(Room(), CancellationToken.None).AsTask();
+            if (!await IsInTimeAsync(_receiving) || _length > options.DrainBytes)
+                return Received.Ended(Closure.EndlessMessage);
+            var result = await _receiving;
+            if (result.MessageType == WebSocketMessageType.Close)
+                return Received.Ended(Closure.ByPeer);
+            if (_startedAt == 0)
+                _startedAt = Stopwatch.GetTimestamp();
+            _length += result.Count;
+            if (result.EndOfMessage)
+                return Finish(result.MessageType);
+        }
+    }
+
+    /// <summary>Reads what still comes after <see cref="NextAsync"/> said the end, until the peer's close or the time is up.</summary>
+    /// <remarks>Closing with bytes unread would reset the connection, and the peer might never see why it was closed.</remarks>
+    public async Task DrainAsync(TimeSpan time)
+    {
+        var timeUp = Task.Delay(time);
+        while (await Task.WhenAny(_receiving, timeUp) == _receiving && (await _receiving).MessageType != WebSocketMessageType.Close)
+            _receiving = socket.ReceiveAsync(_buffer.AsMemory(), CancellationToken.None).AsTask();
+    }
+
+    // Beyond the longest message bytes are read over each other: the message is lost, but its end is found.
+    Memory<byte> Room()
+    {
+        if (_length >= ProtocolLimits.DescriptionBytes)
+            return _buffer.AsMemory(0, FirstBytes);
+        if (_length == _buffer.Length)
+            Array.Resize(ref _buffer, Math.Min(_buffer.Length * 2, ProtocolLimits.DescriptionBytes));
+        return _buffer.AsMemory((int)_length);
+    }
+
+    // Waiting for a message to begin has no end; one that began must end.
+    async Task<bool> IsInTimeAsync(Task receiving)
+    {
+        if (_startedAt == 0 || receiving.IsCompleted)
+            return true;
+        var left = options.MessageTimeout + options.DrainTimeout - Stopwatch.GetElapsedTime(_startedAt);
+        if (left <= TimeSpan.Zero)
+            return false;
+        using var waited = new CancellationTokenSource();
+        var first = await Task.WhenAny(receiving, Task.Delay(left, waited.Token));
+        await waited.CancelAsync();
+        return first == receiving;
+    }
+
+    Received Finish(WebSocketMessageType type)
+    {
+        var fault = FaultOf(type, fragments.Take());
+        var text = fault == DropReason.None ? Encoding.UTF8.GetString(_buffer, 0, (int)_length) : null;
+        if (_buffer.Length > ProtocolLimits.MessageBytes)
+            _buffer = new byte[FirstBytes];
+        return new Received(text, fault, null);
+    }
+
+    DropReason FaultOf(WebSocketMessageType type, int count)
+    {
+        if (_length > ProtocolLimits.DescriptionBytes)
+            return DropReason.TooLarge;
+        if (count > ProtocolLimits.FragmentsPerMessage)
+            return DropReason.TooManyFragments;
+        if (Stopwatch.GetElapsedTime(_startedAt) > options.MessageTimeout)
+            return DropReason.TooSlow;
+        return type == WebSocketMessageType.Text ? DropReason.None : DropReason.NotJson;
+    }
+}

@@ -1,0 +1,12 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>What came next on a WebSocket.</summary>
+/// <param name="Text">The message; null when it was dropped and at the end.</param>
+/// <param name="Fault">Why it was dropped.</param>
+/// <param name="End">Why nothing follows; null while something may.</param>
+readonly record struct Received(string Text, DropReason Fault, Closure? End)
+{
+    public static Received Ended(Closure why) => new(null, DropReason.None, why);
+}

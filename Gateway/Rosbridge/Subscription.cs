@@ -1,0 +1,52 @@
+using System.Diagnostics;
+using System.Threading.Channels;
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>One client's subscription to one topic: a queue that loses its oldest message, and who empties it.</summary>
+sealed class Subscription : IDisposable
+{
+    const int LongestQueue = 1024;
+
+    readonly Channel<HubMessage> _queue;
+    readonly IDisposable _subscriber;
+    readonly SubscriptionTerms _terms;
+
+    public Subscription(MessageHub hub, string topic, SubscriptionTerms terms, int standardQueue, DropCounters drops)
+    {
+        _terms = terms;
+        var bounds = new BoundedChannelOptions(QueueOf(terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
+        // What a client does not want that often is not lost to it.
+        _queue = Channel.CreateBounded<HubMessage>(bounds, _ => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader));
+        _subscriber = hub.Subscribe(topic, message => _queue.Writer.TryWrite(message));
+    }
+
+    /// <summary>Sends what comes until the subscription is disposed or sending fails.</summary>
+    public async Task PumpAsync(Func<ReadOnlyMemory<byte>, Task> send, CancellationToken stop)
+    {
+        await foreach (var message in _queue.Reader.ReadAllAsync(stop))
+        {
+            var began = Stopwatch.GetTimestamp();
+            await send(message.Utf8(_terms.Form));
+            var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
+            if (rest > TimeSpan.Zero)
+                await Task.Delay(rest, stop);
+        }
+    }
+
+    public void Dispose()
+    {
+        _subscriber.Dispose();
+        _queue.Writer.TryComplete();
+    }
+
+    // A throttled client that names no queue gets the newest there is when its time has come.
+    static int QueueOf(SubscriptionTerms terms, int standard)
+    {
+        if (terms.QueueLength > 0)
+            return Math.Min(terms.QueueLength, LongestQueue);
+        return terms.ThrottleMs > 0 ? 1 : standard;
+    }
+}

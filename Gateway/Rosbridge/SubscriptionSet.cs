@@ -1,0 +1,49 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>The subscriptions of one client, by topic and the id it gave each. Used by one thread at a time.</summary>
+sealed class SubscriptionSet(MessageHub hub, int queueLength, DropCounters drops, Action<Subscription> start) : IDisposable
+{
+    readonly Dictionary<string, (List<(string Id, SubscriptionTerms Terms)> Wishes, Subscription Live)> _topics = [];
+
+    public IEnumerable<string> Topics => _topics.Keys;
+
+    public void Add(string topic, string id, SubscriptionTerms terms)
+    {
+        var wishes = _topics.TryGetValue(topic, out var present) ? present.Wishes : [];
+        wishes.RemoveAll(wish => wish.Id == id);
+        wishes.Add((id, terms));
+        Renew(topic, wishes, present.Live);
+    }
+
+    /// <param name="topic">A topic.</param>
+    /// <param name="id">Null ends all of the topic's.</param>
+    public void Remove(string topic, string id)
+    {
+        if (!_topics.TryGetValue(topic, out var present))
+            return;
+        var removed = present.Wishes.RemoveAll(wish => id == null || wish.Id == id);
+        if (removed > 0)
+            Renew(topic, present.Wishes, present.Live);
+    }
+
+    public void Dispose()
+    {
+        foreach (var topic in _topics.Values)
+            topic.Live.Dispose();
+    }
+
+    void Renew(string topic, List<(string Id, SubscriptionTerms Terms)> wishes, Subscription before)
+    {
+        before?.Dispose();
+        _topics.Remove(topic);
+        if (wishes.Count == 0)
+            return;
+        var terms = wishes.Select(wish => wish.Terms).Aggregate((all, next) => all.With(next));
+        var live = new Subscription(hub, topic, terms, queueLength, drops);
+        _topics[topic] = (wishes, live);
+        start(live);
+    }
+}

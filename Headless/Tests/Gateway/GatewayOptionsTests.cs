@@ -1,0 +1,58 @@
+using System.Net;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Security;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class GatewayOptionsTests
+{
+    static readonly GatewayOptions Lan = Gateways.Options() with { Bind = IPAddress.Any };
+
+    static void Refuse(GatewayOptions options, string part)
+    {
+        var error = Assert.ThrowsAsync<InputException>(() => GatewayServer.StartAsync(options, new StopwatchControlClock(Gateways.Start)));
+
+        Assert.That(error.Message, Does.Contain(part));
+        Assert.That(error.Message, Does.Not.Contain("\n"));
+    }
+
+    [Test]
+    public void Start_PlainOnTheLan_NeedsInsecureLan() => Refuse(Lan, "--insecure-lan");
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Start_TokensOnThePlainLan_IsRefused(bool insecure) =>
+        Refuse(Lan with { Tokens = Gateways.Tokens, AllowInsecureLan = insecure }, "--tls");
+
+    [Test]
+    public async Task Start_TokensOverTlsOnTheLan_Runs()
+    {
+        using var certificate = CertificateFiles.Generate();
+        await using var gateway = await Gateways.StartAsync(Lan with { Tokens = Gateways.Tokens, Certificate = certificate });
+
+        Assert.That(gateway.Pin, Is.Not.Null);
+    }
+
+    [Test]
+    public async Task Start_PlainOnTheLanWhenAllowed_Runs()
+    {
+        await using var gateway = await Gateways.StartAsync(Lan with { AllowInsecureLan = true });
+
+        Assert.That(gateway.Pin, Is.Null);
+    }
+
+    [Test]
+    public async Task Start_PortTaken_SaysWhich()
+    {
+        await using var gateway = await Gateways.StartAsync();
+
+        Refuse(Gateways.Options() with { SyncPort = gateway.SyncEndPoint.Port }, $"--sync-port {gateway.SyncEndPoint.Port}");
+        Refuse(Gateways.Options() with { WebSocketPort = gateway.WebSocketEndPoint.Port }, $"--ws-port {gateway.WebSocketEndPoint.Port}");
+    }
+
+    [TestCase(-1)]
+    [TestCase(65536)]
+    public void Start_PortOutOfRange_IsRefused(int port) => Refuse(Gateways.Options() with { SyncPort = port }, "65535");
+}

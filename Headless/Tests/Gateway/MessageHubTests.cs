@@ -1,0 +1,100 @@
+using System.Text;
+using NUnit.Framework;
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class MessageHubTests
+{
+    readonly List<HubMessage> _received = [];
+    MessageHub _hub;
+
+    [SetUp]
+    public void SetUp()
+    {
+        _hub = new MessageHub();
+        _received.Clear();
+        _hub.Subscribe(RosTopics.JointStates, _received.Add);
+    }
+
+    [Test]
+    public void TryPublish_JointOfAnotherSource_IsRefusedWhole()
+    {
+        using var first = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        first.TryPublish(Gateways.State(1, "a", "b"));
+
+        Assert.That(second.TryPublish(Gateways.State(2, "c", "b")), Is.EqualTo("b"));
+        Assert.That(_received.Count, Is.EqualTo(1));
+
+        // Nothing of the refused message is held against others.
+        using var third = _hub.OpenSource();
+        Assert.That(third.TryPublish(Gateways.State(3, "c")), Is.Null);
+    }
+
+    [Test]
+    public void TryPublish_ArmAndGripperApart_BothGoOut()
+    {
+        using var arm = _hub.OpenSource();
+        using var gripper = _hub.OpenSource();
+
+        Assert.That(arm.TryPublish(Gateways.State(1, "a")), Is.Null);
+        Assert.That(gripper.TryPublish(Gateways.State(1, "g")), Is.Null);
+        Assert.That(_received.Count, Is.EqualTo(2));
+    }
+
+    [Test]
+    public void Dispose_OfASource_FreesItsJoints()
+    {
+        var first = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        first.TryPublish(Gateways.State(1, "a"));
+
+        first.Dispose();
+
+        Assert.That(second.TryPublish(Gateways.State(2, "a")), Is.Null);
+    }
+
+    [Test]
+    public void Release_OfATopic_FreesThatOnly()
+    {
+        using var first = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        first.TryPublish(Gateways.State(1, "a"));
+        first.TryDescribe("<robot/>");
+
+        first.Release(RosTopics.JointStates);
+
+        Assert.That(second.TryPublish(Gateways.State(2, "a")), Is.Null);
+        Assert.That(second.TryDescribe("<other/>"), Is.Not.Null);
+        Assert.That(first.TryPublish(Gateways.State(1, "a")), Is.EqualTo("a"));
+    }
+
+    [Test]
+    public void Subscribe_AfterTheDescription_GetsTheNewest()
+    {
+        using var source = _hub.OpenSource();
+        source.TryDescribe("<old/>");
+        source.TryDescribe("<new/>");
+
+        var received = new List<HubMessage>();
+        _hub.Subscribe(RosTopics.RobotDescription, received.Add);
+
+        Assert.That(received.Count, Is.EqualTo(1));
+        Assert.That(Encoding.UTF8.GetString(received[0].Utf8(RosTimeForm.Sec).Span), Does.Contain("<new/>"));
+    }
+
+    [Test]
+    public void Subscription_Disposed_GetsNothing()
+    {
+        var received = new List<HubMessage>();
+        using var source = _hub.OpenSource();
+        _hub.Subscribe(RosTopics.JointStates, received.Add).Dispose();
+
+        source.TryPublish(Gateways.State(1, "a"));
+
+        Assert.That(received, Is.Empty);
+        Assert.That(_received.Count, Is.EqualTo(1));
+    }
+}

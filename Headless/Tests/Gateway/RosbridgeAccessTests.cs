@@ -1,0 +1,161 @@
+using System.Net;
+using System.Net.WebSockets;
+using System.Security.Authentication;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Security;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class RosbridgeAccessTests
+{
+    static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
+
+    static Action<ClientWebSocketOptions> Bearer(string token) => Header("Authorization", "Bearer " + token);
+    static Action<ClientWebSocketOptions> Header(string name, string value) => options => options.SetRequestHeader(name, value);
+
+    static string State() => RosbridgeWriter.PublishJointState(RosTopics.JointStates, Gateways.State(1, "a"), RosTimeForm.Sec);
+
+    [TestCase(null)]
+    [TestCase("Bearer guess")]
+    [TestCase("Bearer ")]
+    [TestCase("Basic observer-token")]
+    [TestCase("observer-token")]
+    public async Task Token_WrongOrMissing_Is401(string header)
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens);
+
+        var status = await RosbridgeServerTests.RefusalAsync(gateway, header == null ? null : Header("Authorization", header));
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.Unauthorized));
+        Assert.That(gateway.WebSocketConnections[Closure.Token], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Observer_ThatPublishes_IsRefusedAndGoesOn()
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens);
+        using var observer = await RosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
+        await observer.SubscribeAsync(RosTopics.JointStates);
+
+        await observer.SendAsync(State());
+        await observer.ExpectErrorAsync("role");
+        await observer.SendAsync(RosbridgeWriter.Advertise(RosTopics.JointStates, RosTopics.JointStateType));
+        await observer.ExpectErrorAsync("role");
+        await observer.SendAsync(RosbridgeWriter.PublishString(RosTopics.RobotDescription, "<robot/>"));
+        await observer.ExpectErrorAsync("role");
+
+        Assert.That(gateway.Drops[DropReason.NotAllowed], Is.EqualTo(3));
+        await observer.RoundTripAsync(); // and nothing was published
+    }
+
+    [Test]
+    public async Task Source_ThatPublishes_ReachesTheObserver()
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens);
+        using var observer = await RosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
+        using var source = await RosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.SourceToken));
+        await observer.SubscribeAsync(RosTopics.JointStates);
+
+        await source.SendAsync(State());
+
+        Assert.That((await observer.ReceiveAsync()).JointState.Names, Is.EqualTo(new[] { "a" }));
+    }
+
+    [TestCase("http://evil.example")]
+    [TestCase("null")]
+    [TestCase("https://127.0.0.1:{port}")]
+    [TestCase("http://127.0.0.1:1")]
+    [TestCase("http://127.0.0.2:{port}")]
+    [TestCase("file://")]
+    public async Task Origin_Foreign_Is403(string origin)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        var value = origin.Replace("{port}", gateway.WebSocketEndPoint.Port.ToString());
+
+        var status = await RosbridgeServerTests.RefusalAsync(gateway, Header("Origin", value));
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
+        Assert.That(gateway.WebSocketConnections[Closure.Origin], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Origin_OfAReboundName_Is403()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        var name = "evil.example:" + gateway.WebSocketEndPoint.Port;
+
+        var status = await RosbridgeServerTests.RefusalAsync(gateway, options =>
+        {
+            options.SetRequestHeader("Host", name);
+            options.SetRequestHeader("Origin", "http://" + name);
+        });
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
+    }
+
+    [TestCase("127.0.0.1")]
+    [TestCase("localhost")]
+    public async Task Origin_Own_IsServed(string host)
+    {
+        await using var gateway = await Gateways.StartAsync();
+
+        using var client = await RosbridgeClient.ConnectAsync(gateway, Header("Origin", $"http://{host}:{gateway.WebSocketEndPoint.Port}"));
+
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Request_ThatIsNoWebSocket_IsTold()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var http = new HttpClient();
+
+        using var response = await http.GetAsync(new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/any/path")).Bounded();
+
+        Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.UpgradeRequired));
+    }
+
+    [Test]
+    public async Task Tls_WithPinAndToken_IsServed()
+    {
+        using var certificate = CertificateFiles.Generate();
+        await using var gateway = await Gateways.StartAsync(WithTokens with { Certificate = certificate });
+
+        using var client = await RosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.SourceToken));
+
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Tls_ClientWithAnotherPin_Refuses()
+    {
+        using var certificate = CertificateFiles.Generate();
+        using var other = CertificateFiles.Generate();
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate });
+        using var socket = new ClientWebSocket();
+        socket.Options.RemoteCertificateValidationCallback = (_, given, _, _) => CertificatePin.Of(other).Matches(given);
+
+        var error = Assert.ThrowsAsync<WebSocketException>(() => socket.ConnectAsync(gateway.WebSocketUri(), default).Bounded());
+
+        Assert.That(error.GetBaseException(), Is.InstanceOf<AuthenticationException>());
+    }
+
+    [Test]
+    public async Task Tls_ExpiredCertificate_IsRefusedByAClientThatChecks()
+    {
+        using var certificate = CertificateFiles.Generate(DateTimeOffset.UtcNow.AddDays(-10), DateTimeOffset.UtcNow.AddDays(-1));
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate });
+        using var socket = new ClientWebSocket();
+        var isExpired = false;
+        socket.Options.RemoteCertificateValidationCallback = (_, _, chain, errors) =>
+        {
+            isExpired = chain.ChainStatus.Any(status => status.Status.HasFlag(System.Security.Cryptography.X509Certificates.X509ChainStatusFlags.NotTimeValid));
+            return errors == System.Net.Security.SslPolicyErrors.None;
+        };
+
+        Assert.ThrowsAsync<WebSocketException>(() => socket.ConnectAsync(gateway.WebSocketUri(), default).Bounded());
+        Assert.That(isExpired, Is.True);
+    }
+}

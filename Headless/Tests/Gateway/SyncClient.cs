@@ -1,0 +1,58 @@
+using System.Net.Sockets;
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+/// <summary>Sends and receives bytes on the sync port.</summary>
+sealed class SyncClient : IDisposable
+{
+    readonly TcpClient _tcp = new() { NoDelay = true };
+
+    public Stream Stream { get; set; }
+
+    public static async Task<SyncClient> ConnectAsync(GatewayServer gateway)
+    {
+        var client = new SyncClient();
+        await client._tcp.ConnectAsync(gateway.SyncEndPoint).Bounded();
+        client.Stream = client._tcp.GetStream();
+        return client;
+    }
+
+    public Task SendAsync(byte[] bytes) => Stream.WriteAsync(bytes, 0, bytes.Length).Bounded();
+
+    public Task SendAsync(SyncFrame frame)
+    {
+        var bytes = new byte[SyncFrame.Size];
+        frame.Write(bytes);
+        return SendAsync(bytes);
+    }
+
+    /// <summary>The next frame, or null when the gateway closed the connection.</summary>
+    public async Task<SyncFrame?> ReceiveAsync()
+    {
+        var bytes = new byte[SyncFrame.Size];
+        try
+        {
+            var read = await Stream.ReadAtLeastAsync(bytes, bytes.Length, false).AsTask().Bounded();
+            return SyncFrame.TryRead(bytes.AsSpan(0, read), out var frame, out _) ? frame : null;
+        }
+        catch (IOException)
+        {
+            // Closed with bytes unread: a reset.
+            return null;
+        }
+    }
+
+    public async Task<SyncFrame?> ExchangeAsync(SyncFrame frame)
+    {
+        await SendAsync(frame);
+        return await ReceiveAsync();
+    }
+
+    public void Dispose()
+    {
+        Stream?.Dispose();
+        _tcp.Dispose();
+    }
+}

@@ -1,0 +1,234 @@
+using System.Net.Security;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Security;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class SyncServerTests
+{
+    [Test]
+    public async Task Request_Answered_EchoesAndStampsBetween()
+    {
+        var clock = new StopwatchControlClock(ControlTime.FromSeconds(-3), 50e-6);
+        await using var gateway = await Gateways.StartAsync(clock: clock);
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        for (var i = 0u; i < 20; i++)
+        {
+            var before = clock.Now.Nanoseconds;
+            var reply = (await client.ExchangeAsync(SyncFrame.Request(7 + i, -5 - i))).Value;
+            var after = clock.Now.Nanoseconds;
+
+            Assert.That(reply.Kind, Is.EqualTo(SyncFrameKind.Reply));
+            Assert.That(reply.Sequence, Is.EqualTo(7 + i));
+            Assert.That(reply.T1Ns, Is.EqualTo(-5 - i));
+            Assert.That(new[] { before, reply.T2Ns, reply.T3Ns, after }, Is.Ordered);
+            Assert.That(reply.IsServerSynchronised, Is.True);
+            Assert.That(reply.ResolutionNs, Is.EqualTo(100));
+        }
+    }
+
+    [Test]
+    public async Task Request_ClockNotSynchronised_SaysSoWithBoundAndResolution()
+    {
+        var clock = new StopwatchControlClock(Gateways.Start)
+        {
+            IsSynchronised = false, ErrorBound = TimeSpan.FromMilliseconds(3), Resolution = TimeSpan.FromMilliseconds(1),
+        };
+        await using var gateway = await Gateways.StartAsync(clock: clock);
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        var reply = (await client.ExchangeAsync(SyncFrame.Request(1, 2))).Value;
+
+        Assert.That(reply.IsServerSynchronised, Is.False);
+        Assert.That(reply.ErrorBoundUs, Is.EqualTo(3000));
+        Assert.That(reply.ResolutionNs, Is.EqualTo(1_000_000));
+        Assert.That(reply.T2Ns % 1_000_000, Is.Zero);
+    }
+
+    [TestCase(0, "magic")]
+    [TestCase(4, "version")]
+    [TestCase(5, "kind")]
+    public async Task Frame_Malformed_ClosesAndIsCounted(int at, string what)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await SyncClient.ConnectAsync(gateway);
+        var bytes = new byte[SyncFrame.Size];
+        SyncFrame.Request(1, 2).Write(bytes);
+        bytes[at] ^= 0x40;
+
+        await client.SendAsync(bytes);
+
+        Assert.That(await client.ReceiveAsync(), Is.Null, what);
+        Assert.That(gateway.SyncConnections[Closure.MalformedFrame], Is.EqualTo(1));
+    }
+
+    [TestCase(SyncFrameKind.Reply)]
+    [TestCase(SyncFrameKind.TokenReply)]
+    public async Task Frame_OnlyAServerSends_Closes(SyncFrameKind kind)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        Assert.That(await client.ExchangeAsync(new SyncFrame(kind, 0, 0, 0, 0, 0, 0, 0)), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.MalformedFrame], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Requests_FasterThanAllowed_Close()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        var answered = 0;
+        while (answered <= 1000 && await client.ExchangeAsync(SyncFrame.Request(1, 2)) != null)
+            answered++;
+
+        Assert.That(answered, Is.GreaterThanOrEqualTo(100).And.LessThan(1000));
+        Assert.That(gateway.SyncConnections[Closure.TooManyRequests], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Connection_Silent_IsClosed()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncSilence = TimeSpan.FromMilliseconds(200) });
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        Assert.That(await client.ReceiveAsync(), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.Silence], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Connections_BeyondTheLimit_AreRefusedAndOthersServed()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
+        using var first = await SyncClient.ConnectAsync(gateway);
+        Assert.That(await first.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+
+        using var second = await SyncClient.ConnectAsync(gateway);
+
+        Assert.That(await second.ReceiveAsync(), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.ConnectionLimit], Is.EqualTo(1));
+        Assert.That(await first.ExchangeAsync(SyncFrame.Request(2, 2)), Is.Not.Null);
+    }
+
+    [Test]
+    public async Task Token_Right_IsAcceptedAndServed()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        await client.SendAsync(SyncToken.Write(Gateways.ObserverToken));
+
+        Assert.That((await client.ReceiveAsync()).Value, Is.EqualTo(SyncFrame.TokenReply(true)));
+        Assert.That((await client.ExchangeAsync(SyncFrame.Request(1, 2))).Value.Sequence, Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Token_Wrong_IsRefusedAndNothingServed()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        await client.SendAsync(SyncToken.Write("guess"));
+
+        Assert.That((await client.ReceiveAsync()).Value.IsAccepted, Is.False);
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Null);
+    }
+
+    [Test]
+    public async Task Token_NotGiven_RequestCloses()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Null);
+    }
+
+    [Test]
+    public async Task Token_NotInTime_Closes()
+    {
+        var options = Gateways.Options() with { Tokens = Gateways.Tokens, TokenTimeout = TimeSpan.FromMilliseconds(200) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        Assert.That(await client.ReceiveAsync(), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.Token], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Token_LongerThanAllowed_Closes()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+        using var client = await SyncClient.ConnectAsync(gateway);
+        await client.SendAsync(SyncFrame.Token());
+
+        await client.SendAsync([0x01, 0x02]);
+
+        Assert.That(await client.ReceiveAsync(), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.MalformedFrame], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Token_ServerWithout_AcceptsAny()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        await client.SendAsync(SyncToken.Write("left over"));
+
+        Assert.That((await client.ReceiveAsync()).Value.IsAccepted, Is.True);
+    }
+
+    [Test]
+    public async Task Tls_PinOfTheGateway_MatchesAndIsServed()
+    {
+        using var certificate = CertificateFiles.Generate();
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate, Tokens = Gateways.Tokens });
+        using var client = await SyncClient.ConnectAsync(gateway);
+        var seen = default(CertificatePin);
+        var secure = new SslStream(client.Stream, false, (_, given, _, _) => (seen = CertificatePin.Of(given)) != null);
+        await secure.AuthenticateAsClientAsync("localhost").Bounded();
+        client.Stream = secure;
+
+        await client.SendAsync(SyncToken.Write(Gateways.SourceToken));
+
+        Assert.That((await client.ReceiveAsync()).Value.IsAccepted, Is.True);
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+        Assert.That(seen, Is.EqualTo(gateway.Pin));
+    }
+
+    [Test]
+    public async Task Tls_PlainClient_IsClosed()
+    {
+        using var certificate = CertificateFiles.Generate();
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate });
+        using var client = await SyncClient.ConnectAsync(gateway);
+
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.TlsHandshake], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Gateway_StoppedWithOpenConnections_StartsAgainOnTheSamePorts()
+    {
+        var first = await Gateways.StartAsync();
+        using var sync = await SyncClient.ConnectAsync(first);
+        using var socket = await RosbridgeClient.ConnectAsync(first);
+        await sync.ExchangeAsync(SyncFrame.Request(1, 2));
+        await socket.RoundTripAsync();
+        var options = new GatewayOptions { SyncPort = first.SyncEndPoint.Port, WebSocketPort = first.WebSocketEndPoint.Port };
+
+        await first.DisposeAsync().AsTask().Bounded();
+        Assert.That(await sync.ReceiveAsync(), Is.Null);
+        await using var second = await Gateways.StartAsync(options);
+
+        using var again = await SyncClient.ConnectAsync(second);
+        Assert.That(await again.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+        using var socketAgain = await RosbridgeClient.ConnectAsync(second);
+        await socketAgain.RoundTripAsync();
+    }
+}
