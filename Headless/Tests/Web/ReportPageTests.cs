@@ -1,0 +1,81 @@
+using System.Text.Json;
+using Nowpose.Web;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Web;
+
+public sealed class ReportPageTests
+{
+    const string Opening = "<script type=\"application/json\" id=\"report-data\">";
+
+    [SetUp]
+    public void SetUp()
+    {
+        if (!ReportPage.HasPlots) Assert.Ignore("Node.js was missing when this was built: the report has no plots");
+    }
+
+    [Test]
+    public void Render_AnyData_ComesBackFromThePage()
+    {
+        const string Json = "{\"title\":\"a < b & c > d\",\"settings\":[[\"ü\",1.5],[\"n\",null]],\"error\":{\"t\":[0,0.1]}}";
+
+        var data = DataOf(ReportPage.Render(Json));
+
+        Assert.That(JsonElement.DeepEquals(data, JsonDocument.Parse(Json).RootElement), data.ToString());
+    }
+
+    [TestCase("</script><script>alert(1)</script>")]
+    [TestCase("<!--<script>")]
+    [TestCase("__REPORT_DATA__")]
+    public void Render_HostileTitle_StaysInsideTheDataElement(string title)
+    {
+        var harmless = ReportPage.Render("{\"title\":\"x\"}");
+
+        var page = ReportPage.Render(JsonSerializer.Serialize(new { title }, Unescaped));
+
+        Assert.That(DataOf(page).GetProperty("title").GetString(), Is.EqualTo(title));
+        Assert.That(Count(page, "<script"), Is.EqualTo(Count(harmless, "<script")));
+        Assert.That(Count(page, "</script"), Is.EqualTo(Count(harmless, "</script")));
+        Assert.That(Count(page, "<!--"), Is.EqualTo(Count(harmless, "<!--")));
+    }
+
+    [Test]
+    public void Render_AnyData_LeavesNoPlaceholder()
+    {
+        Assert.That(ReportPage.Render("{}"), Does.Not.Contain("__REPORT_DATA__").And.Not.Contain("/*SCRIPT*/").And.Not.Contain("/*STYLE*/"));
+    }
+
+    [Test]
+    public void Render_AnyData_RefersToNothingOutside()
+    {
+        var page = ReportPage.Render("{}");
+
+        Assert.That(page, Does.Contain("default-src 'none'"));
+        Assert.That(page, Does.Not.Match("(?i)<script[^>]+src|<link[^>]+stylesheet|@import|url\\((?!data:)"));
+    }
+
+    [TestCase("{\"a\":NaN}", "not JSON")]
+    [TestCase("", "not JSON")]
+    [TestCase("{\"a\":1", "not JSON")]
+    [TestCase("[1]", "a JSON Array")]
+    public void Render_NotAnObject_IsRefused(string json, string reason)
+    {
+        var refusal = Assert.Throws<ArgumentException>(() => ReportPage.Render(json));
+
+        Assert.That(refusal.Message, Does.Contain(reason));
+    }
+
+    static readonly JsonSerializerOptions Unescaped = new()
+    {
+        Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
+    };
+
+    static JsonElement DataOf(string page)
+    {
+        var start = page.IndexOf(Opening, StringComparison.Ordinal) + Opening.Length;
+        var end = page.IndexOf("</script>", start, StringComparison.Ordinal);
+        return JsonDocument.Parse(page[start..end]).RootElement;
+    }
+
+    static int Count(string text, string part) => text.Split(part).Length - 1;
+}

@@ -1,0 +1,152 @@
+import uPlot from 'uplot';
+import { el } from './dom';
+import { colour, onColoursChanged } from './theme';
+
+const KEYS = 'Arrow keys move the cursor, plus and minus zoom, 0 resets.';
+const charts: Chart[] = [];
+
+export interface ChartOptions {
+  /** Says in words what the plot shows. */
+  description: string;
+  height: number;
+  xLabel: string;
+  yLabel: string;
+  series: uPlot.Series[];
+  data: uPlot.AlignedData;
+  bands?: uPlot.Band[];
+  scales?: uPlot.Scales;
+  /** Zooms both axes; the vertical one follows the data otherwise. */
+  zoomY?: boolean;
+  draw?: (u: uPlot) => void;
+  /** Called when the cursor moves; with null when it leaves. */
+  onCursor?: (u: uPlot, inside: boolean) => void;
+}
+
+/** A uPlot plot that can be used with the keyboard, fits its container and follows the page's colours. */
+export class Chart {
+  readonly element: HTMLElement;
+  readonly plot: uPlot;
+  private full: { x: [number, number]; y: [number, number] } = { x: [0, 1], y: [0, 1] };
+
+  constructor(private readonly options: ChartOptions) {
+    this.element = el('div', {
+      class: 'plot', tabindex: 0, role: 'group', 'aria-roledescription': 'plot',
+      'aria-label': `${options.description} ${KEYS}`,
+    });
+    this.plot = new uPlot(this.uplotOptions(), options.data, this.element);
+    this.plot.root.querySelector('canvas')!.setAttribute('aria-hidden', 'true');
+    this.element.addEventListener('keydown', e => this.onKey(e));
+    new ResizeObserver(() => this.fit()).observe(this.element);
+    charts.push(this);
+  }
+
+  reset(): void {
+    this.setRange(this.full.x, this.full.y);
+  }
+
+  fit(): void {
+    const width = Math.floor(this.element.clientWidth);
+    if (width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: this.options.height });
+  }
+
+  private setRange(x: [number, number], y: [number, number]): void {
+    this.plot.batch(() => {
+      this.plot.setScale('x', { min: x[0], max: x[1] });
+      if (this.options.zoomY) this.plot.setScale('y', { min: y[0], max: y[1] });
+    });
+  }
+
+  private range(scale: string): [number, number] {
+    return [this.plot.scales[scale].min ?? 0, this.plot.scales[scale].max ?? 1];
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const step = event.shiftKey ? 0.1 : 0.01;
+    const moves: Record<string, () => void> = {
+      ArrowLeft: () => this.moveCursor(-step, 0),
+      ArrowRight: () => this.moveCursor(step, 0),
+      ArrowUp: () => this.moveCursor(0, -step),
+      ArrowDown: () => this.moveCursor(0, step),
+      '+': () => this.zoom(0.5),
+      '=': () => this.zoom(0.5),
+      '-': () => this.zoom(2),
+      '0': () => this.reset(),
+    };
+    if (event.ctrlKey || event.metaKey || event.altKey || !(event.key in moves)) return;
+    moves[event.key]();
+    event.preventDefault();
+  }
+
+  private moveCursor(right: number, down: number): void {
+    const { clientWidth: width, clientHeight: height } = this.plot.over;
+    const { left = -1, top = -1 } = this.plot.cursor;
+    const from = left < 0 ? { left: width / 2, top: height / 2 } : { left, top };
+    this.plot.setCursor({
+      left: Math.min(width - 1, Math.max(0, from.left + right * width)),
+      top: Math.min(height - 1, Math.max(0, from.top + down * height)),
+    });
+  }
+
+  /** Around the cursor, or the middle; never beyond the data. */
+  private zoom(factor: number): void {
+    const { left = -1, top = -1 } = this.plot.cursor;
+    const around = (scale: 'x' | 'y', at: number): [number, number] => {
+      const [min, max] = this.range(scale);
+      const centre = at < 0 ? (min + max) / 2 : this.plot.posToVal(at, scale);
+      const [low, high] = this.full[scale];
+      return [Math.max(low, centre + (min - centre) * factor), Math.min(high, centre + (max - centre) * factor)];
+    };
+    this.setRange(around('x', left), around('y', top));
+  }
+
+  private uplotOptions(): uPlot.Options {
+    const { options } = this;
+    return {
+      width: 600,
+      height: options.height,
+      legend: { show: false },
+      scales: { x: { time: false }, ...options.scales },
+      axes: [axis(options.xLabel, 32), axis(options.yLabel, 60)],
+      series: options.series,
+      bands: options.bands,
+      cursor: {
+        drag: { x: true, y: options.zoomY ?? false, uni: options.zoomY ? 30 : undefined },
+        bind: { dblclick: () => () => { this.reset(); return null; } },
+      },
+      hooks: {
+        // uPlot ranges its scales after the constructor has returned.
+        ready: [() => { this.full = { x: this.range('x'), y: this.range('y') }; }],
+        draw: options.draw ? [options.draw] : [],
+        setCursor: [u => options.onCursor?.(u, (u.cursor.left ?? -1) >= 0)],
+      },
+    };
+  }
+}
+
+function axis(label: string, size: number): uPlot.Axis {
+  return {
+    label, size, labelSize: 22, labelGap: 2,
+    font: '12px system-ui, sans-serif',
+    labelFont: '12px system-ui, sans-serif',
+    stroke: () => colour('--muted'),
+    grid: { stroke: () => colour('--grid'), width: 1 },
+    ticks: { stroke: () => colour('--grid'), width: 1, size: 5 },
+    values: (_, splits) => splits.map(v => tick(v)),
+  };
+}
+
+function tick(value: number): string {
+  return String(Number(value.toPrecision(8))).replace('-', '\u2212');
+}
+
+const redrawAll = () => charts.forEach(c => c.plot.redraw(false));
+onColoursChanged(redrawAll);
+
+// A canvas does not follow the narrower page and the light colours of a print by itself.
+function print(printing: boolean): void {
+  document.documentElement.classList.toggle('printing', printing);
+  charts.forEach(c => c.fit());
+  redrawAll();
+}
+addEventListener('beforeprint', () => print(true));
+addEventListener('afterprint', () => print(false));

@@ -1,0 +1,79 @@
+/** The report's data, as `ReportPage.Render` receives it. A null or absent section was not measured. */
+export interface Report {
+  title?: string;
+  subtitle?: string;
+  settings?: Fact[] | null;
+  summary?: SummaryRow[] | null;
+  facts?: Fact[] | null;
+  error?: ErrorData | null;
+  joint?: JointData | null;
+  field?: FieldData | null;
+  clock?: ClockData | null;
+  latency?: LatencyData | null;
+}
+
+export type Value = number | null;
+export type Fact = [label: string, value: string | number | boolean | null];
+
+export interface SummaryRow {
+  label: string;
+  unit: string;
+  uncompensated: Value;
+  compensated: Value;
+}
+
+/** Seconds since start, millimetres. */
+export interface ErrorData {
+  t: number[];
+  hold: Value[];
+  compensated: Value[];
+}
+
+/** Seconds on the control clock since start. */
+export interface Signal {
+  t: number[];
+  v: Value[];
+}
+
+export interface JointData {
+  name: string;
+  unit: string;
+  truth?: Signal | null;
+  received?: Signal | null;
+  predicted?: Signal | null;
+}
+
+/** Milliseconds, millimetres per second. */
+export interface OperatingPath {
+  latency_ms: number[];
+  speed: number[];
+}
+
+export interface FieldData {
+  hold?: OperatingPath | null;
+  compensated?: OperatingPath | null;
+  iso_mm?: number[] | null;
+}
+
+/** Seconds since start, microseconds; the offset is relative to the first. */
+export interface ClockData {
+  t: number[];
+  offset_us: Value[];
+  error_us: Value[];
+  bound_us: Value[];
+}
+
+/** Lower edges of the bins in milliseconds, all of one width, and the samples in each. */
+export interface LatencyData {
+  bin_ms: number[];
+  count: number[];
+  label?: string;
+}
+
+export function hasPoints(values: ArrayLike<unknown> | null | undefined): boolean {
+  return values != null && values.length > 0;
+}
+
+export function readReport(): Report {
+  return JSON.parse(document.getElementById('report-data')!.textContent!) as Report;
+}

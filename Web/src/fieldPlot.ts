@@ -1,0 +1,139 @@
+import uPlot from 'uplot';
+import { Chart } from './chart';
+import { type FieldData, hasPoints, type OperatingPath } from './data';
+import { Legend } from './legend';
+import { format } from './numbers';
+import { colour } from './theme';
+import { type Look, LOOKS } from './traces';
+
+interface Path {
+  label: string;
+  look: Look;
+  points: OperatingPath;
+  shown: boolean;
+}
+
+/** Latency against speed with curves of equal error e = v·L, and where the run was with and without compensation. */
+export function fieldPlot(field: FieldData, description: string): { chart: Chart; legend: Legend } {
+  const paths = pathsOf(field);
+  const latency = extent(paths, 'latency_ms'), speed = extent(paths, 'speed');
+
+  const legend = new Legend([
+    ...paths.map(path => ({
+      label: path.label,
+      look: path.look,
+      toggle: (shown: boolean) => { path.shown = shown; chart.plot.redraw(false); },
+    })),
+    { label: 'equal error', look: LOOKS.bound },
+  ]);
+  const chart = new Chart({
+    description,
+    height: 340,
+    xLabel: 'latency (ms)',
+    yLabel: 'speed (mm/s)',
+    // Everything is painted by hand: uPlot keeps one value per x, and two samples may share a latency.
+    series: [{}, { show: false }],
+    data: [[0, latency], [0, speed]],
+    scales: { x: { time: false, min: 0, max: latency }, y: { auto: false, min: 0, max: speed } },
+    zoomY: true,
+    draw: u => paint(u, paths, field.iso_mm ?? []),
+    onCursor: (u, inside) => legend.show(inside ? readout(u) : ''),
+  });
+  return { chart, legend };
+}
+
+export function pathsOf(field: FieldData): Path[] {
+  const path = (label: string, look: Look, points: OperatingPath | null | undefined) =>
+    hasPoints(points?.latency_ms) ? [{ label, look, points: points!, shown: true }] : [];
+  return [...path('uncompensated', LOOKS.holdPoints, field.hold), ...path('compensated', LOOKS.compensatedPoints, field.compensated)];
+}
+
+/** Covers 99 of 100 points: where the robot hardly moves, a latency found from its error can be anything. */
+function extent(paths: Path[], axis: keyof OperatingPath): number {
+  const greatest = paths.map(path => {
+    const sorted = Float64Array.from(path.points[axis]).sort();
+    return sorted[Math.ceil(0.99 * sorted.length) - 1];
+  });
+  return 1.1 * Math.max(...greatest) || 1;
+}
+
+/** How many points lie outside what is shown at first. */
+export function beyond(field: FieldData): number {
+  const paths = pathsOf(field), latency = extent(paths, 'latency_ms'), speed = extent(paths, 'speed');
+  return paths.reduce((sum, { points }) =>
+    sum + points.latency_ms.filter((l, i) => l > latency || points.speed[i] > speed).length, 0);
+}
+
+function readout(u: uPlot): string {
+  const latency = u.posToVal(u.cursor.left!, 'x'), speed = u.posToVal(u.cursor.top!, 'y');
+  return `${format(latency, 'ms')} × ${format(speed, 'mm/s')} = ${format(latency * speed / 1000, 'mm')}`;
+}
+
+function paint(u: uPlot, paths: Path[], errors: number[]): void {
+  const { ctx, bbox } = u;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  for (const error of errors) paintCurve(u, error);
+  for (const path of paths) if (path.shown) paintPoints(u, path);
+  for (const error of errors) paintLabel(u, error);
+  ctx.restore();
+}
+
+function paintCurve(u: uPlot, error: number): void {
+  const { ctx, bbox } = u;
+  ctx.beginPath();
+  for (let x = bbox.left; x <= bbox.left + bbox.width; x += 2) {
+    const latency = u.posToVal(x - bbox.left, 'x', true);
+    if (latency > 0) ctx.lineTo(x, u.valToPos(1000 * error / latency, 'y', true));
+  }
+  ctx.strokeStyle = colour(LOOKS.bound.ink);
+  ctx.lineWidth = devicePixelRatio;
+  ctx.setLineDash(LOOKS.bound.dash.map(d => d * devicePixelRatio));
+  ctx.stroke();
+  ctx.setLineDash([]);
+}
+
+/** Uncompensated points are hollow squares, compensated ones filled: they differ in shape as well as in colour. */
+function paintPoints(u: uPlot, path: Path): void {
+  const { ctx } = u, size = 4 * devicePixelRatio;
+  const { latency_ms, speed } = path.points;
+  const squares = new Path2D();
+  for (let i = 0; i < latency_ms.length; i++) {
+    squares.rect(u.valToPos(latency_ms[i], 'x', true) - size / 2, u.valToPos(speed[i], 'y', true) - size / 2, size, size);
+  }
+  ctx.globalAlpha = 0.7;
+  if (path.look.mark === 'hollow') {
+    ctx.strokeStyle = colour(path.look.ink);
+    ctx.lineWidth = devicePixelRatio;
+    ctx.stroke(squares);
+  } else {
+    ctx.fillStyle = colour(path.look.ink);
+    ctx.fill(squares);
+  }
+  ctx.globalAlpha = 1;
+}
+
+/** On the diagonal of what is shown, which every curve crosses once, each at a place of its own. */
+function paintLabel(u: uPlot, error: number): void {
+  const { ctx, bbox } = u, ratio = devicePixelRatio;
+  const on = (scale: 'x' | 'y', t: number) => u.scales[scale].min! + t * (u.scales[scale].max! - u.scales[scale].min!);
+  const errorAt = (t: number) => on('x', t) * on('y', t) / 1000;
+  if (errorAt(0) >= error || errorAt(1) <= error) return;
+  let low = 0, high = 1;
+  for (let i = 0; i < 30; i++) {
+    const middle = (low + high) / 2;
+    if (errorAt(middle) < error) low = middle; else high = middle;
+  }
+  const x = bbox.left + low * bbox.width, y = bbox.top + (1 - low) * bbox.height;
+  ctx.font = `600 ${11 * ratio}px system-ui, sans-serif`;
+  ctx.textAlign = 'center';
+  ctx.textBaseline = 'middle';
+  ctx.lineJoin = 'round';
+  ctx.lineWidth = 4 * ratio;
+  ctx.strokeStyle = colour('--surface');
+  ctx.strokeText(`${error} mm`, x, y);
+  ctx.fillStyle = colour('--ink');
+  ctx.fillText(`${error} mm`, x, y);
+}

@@ -1,0 +1,46 @@
+import type { Chart } from './chart';
+import { el } from './dom';
+import type { Legend } from './legend';
+
+export const PAPER = 'https://doi.org/10.1007/s11740-022-01175-2';
+
+export interface FigureOptions {
+  id: string;
+  title: string;
+  /** What the reader should see, in one sentence. */
+  claim: string;
+  /** Where in the paper: "Fig. 16". */
+  source: string;
+}
+
+export interface Plot {
+  chart: Chart;
+  legend: Legend;
+}
+
+/** A section with a heading, the claim and its source, the plots, and their numbers in a table. */
+export function figure(options: FigureOptions, plots: Plot[], numbers: HTMLElement): HTMLElement {
+  return section(options, ...plots.map(plotBlock), el('details', {}, el('summary', {}, 'Numbers of this plot'), numbers));
+}
+
+export function notMeasured(options: FigureOptions): HTMLElement {
+  return section(options, el('p', { class: 'missing' }, 'Not measured in this run.'));
+}
+
+function section(options: FigureOptions, ...content: HTMLElement[]): HTMLElement {
+  const heading = `${options.id}-heading`;
+  return el('section', { id: options.id, class: 'figure', 'aria-labelledby': heading },
+    el('h2', { id: heading }, options.title),
+    el('p', { class: 'claim' }, options.claim, ' ', citation(options.source)),
+    ...content);
+}
+
+function citation(source: string): HTMLElement {
+  return el('span', { class: 'source' }, '(', el('a', { href: PAPER }, `Schnierle & Röck 2022, ${source}`), ')');
+}
+
+function plotBlock({ chart, legend }: Plot): HTMLElement {
+  const reset = el('button', { type: 'button', class: 'reset' }, 'Reset zoom');
+  reset.addEventListener('click', () => chart.reset());
+  return el('div', { class: 'plot-block' }, el('div', { class: 'bar' }, legend.element, reset), chart.element);
+}

@@ -1,0 +1,59 @@
+import 'uplot/dist/uPlot.min.css';
+import './report.css';
+import { hasPoints, readReport, type Report, type SummaryRow } from './data';
+import { el } from './dom';
+import { PAPER } from './figures';
+import { format } from './numbers';
+import { clockSection, errorSection, fieldSection, jointSection, latencySection } from './sections';
+import { factTable, reductionOf, summaryTable } from './tables';
+
+function headline(rows: SummaryRow[]): HTMLElement {
+  const row = rows.find(r => reductionOf(r) != null);
+  if (!row) return el('p', { class: 'missing' }, 'Tool error not measured in this run.');
+  const reduction = reductionOf(row)!;
+  return el('p', { class: 'headline' },
+    el('strong', {}, format(Math.abs(100 * reduction), '%')),
+    el('span', {}, `${reduction >= 0 ? 'less' : 'more'} tool error with compensation`),
+    el('small', {}, `${row.label}: ${format(row.uncompensated, row.unit)} → ${format(row.compensated, row.unit)}`));
+}
+
+function overview(report: Report): HTMLElement {
+  const rows = report.summary ?? [];
+  return el('section', { class: 'overview', 'aria-labelledby': 'result-heading' },
+    el('h2', { id: 'result-heading' }, 'Result'),
+    headline(rows),
+    hasPoints(rows) ? summaryTable(rows) : el('p', { class: 'missing' }, 'Comparison not measured in this run.'),
+    el('p', { class: 'claim' }, 'Uncompensated: the tool is drawn at the newest position that has arrived. Compensated: it is drawn '
+      + 'at the position predicted for the moment at which the light of the picture reaches the eye.'));
+}
+
+function facts(report: Report): HTMLElement {
+  const table = (caption: string, rows: Report['facts']) =>
+    hasPoints(rows) ? factTable(caption, rows!) : el('p', { class: 'missing' }, `${caption}: not measured in this run.`);
+  return el('section', { id: 'facts', 'aria-labelledby': 'facts-heading' },
+    el('h2', { id: 'facts-heading' }, 'Conditions and figures'),
+    el('div', { class: 'columns' }, table('Settings', report.settings), table('Measured', report.facts)));
+}
+
+function page(report: Report): Node[] {
+  const hint = 'Drag across a plot to zoom, double-click to reset, point at it to read values; '
+    + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.';
+  return [
+    el('header', {}, el('h1', {}, report.title || 'Nowpose report'), report.subtitle ? el('p', {}, report.subtitle) : null),
+    el('main', {},
+      el('div', { class: 'first' }, overview(report), errorSection(report.error)),
+      el('p', { class: 'hint' }, hint),
+      jointSection(report.joint),
+      fieldSection(report.field),
+      clockSection(report.clock),
+      latencySection(report.latency),
+      facts(report)),
+    el('footer', {}, el('p', {}, 'Method: M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop '
+      + 'simulations of production systems”, Production Engineering (2022), ',
+      el('a', { href: PAPER }, PAPER), '. Made by Nowpose.')),
+  ];
+}
+
+const report = readReport();
+document.title = report.title || 'Nowpose report';
+document.getElementById('page')!.replaceChildren(...page(report));

@@ -1,0 +1,36 @@
+import type { Value } from './data';
+
+const MINUS = '\u2212';
+
+/** Three significant digits, as many as a measurement of this sort carries; integers keep all theirs. */
+export function format(value: Value | undefined, unit = ''): string {
+  if (value == null || !Number.isFinite(value)) return '–';
+  const size = Math.abs(value);
+  const digits = Number.isInteger(value) || size >= 100 ? 0 : size === 0 ? 0 : Math.max(0, 2 - Math.floor(Math.log10(size)));
+  const text = size > 0 && size < 1e-4 ? value.toExponential(2) : value.toFixed(Math.min(digits, 6));
+  const grouped = size >= 10000 ? text.replace(/\B(?=(\d{3})+(?!\d))/g, '\u202f') : text;
+  return grouped.replace('-', MINUS) + (unit ? `\u00a0${unit}` : '');
+}
+
+export interface Statistics {
+  count: number;
+  min: number;
+  max: number;
+  rms: number;
+  p95: number;
+}
+
+/** Of the numbers among the values; p95 is of their magnitudes. Null where there is none. */
+export function statistics(values: ArrayLike<Value>): Statistics | null {
+  const numbers = Array.from(values).filter((v): v is number => v != null && Number.isFinite(v));
+  if (numbers.length === 0) return null;
+  const sizes = Float64Array.from(numbers, Math.abs).sort();
+  let min = Infinity, max = -Infinity, squares = 0;
+  for (const v of numbers) {
+    min = Math.min(min, v);
+    max = Math.max(max, v);
+    squares += v * v;
+  }
+  const p95 = sizes[Math.ceil(0.95 * sizes.length) - 1];
+  return { count: numbers.length, min, max, rms: Math.sqrt(squares / numbers.length), p95 };
+}

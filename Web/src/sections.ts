@@ -1,0 +1,120 @@
+import { type ClockData, type ErrorData, type FieldData, hasPoints, type JointData, type LatencyData, type Signal } from './data';
+import { beyond, fieldPlot, pathsOf } from './fieldPlot';
+import { figure, type FigureOptions, notMeasured } from './figures';
+import { histogram } from './histogram';
+import { format, statistics } from './numbers';
+import { factTable, statisticsTable } from './tables';
+import { timePlot } from './timePlot';
+import { LOOKS, type Trace } from './traces';
+
+export function errorSection(error: ErrorData | null | undefined): HTMLElement {
+  const options: FigureOptions = {
+    id: 'error',
+    title: 'Tool error over time',
+    claim: 'Drawn as it arrives, the tool trails the robot; drawn where the robot will be when the light reaches the eye, it stays close.',
+    source: 'Sect. 3',
+  };
+  const traces = [
+    trace('uncompensated', LOOKS.hold, error?.t, error?.hold),
+    trace('compensated', LOOKS.compensated, error?.t, error?.compensated),
+  ].flat();
+  if (traces.length === 0) return notMeasured(options);
+  const description = `Distance between the drawn and the true tool over time. ${inWords(traces, 'mm')}`;
+  return figure(options, [timePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, fromZero: true })],
+    numbersOf('Tool error', 'mm', traces));
+}
+
+export function jointSection(joint: JointData | null | undefined): HTMLElement {
+  const options: FigureOptions = {
+    id: 'joint',
+    title: joint?.name ? `Joint position: ${joint.name}` : 'Joint position',
+    claim: 'What arrives is late and stepped; the prediction follows the ground truth and strays where the acceleration changes.',
+    source: 'Fig. 16',
+  };
+  const signal = (label: string, look: Trace['look'], s: Signal | null | undefined) => trace(label, look, s?.t, s?.v);
+  const traces = [
+    signal('ground truth', LOOKS.truth, joint?.truth),
+    signal('received', LOOKS.hold, joint?.received).map(t => ({ ...t, stepped: true })),
+    signal('predicted', LOOKS.compensated, joint?.predicted),
+  ].flat();
+  if (traces.length === 0) return notMeasured(options);
+  const unit = joint!.unit;
+  const description = `Position of joint ${joint!.name} over control time. ${inWords(traces, unit)}`;
+  return figure(options, [timePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces })],
+    numbersOf('Joint position', unit, traces));
+}
+
+export function fieldSection(field: FieldData | null | undefined): HTMLElement {
+  const options: FigureOptions = {
+    id: 'field',
+    title: 'Error field',
+    claim: 'Error is speed times latency: compensation takes the operating points towards zero latency, across the curves of equal error, at the same speed.',
+    source: 'Fig. 18',
+  };
+  const paths = field ? pathsOf(field) : [];
+  if (paths.length === 0) return notMeasured(options);
+  const rows = paths.map(p => [p.label, statistics(p.points.latency_ms)] as const);
+  const words = rows.map(([label, s]) => `${label}: latency ${format(s?.min)} to ${format(s?.max, 'ms')}.`).join(' ');
+  const outside = beyond(field!);
+  const note = outside > 0 ? ` ${outside} of the points lie beyond the plot.` : '';
+  const description = `Operating points by latency and speed with curves of equal error. ${words}${note}`;
+  return figure({ ...options, claim: options.claim + note }, [fieldPlot(field!, description)],
+    statisticsTable('Latency of the operating points', 'ms', rows.map(([label, s]) => [label, s])));
+}
+
+export function clockSection(clock: ClockData | null | undefined): HTMLElement {
+  const options: FigureOptions = {
+    id: 'clock',
+    title: 'Clock synchronisation',
+    claim: 'The headset learns the offset between its clock and the control clock over the network, and how wrong it may be; the paper reports less than 1 ms.',
+    source: 'Fig. 8',
+  };
+  const negative = clock?.bound_us?.map(b => (b == null ? null : -b));
+  const offset = trace('offset', LOOKS.compensated, clock?.t, clock?.offset_us);
+  const error = [
+    trace('bound (±)', LOOKS.bound, clock?.t, clock?.bound_us),
+    trace('bound, negative', LOOKS.bound, clock?.t, negative).map(t => ({ ...t, mirror: true })),
+    trace('error', LOOKS.compensated, clock?.t, clock?.error_us),
+  ].flat();
+  if (offset.length + error.length === 0) return notMeasured(options);
+  const plots = [];
+  if (offset.length > 0) plots.push(timePlot({
+    description: `Clock offset relative to the first estimate, over time. ${inWords(offset, 'µs')}`,
+    height: 200, yLabel: 'offset (µs)', unit: 'µs', traces: offset }));
+  if (error.length > 0) plots.push(timePlot({
+    description: `Error of the clock offset with its bound, over time. ${inWords(error, 'µs')}`,
+    height: 220, yLabel: 'offset error (µs)', unit: 'µs', traces: error, band: error.some(t => t.mirror) ? '--band' : undefined }));
+  return figure(options, plots, numbersOf('Clock', 'µs', [...offset, ...error]));
+}
+
+export function latencySection(latency: LatencyData | null | undefined): HTMLElement {
+  const options: FigureOptions = {
+    id: 'latency',
+    title: latency?.label || 'Application latency',
+    claim: 'Latency is a spread, not a number: each sample is placed by the latency it was measured to have, not by their mean.',
+    source: 'Eq. 2',
+  };
+  if (!hasPoints(latency?.bin_ms)) return notMeasured(options);
+  const { bin_ms: bins, count } = latency!;
+  const top = count.indexOf(count.reduce((a, b) => Math.max(a, b), 0));
+  const total = count.reduce((a, b) => a + b, 0);
+  const description = `Histogram of the application latency of ${format(total)} samples from ${format(bins[0])} `
+    + `to ${format(bins[bins.length - 1], 'ms')}, most at ${format(bins[top], 'ms')}.`;
+  return figure(options, [histogram(latency!, description)],
+    factTable('Samples by latency', bins.map((b, i) => [`from ${format(b)}`, count[i] ?? 0]), ['Latency (ms)', 'Samples']));
+}
+
+function trace(label: string, look: Trace['look'], t?: number[] | null, v?: (number | null)[] | null): Trace[] {
+  return hasPoints(t) && hasPoints(v) ? [{ label, look, t: t!, v: v! }] : [];
+}
+
+function inWords(traces: Trace[], unit: string): string {
+  return traces.filter(t => !t.mirror).map(t => {
+    const s = statistics(t.v);
+    return s ? `${t.label}: ${format(s.min)} to ${format(s.max, unit)}, RMS ${format(s.rms, unit)}.` : `${t.label}: none.`;
+  }).join(' ');
+}
+
+function numbersOf(caption: string, unit: string, traces: Trace[]): HTMLElement {
+  return statisticsTable(caption, unit, traces.filter(t => !t.mirror).map(t => [t.label, statistics(t.v)]));
+}

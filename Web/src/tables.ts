@@ -1,0 +1,53 @@
+import type { Fact, SummaryRow } from './data';
+import { el } from './dom';
+import { format, type Statistics } from './numbers';
+
+/** Scrolls by itself where it is wider than the window, with the keyboard too. */
+function scrollable(caption: string, table: HTMLTableElement): HTMLElement {
+  return el('div', { class: 'table', role: 'region', 'aria-label': caption, tabindex: 0 }, table);
+}
+
+function header(...labels: string[]): HTMLElement {
+  return el('thead', {}, el('tr', {}, ...labels.map(label => el('th', { scope: 'col' }, label))));
+}
+
+function row(label: string, ...cells: string[]): HTMLElement {
+  return el('tr', {}, el('th', { scope: 'row' }, label), ...cells.map(cell => el('td', {}, cell)));
+}
+
+export function summaryTable(rows: SummaryRow[]): HTMLElement {
+  const caption = 'Uncompensated against compensated';
+  const body = rows.map(r => row(
+    r.unit ? `${r.label} (${r.unit})` : r.label, format(r.uncompensated), format(r.compensated), change(r)));
+  return scrollable(caption, el('table', { class: 'numbers' },
+    el('caption', {}, caption),
+    header('Quantity', 'Uncom\u00adpensated', 'Compen\u00adsated', 'Change'),
+    el('tbody', {}, ...body)));
+}
+
+function change(row: SummaryRow): string {
+  const reduction = reductionOf(row);
+  return reduction == null ? '–' : `${reduction > 0 ? '\u2212' : '+'}${format(Math.abs(100 * reduction), '%')}`;
+}
+
+/** 1 − compensated / uncompensated; null where either is missing. */
+export function reductionOf(row: SummaryRow): number | null {
+  const { uncompensated, compensated } = row;
+  return uncompensated == null || compensated == null || uncompensated === 0 ? null : 1 - compensated / uncompensated;
+}
+
+export function factTable(caption: string, facts: Fact[], labels = ['Name', 'Value']): HTMLElement {
+  const body = facts.map(([label, value]) => row(String(label), value == null ? '–' : String(value)));
+  return scrollable(caption, el('table', { class: 'facts' },
+    el('caption', {}, caption), header(...labels), el('tbody', {}, ...body)));
+}
+
+export function statisticsTable(name: string, unit: string, rows: [string, Statistics | null][]): HTMLElement {
+  const caption = `${name} (${unit})`;
+  const body = rows.map(([label, s]) => row(
+    label, format(s?.count ?? 0), format(s?.min), format(s?.max), format(s?.rms), format(s?.p95)));
+  return scrollable(caption, el('table', { class: 'numbers' },
+    el('caption', {}, caption),
+    header('Signal', 'Points', 'Least', 'Greatest', 'RMS', '95 % within'),
+    el('tbody', {}, ...body)));
+}

@@ -1,0 +1,13 @@
+/** Colours come from the style sheet, so that page and canvas follow the same light, dark and print rules. */
+export type Ink =
+  | '--ink' | '--muted' | '--grid' | '--surface'
+  | '--hold' | '--compensated' | '--truth' | '--band';
+
+export function colour(ink: Ink): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(ink).trim();
+}
+
+/** Runs the action when the page's colours change. */
+export function onColoursChanged(action: () => void): void {
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', action);
+}

@@ -1,0 +1,87 @@
+import uPlot from 'uplot';
+import { Chart } from './chart';
+import type { Ink } from './theme';
+import { colour } from './theme';
+import { Legend } from './legend';
+import { format } from './numbers';
+import type { Trace } from './traces';
+
+export interface TimePlotOptions {
+  description: string;
+  height: number;
+  yLabel: string;
+  unit: string;
+  traces: Trace[];
+  /** Fills between a trace and its mirror. */
+  band?: Ink;
+  /** The vertical axis begins at 0. */
+  fromZero?: boolean;
+}
+
+/** Signals over time. Each has instants of its own; the cursor shows each one's value there. */
+export function timePlot(options: TimePlotOptions): { chart: Chart; legend: Legend } {
+  const { traces, unit } = options;
+  const data = uPlot.join(traces.map(t => [t.t, t.v] as uPlot.AlignedData));
+  const entries = traces.map((trace, i) => ({ trace, i })).filter(e => !e.trace.mirror);
+
+  const legend = new Legend(entries.map(({ trace, i }) => ({
+    label: trace.label,
+    look: trace.look,
+    toggle: show => togglers(traces, i).forEach(s => chart.plot.setSeries(s, { show })),
+  })));
+  const chart = new Chart({
+    ...options,
+    xLabel: 'time (s)',
+    data,
+    series: [{}, ...traces.map(series)],
+    bands: options.band ? bandsOf(traces, options.band) : undefined,
+    scales: { y: { range: { min: { pad: 0.08, soft: 0, mode: options.fromZero ? 1 : 0 }, max: { pad: 0.08 } } } },
+    onCursor: (u, inside) => {
+      if (!inside) return legend.show('');
+      const time = u.posToVal(u.cursor.left!, 'x');
+      legend.show(`t = ${time.toFixed(3)} s`, entries.map(e => format(valueAt(e.trace, time), unit)));
+    },
+  });
+  return { chart, legend };
+}
+
+function series(trace: Trace): uPlot.Series {
+  const { look } = trace;
+  return {
+    label: trace.label,
+    width: look.width,
+    dash: look.dash,
+    stroke: () => colour(look.ink),
+    paths: trace.stepped ? uPlot.paths.stepped!({ align: 1 }) : undefined,
+    points: trace.stepped ? { show: u => hasRoom(u, trace), size: 5, fill: () => colour('--surface') } : { show: false },
+  };
+}
+
+/** Points only where they would not run into one another. */
+function hasRoom(u: uPlot, { t }: Trace): boolean {
+  const { min = 0, max = 0 } = u.scales.x as { min?: number; max?: number };
+  const interval = (t[t.length - 1] - t[0]) / Math.max(1, t.length - 1);
+  return (max - min) / interval < u.over.clientWidth / 10;
+}
+
+function togglers(traces: Trace[], index: number): number[] {
+  return traces[index + 1]?.mirror ? [index + 1, index + 2] : [index + 1];
+}
+
+function bandsOf(traces: Trace[], ink: Ink): uPlot.Band[] {
+  const upper = traces.findIndex((_, i) => traces[i + 1]?.mirror);
+  return [{ series: [upper + 1, upper + 2], fill: () => colour(ink) as unknown as CanvasRenderingContext2D['fillStyle'] }];
+}
+
+/** The value held at a time: the newest at or before it for a stepped trace, the nearest otherwise. */
+function valueAt(trace: Trace, time: number): number | null {
+  const { t, v } = trace;
+  let low = 0, high = t.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (t[middle] <= time) low = middle; else high = middle - 1;
+  }
+  if (trace.stepped) return t[low] <= time ? v[low] : null;
+  const next = Math.min(low + 1, t.length - 1);
+  return Math.abs(t[next] - time) < Math.abs(t[low] - time) ? v[next] : v[low];
+}

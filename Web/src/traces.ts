@@ -1,0 +1,33 @@
+import type { Ink } from './theme';
+
+/**
+ * How a signal looks, the same on every plot. Traces differ in lightness, width and dash, so that they can be told apart
+ * without seeing hue and on a grey print.
+ */
+export interface Look {
+  ink: Ink;
+  width: number;
+  dash: number[];
+  /** Drawn as squares instead of a line. */
+  mark?: 'hollow' | 'filled';
+}
+
+export const LOOKS: Record<'truth' | 'hold' | 'compensated' | 'holdPoints' | 'compensatedPoints' | 'bound', Look> = {
+  truth: { ink: '--truth', width: 5, dash: [] },
+  hold: { ink: '--hold', width: 1.5, dash: [5, 3] },
+  compensated: { ink: '--compensated', width: 2, dash: [] },
+  holdPoints: { ink: '--hold', width: 1.5, dash: [], mark: 'hollow' },
+  compensatedPoints: { ink: '--compensated', width: 1.5, dash: [], mark: 'filled' },
+  bound: { ink: '--muted', width: 1, dash: [2, 3] },
+};
+
+export interface Trace {
+  label: string;
+  look: Look;
+  t: number[];
+  v: (number | null)[];
+  /** Holds each value until the next, with a point where it was taken. */
+  stepped?: boolean;
+  /** Draws with this trace and is shown and hidden with it: the other edge of a band. */
+  mirror?: boolean;
+}

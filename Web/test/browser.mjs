@@ -1,0 +1,62 @@
+// The page in Chromium, served from a file, with everything that went wrong written down.
+import { accessSync, constants, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { delimiter, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync'];
+const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'chrome'];
+const template = readFileSync(new URL('../dist/report.html', import.meta.url), 'utf8');
+
+function executable() {
+  const candidates = [process.env.CHROMIUM, ...(process.env.PATH ?? '').split(delimiter)
+    .flatMap(folder => NAMES.map(name => join(folder, name)))].filter(Boolean);
+  const found = candidates.find(path => {
+    try {
+      accessSync(path, constants.X_OK);
+      return existsSync(path);
+    } catch {
+      return false;
+    }
+  });
+  if (!found) throw new Error('no Chromium on PATH; install it or name it in the environment variable CHROMIUM');
+  return found;
+}
+
+/** The same insertion that ReportPage.Render does. */
+export function render(data) {
+  return template.replace('__REPORT_DATA__', () => JSON.stringify(data).replaceAll('<', '\\u003c'));
+}
+
+export class Browser {
+  static async start() {
+    const self = new Browser();
+    self.folder = mkdtempSync(join(tmpdir(), 'nowpose-web-'));
+    self.browser = await chromium.launch({ executablePath: executable(), args: FLAGS });
+    return self;
+  }
+
+  async stop() {
+    await this.browser.close();
+    rmSync(this.folder, { recursive: true, force: true });
+  }
+
+  /** A page with `complaints`: console errors, exceptions and each request but the one for the page itself. */
+  async open(data, options = {}) {
+    const file = join(this.folder, `${Math.random().toString(36).slice(2)}.html`);
+    writeFileSync(file, render(data));
+    const address = pathToFileURL(file).href;
+    const context = await this.browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+    const page = await context.newPage();
+    page.complaints = [];
+    page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));
+    page.on('pageerror', e => page.complaints.push(`exception: ${e.message}`));
+    page.on('request', r => r.url() !== address && !r.url().startsWith('data:') && page.complaints.push(`request: ${r.url()}`));
+    page.on('dialog', d => { page.complaints.push(`dialog: ${d.message()}`); return d.dismiss(); });
+    await page.goto(address);
+    await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+    return page;
+  }
+}

@@ -1,0 +1,380 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, it } from 'node:test';
+import { Browser } from './browser.mjs';
+import { report } from './sample.mjs';
+
+const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
+const PLOTS = 6;
+
+let browser;
+before(async () => { browser = await Browser.start(); });
+after(() => browser.stop());
+
+const text = (page, selector) => page.locator(selector).allInnerTexts();
+const plain = words => words.map(w => w.replaceAll('\u00ad', '').replaceAll('\u00a0', ' '));
+
+/** For each plot, how many of its canvas's pixels are painted, and in how many colours. */
+const painted = page => page.evaluate(() => [...document.querySelectorAll('.plot canvas')].map(canvas => {
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const colours = new Set();
+  let pixels = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] < 128) continue;
+    pixels++;
+    colours.add(`${data[i] >> 5},${data[i + 1] >> 5},${data[i + 2] >> 5}`);
+  }
+  return { pixels, colours: colours.size };
+}));
+
+/** Whether the plot's canvas has a pixel near the colour of a style sheet variable. */
+const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
+  const probe = document.createElement('span');
+  probe.style.color = `var(${ink})`;
+  document.body.append(probe);
+  const want = getComputedStyle(probe).color.match(/\d+/g).map(Number);
+  probe.remove();
+  const canvas = document.querySelectorAll('.plot canvas')[index];
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] > 200 && want.every((w, c) => Math.abs(data[i + c] - w) < 12)) return true;
+  }
+  return false;
+}, [index, ink]);
+
+const settled = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+const shot = (page, index) => page.evaluate(i => document.querySelectorAll('.plot canvas')[i].toDataURL(), index);
+
+describe('a complete report', () => {
+  it('opens without a complaint or a request', async () => {
+    const page = await browser.open(report());
+
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('has its headings in order', async () => {
+    const page = await browser.open(report());
+
+    assert.deepEqual(await text(page, 'h1'), ['Nowpose: youBot over WiFi']);
+    assert.equal(await page.title(), 'Nowpose: youBot over WiFi');
+    assert.deepEqual(await text(page, 'h2'), ['Result', 'Tool error over time', 'Joint position: arm_joint_1', 'Error field',
+      'Clock synchronisation', 'Application latency of the samples', 'Conditions and figures']);
+  });
+
+  it('shows the reduction, the table and the error plot on the first screen', async () => {
+    const data = report();
+    data.summary[0] = { label: 'Tool error, RMS', unit: 'mm', uncompensated: 20, compensated: 3.5 };
+    const page = await browser.open(data);
+
+    assert.match(plain(await text(page, '.headline'))[0], /^82\.5 %\s+less tool error with compensation\s+Tool error, RMS: 20 mm → 3\.50 mm$/);
+    for (const selector of ['.headline', '.overview table', '#error .plot']) {
+      const box = await page.locator(selector).boundingBox();
+      assert.ok(box.y + box.height <= 800, `${selector} ends at ${box.y + box.height} px`);
+    }
+  });
+
+  it('says so when compensation made it worse', async () => {
+    const page = await browser.open({ summary: [{ label: 'RMS', unit: 'mm', uncompensated: 4, compensated: 5 }] });
+
+    assert.match(plain(await text(page, '.headline'))[0], /^25 %\s+more tool error/);
+    assert.deepEqual(plain(await text(page, '.overview tbody td')), ['4', '5', '+25 %']);
+  });
+
+  it('has captions and header cells on each table', async () => {
+    const page = await browser.open(report());
+
+    const faults = await page.evaluate(() => [...document.querySelectorAll('table')]
+      .filter(t => !t.caption?.textContent || !t.querySelector('thead th[scope=col]') || !t.querySelector('tbody th[scope=row]'))
+      .map(t => t.outerHTML));
+    assert.deepEqual(faults, []);
+    assert.deepEqual(plain(await text(page, '.overview thead th')), ['Quantity', 'Uncompensated', 'Compensated', 'Change']);
+    assert.ok((await text(page, '#facts tbody tr')).includes('total latency error P95\t–'), 'a fact without value is a dash');
+  });
+
+  it('names the unit of each table of numbers', async () => {
+    const page = await browser.open(report());
+
+    const captions = await page.locator('details caption').allTextContents();
+    assert.deepEqual(captions, ['Tool error (mm)', 'Joint position (rad)', 'Latency of the operating points (ms)', 'Clock (µs)',
+      'Samples by latency']);
+  });
+
+  it('draws each plot in the colours of its signals', async () => {
+    const page = await browser.open(report());
+
+    const plots = await painted(page);
+    assert.equal(plots.length, PLOTS);
+    for (const { pixels, colours } of plots) assert.ok(pixels > 2000 && colours > 2, `${pixels} pixels, ${colours} colours`);
+    const inks = [['--hold', '--compensated'], ['--truth', '--hold', '--compensated'], ['--hold', '--compensated'],
+      ['--compensated'], ['--compensated'], ['--compensated']];
+    for (const [i, wanted] of inks.entries()) {
+      for (const ink of wanted) assert.ok(await hasInk(page, i, ink), `plot ${i} has no ${ink}`);
+    }
+  });
+
+  it('tells each plot and its claim in words, with the paper as source', async () => {
+    const page = await browser.open(report());
+
+    const words = await page.evaluate(() => [...document.querySelectorAll('.plot')].map(p => p.getAttribute('aria-label')));
+    assert.equal(words.length, PLOTS);
+    for (const w of words) assert.match(w, /\d/);
+    const sources = await page.locator('.claim a').evaluateAll(links => links.map(a => [a.href, a.textContent]));
+    assert.deepEqual(sources.map(s => s[1].replace('Schnierle & Röck 2022, ', '')), ['Sect. 3', 'Fig. 16', 'Fig. 18', 'Fig. 8', 'Eq. 2']);
+    assert.ok(sources.every(s => s[0] === 'https://doi.org/10.1007/s11740-022-01175-2'));
+  });
+});
+
+describe('using a plot', () => {
+  it('reads values at the cursor', async () => {
+    const data = report();
+    data.error = { t: [0, 1, 2, 3, 4], hold: [10, 10, 10, 10, 10], compensated: [1, 1, 1, 1, 1] };
+    const page = await browser.open(data);
+
+    await page.locator('#error .u-over').hover();
+
+    assert.match((await text(page, '#error .position'))[0], /^t = 2\.0\d\d s$|^t = 1\.9\d\d s$/);
+    assert.deepEqual(plain(await text(page, '#error .value')), ['10 mm', '1 mm']);
+  });
+
+  it('reads latency, speed and their product in the error field', async () => {
+    const page = await browser.open(report());
+
+    await page.locator('#field .u-over').hover();
+
+    const [, latency, speed, error] = plain(await text(page, '#field .position'))[0].match(/^([\d.]+) ms × ([\d.]+) mm\/s = ([\d.]+) mm$/);
+    assert.ok(Math.abs(latency * speed / 1000 / error - 1) < 0.02);
+  });
+
+  for (const [name, index, section] of [['time', 0, '#error'], ['field', 2, '#field'], ['histogram', 5, '#latency']]) {
+    it(`zooms by drag and resets by double-click (${name})`, async () => {
+      const page = await browser.open(report());
+      const before = await shot(page, index);
+      const over = page.locator(`${section} .u-over`);
+      await over.scrollIntoViewIfNeeded();
+      const box = await over.boundingBox();
+
+      await page.mouse.move(box.x + box.width * 0.3, box.y + box.height * 0.2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + box.width * 0.6, box.y + box.height * 0.8, { steps: 4 });
+      await page.mouse.up();
+      await settled(page);
+      const zoomed = await shot(page, index);
+      await over.dblclick();
+      await settled(page);
+
+      assert.notEqual(zoomed, before);
+      assert.equal(await shot(page, index), before);
+      assert.deepEqual(page.complaints, []);
+    });
+  }
+
+  it('zooms and resets with the keyboard', async () => {
+    const page = await browser.open(report());
+    for (const [index, section] of ['#error', '#joint', '#field', '#clock', '#latency'].entries()) {
+      const plot = page.locator(`${section} .plot`).first();
+      const picture = () => plot.locator('canvas').evaluate(c => c.toDataURL());
+      const before = await picture();
+
+      await plot.focus();
+      await page.keyboard.press('+');
+      await settled(page);
+      const zoomed = await picture();
+      await page.keyboard.press('0');
+      await settled(page);
+
+      assert.notEqual(zoomed, before, `${section} (${index})`);
+      assert.equal(await picture(), before, section);
+    }
+  });
+
+  it('moves the cursor with the arrow keys', async () => {
+    const page = await browser.open(report());
+
+    await page.locator('#error .plot').focus();
+    await page.keyboard.press('ArrowRight');
+    const [first] = await text(page, '#error .position');
+    await page.keyboard.press('Shift+ArrowRight');
+
+    assert.match(first, /^t = \d/);
+    assert.notEqual((await text(page, '#error .position'))[0], first);
+  });
+
+  it('switches signals off and on in the legend', async () => {
+    const page = await browser.open(report());
+    for (const [index, section, ink] of [[0, '#error', '--hold'], [2, '#field', '--hold']]) {
+      const key = page.locator(`${section} .legend button`).first();
+
+      await key.click();
+      await settled(page);
+      assert.equal(await key.getAttribute('aria-pressed'), 'false');
+      assert.equal(await hasInk(page, index, ink), false, section);
+      await key.click();
+      await settled(page);
+      assert.equal(await hasInk(page, index, ink), true, section);
+    }
+  });
+
+  it('reaches every control with the keyboard, visibly', async () => {
+    const page = await browser.open(report());
+    const wanted = await page.evaluate(() => document.querySelectorAll('a, button, summary, [tabindex="0"]').length
+      - document.querySelectorAll('details:not([open]) [tabindex="0"]').length);
+
+    const reached = new Set();
+    for (let i = 0; i < wanted; i++) {
+      await page.keyboard.press('Tab');
+      const { id, outlined } = await page.evaluate(() => {
+        const all = [...document.querySelectorAll('*')], e = document.activeElement;
+        return { id: all.indexOf(e), outlined: parseFloat(getComputedStyle(e).outlineWidth) >= 2 };
+      });
+      assert.ok(outlined, 'the focus is outlined');
+      reached.add(id);
+    }
+
+    assert.ok(wanted > 20);
+    assert.equal(reached.size, wanted);
+  });
+
+  it('stays quick with 60 000 points', async () => {
+    const page = await browser.open(report({ seconds: 1000 }));
+
+    const milliseconds = await page.evaluate(async () => {
+      const plot = document.querySelector('#joint .plot'), start = performance.now();
+      plot.focus();
+      for (const key of ['+', '+', '-', '-', '0']) {
+        plot.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+        await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
+      }
+      return (performance.now() - start) / 5;
+    });
+
+    assert.ok(milliseconds < 400, `${milliseconds} ms a redraw`);
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
+describe('what was not measured', () => {
+  for (const [name, data] of [['absent', {}], ['null', { settings: null, summary: null, facts: null, error: null, joint: null,
+    field: null, clock: null, latency: null }], ['empty', { settings: [], summary: [], facts: [], error: { t: [], hold: [], compensated: [] },
+    joint: { name: 'a', unit: 'rad', truth: null, received: { t: [], v: [] } }, field: { hold: null, compensated: null, iso_mm: [] },
+    clock: { t: [], offset_us: [], error_us: [], bound_us: [] }, latency: { bin_ms: [], count: [] } }]]) {
+    it(`is said in each section (${name})`, async () => {
+      const page = await browser.open(data);
+
+      assert.deepEqual(page.complaints, []);
+      assert.equal(await page.locator('.plot').count(), 0);
+      const words = await text(page, '.missing');
+      assert.equal(words.length, 9);
+      for (const w of words) assert.match(w, /not measured in this run\.$/i);
+    });
+  }
+
+  it('leaves out a signal and draws the others', async () => {
+    const data = report();
+    data.joint.predicted = null;
+    data.field.compensated = null;
+    data.summary[0].compensated = null;
+    const page = await browser.open(data);
+
+    assert.deepEqual(page.complaints, []);
+    assert.deepEqual(await text(page, '#joint .key'), ['ground truth', 'received']);
+    assert.deepEqual(await text(page, '#field .key'), ['uncompensated', 'equal error']);
+  });
+
+  it('draws gaps where single values are missing', async () => {
+    const data = report();
+    data.error.compensated = data.error.compensated.map((v, i) => (i % 7 ? v : null));
+    data.clock.error_us = data.clock.error_us.map(() => null);
+    const page = await browser.open(data);
+
+    assert.deepEqual(page.complaints, []);
+    assert.equal(await page.locator('.plot').count(), PLOTS);
+  });
+});
+
+describe('any window and any text', () => {
+  it('shows hostile text as text', async () => {
+    const data = report();
+    data.title = data.subtitle = data.joint.name = data.latency.label = HOSTILE;
+    data.settings = [[HOSTILE, HOSTILE]];
+    data.facts = [[HOSTILE, HOSTILE]];
+    data.summary = [{ label: HOSTILE, unit: HOSTILE, uncompensated: 2, compensated: 1 }];
+    const page = await browser.open(data);
+
+    assert.deepEqual(page.complaints, []);
+    assert.equal(await page.locator('img').count(), 0);
+    assert.equal((await text(page, 'h1'))[0], HOSTILE);
+    assert.equal((await text(page, '#facts td'))[0], HOSTILE);
+  });
+
+  for (const width of [320, 360, 768, 1920]) {
+    it(`fits a window of ${width} px`, async () => {
+      const page = await browser.open(report(), { viewport: { width, height: 800 } });
+
+      const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      assert.ok(content <= window, `${content} px of content`);
+      const outside = await page.evaluate(() => [...document.querySelectorAll('section button, .plot canvas')]
+        .filter(e => e.getBoundingClientRect().right > e.closest('section').getBoundingClientRect().right).length);
+      assert.equal(outside, 0);
+    });
+  }
+
+  it('refits the plots when the window changes', async () => {
+    const page = await browser.open(report());
+
+    await page.setViewportSize({ width: 500, height: 800 });
+    await settled(page);
+
+    const widths = await page.evaluate(() => [...document.querySelectorAll('.plot')]
+      .map(p => p.clientWidth - p.querySelector('canvas').getBoundingClientRect().width));
+    assert.ok(widths.every(w => w >= 0 && w < 2), widths.join(', '));
+  });
+
+  it('uses light ink on dark and dark ink on light', async () => {
+    const lightness = async colorScheme => {
+      const page = await browser.open(report(), { colorScheme });
+      assert.ok(await hasInk(page, 0, '--compensated'));
+      return page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number)[0]);
+    };
+
+    assert.ok(await lightness('light') > 200);
+    assert.ok(await lightness('dark') < 50);
+  });
+
+  it('repaints when the colour scheme changes', async () => {
+    const page = await browser.open(report(), { colorScheme: 'light' });
+
+    await page.emulateMedia({ colorScheme: 'dark' });
+    await settled(page);
+
+    assert.ok(await hasInk(page, 0, '--compensated'));
+    assert.ok(await hasInk(page, 2, '--hold'));
+  });
+
+  it('keeps signals apart without hue', async () => {
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await browser.open(report(), { colorScheme });
+      const [hold, compensated, truth, surface] = await page.evaluate(() => ['--hold', '--compensated', '--truth', '--surface'].map(ink => {
+        const [r, g, b] = getComputedStyle(document.documentElement).getPropertyValue(ink).trim().match(/\w\w/g)
+          .map(h => parseInt(h, 16) / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      }));
+      const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+      assert.ok(contrast(hold, compensated) > 1.7, `${colorScheme}: hold and compensated`);
+      assert.ok(contrast(truth, compensated) > 3, `${colorScheme}: truth and compensated`);
+      assert.ok(contrast(hold, surface) > 3 && contrast(compensated, surface) > 4.5, `${colorScheme}: on the page`);
+    }
+  });
+
+  it('prints light, with plots as wide as the page', async () => {
+    const page = await browser.open(report(), { colorScheme: 'dark' });
+
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    await settled(page);
+    const [surface, widths] = await page.evaluate(() => [getComputedStyle(document.documentElement).getPropertyValue('--surface').trim(),
+      [...document.querySelectorAll('.plot canvas')].map(c => Math.round(c.getBoundingClientRect().width))]);
+    assert.ok(await hasInk(page, 0, '--compensated'));
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+
+    assert.equal(surface, '#ffffff');
+    assert.ok(widths.every(w => w === 700), widths.join(', '));
+  });
+});
