@@ -1,0 +1,76 @@
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Repository;
+
+public sealed partial class LinkTests
+{
+    static IEnumerable<string> Documents => RepositoryFiles.All.Where(f => Path.GetExtension(f) == ".md");
+
+    [TestCaseSource(nameof(Documents))]
+    public void Document_Links_PointToFilesAndHeadings(string path)
+    {
+        Assert.That(Targets(path).Where(t => !Resolves(path, t)), Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Documents))]
+    public void PackageDocument_Links_StayInThePackage(string path)
+    {
+        const string Package = RepositoryFiles.Package + "/";
+        if (!path.StartsWith(Package, StringComparison.Ordinal)) return;
+
+        // Who installs the package has nothing of the repository around it.
+        Assert.That(Targets(path).Where(t => !FileOf(path, t).StartsWith(Package, StringComparison.Ordinal)), Is.Empty);
+    }
+
+    [TestCase("### The `sync` client, in short", "the-sync-client-in-short")]
+    [TestCase("# Röck & Schnierle 2022", "röck--schnierle-2022")]
+    public void Anchor_OfHeading_IsWhatGitHubMakes(string heading, string anchor)
+    {
+        Assert.That(AnchorsOf(heading), Is.EqualTo(new[] { anchor }));
+    }
+
+    /// <summary>Links and pictures without a scheme, outside code.</summary>
+    static IEnumerable<string> Targets(string path)
+    {
+        return Links().Matches(Code().Replace(RepositoryFiles.Read(path), ""))
+            .Select(m => m.Groups[1].Value)
+            .Where(t => !Schemes().IsMatch(t));
+    }
+
+    static bool Resolves(string path, string target)
+    {
+        var file = FileOf(path, target);
+        if (!RepositoryFiles.Exists(file)) return false;
+        var anchor = target.Split('#').ElementAtOrDefault(1);
+        return anchor == null || AnchorsOf(RepositoryFiles.Read(file)).Contains(anchor);
+    }
+
+    static string FileOf(string path, string target)
+    {
+        var file = Uri.UnescapeDataString(target.Split('#')[0]);
+        if (file.Length == 0) return path;
+        var full = Path.GetFullPath(Path.Combine(RepositoryFiles.Root, Path.GetDirectoryName(path), file));
+        return Path.GetRelativePath(RepositoryFiles.Root, full).Replace('\\', '/');
+    }
+
+    static IEnumerable<string> AnchorsOf(string document)
+    {
+        return Headings().Matches(document).Select(m => NotInAnchors().Replace(m.Groups[1].Value.Trim().ToLowerInvariant(), "").Replace(' ', '-'));
+    }
+
+    [GeneratedRegex(@"\]\(([^)\s]+)(?:\s+""[^""]*"")?\)")]
+    private static partial Regex Links();
+
+    [GeneratedRegex(@"```.*?```|`[^`\n]*`", RegexOptions.Singleline)]
+    private static partial Regex Code();
+
+    [GeneratedRegex(@"^[a-z][a-z0-9+.-]*:", RegexOptions.IgnoreCase)]
+    private static partial Regex Schemes();
+
+    [GeneratedRegex(@"^#{1,6} (.+)$", RegexOptions.Multiline)]
+    private static partial Regex Headings();
+
+    [GeneratedRegex(@"[^\w\- ]")]
+    private static partial Regex NotInAnchors();
+}
