@@ -8,8 +8,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Puts the fragments of WebSocket messages together within the protocol's limits. Used by both ends.</summary>
+    /// <summary>Puts the fragments of WebSocket messages together within the protocol's limits.</summary>
     /// <remarks>
+    /// The library hands out bytes as they come and does not tell where a fragment ends; a piece smaller than any TCP
+    /// segment is taken for one. Larger fragments are bounded by the length of a message.
     /// A message that is too long or in too many pieces is read to its end and dropped, so the connection goes on. One that
     /// does not come to its end in time, or is longer than sixteen times the longest allowed, ends the connection: nothing
     /// says where the next one begins.
@@ -17,6 +19,10 @@ namespace Nowpose.Network
     public sealed class TextMessageReader
     {
         const int ChunkBytes = 64 * 1024;
+
+        /// <summary>RFC 879: no host is asked for smaller segments.</summary>
+        const int LeastSegmentBytes = 536;
+
         const int LongestDiscarded = 16 * ProtocolLimits.DescriptionBytes;
 
         readonly WebSocket _socket;
@@ -63,17 +69,17 @@ namespace Nowpose.Network
                         if (_length > LongestDiscarded) throw new IOException("a message of more than " + LongestDiscarded + " bytes");
                     }
                 }
-                catch (OperationCanceledException) when (!cancel.IsCancellationRequested)
+                catch (Exception failure) when (inTime.IsCancellationRequested && !cancel.IsCancellationRequested)
                 {
-                    throw new IOException("a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s");
+                    // Cancelled, the library aborts the connection and reports either that or the cancellation.
+                    throw new IOException("a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s", failure);
                 }
             }
         }
 
         void Append(WebSocketReceiveResult piece)
         {
-            // The library fills the buffer from one frame as far as it goes: a buffer not full ends a fragment.
-            if (piece.Count < ChunkBytes) _fragments++;
+            if (piece.Count < LeastSegmentBytes) _fragments++;
             var before = _length;
             _length += piece.Count;
             if (_length > ProtocolLimits.DescriptionBytes) return;

@@ -1,0 +1,176 @@
+using System.Collections.Concurrent;
+using System.Net.Sockets;
+using System.Net.WebSockets;
+using System.Text;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Network;
+
+/// <summary>What the headset makes of whatever a server sends.</summary>
+public class RosbridgeClientTests
+{
+    const string Good = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":5,"nsecs":0}},"name":["a"],"position":[1.5]}}""";
+
+    FakeWebSocketServer _server;
+    Listener _listener;
+    RosbridgeClient _client;
+
+    [SetUp]
+    public void Start()
+    {
+        _server = new FakeWebSocketServer();
+        _listener = new Listener();
+        var clock = new StopwatchHeadsetClock();
+        var settings = new ConnectionSettings("127.0.0.1", webSocketPort: _server.Port);
+        _client = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, _listener);
+    }
+
+    [TearDown]
+    public void Stop()
+    {
+        _client.Dispose();
+        _server.Dispose();
+    }
+
+    static Task Send(WebSocket socket, string text, WebSocketMessageType type = WebSocketMessageType.Text, bool end = true) =>
+        socket.SendAsync(Encoding.UTF8.GetBytes(text), type, end, CancellationToken.None);
+
+    [Test]
+    public async Task Connect_SubscribesAndTakesMessages()
+    {
+        var socket = await _server.AcceptAsync();
+        var buffer = new byte[4096];
+        var first = await socket.ReceiveAsync(buffer, CancellationToken.None);
+
+        await Send(socket, Good);
+
+        Assert.That(Encoding.UTF8.GetString(buffer, 0, first.Count), Does.Contain("\"subscribe\"").And.Contain("/joint_states"));
+        await Eventually.Is(() => _listener.Messages.Count == 1, "a message");
+        Assert.That(_listener.Messages.Single().Positions, Is.EqualTo(new[] { 1.5 }));
+        Assert.That(_client.Status.State, Is.EqualTo(LinkState.Connected));
+    }
+
+    static IEnumerable<TestCaseData> BadMessages()
+    {
+        yield return new TestCaseData("not json at all", DropReason.NotJson);
+        yield return new TestCaseData(Good.Replace("1.5", "NaN"), DropReason.NotFinite);
+        yield return new TestCaseData(Good.Replace("[1.5]", "[1.5,2]"), DropReason.LengthMismatch);
+        yield return new TestCaseData(new string('[', 10_000) + new string(']', 10_000), DropReason.NotJson);
+        yield return new TestCaseData("{\"a\":" + new string('[', 10_000) + new string(']', 10_000) + "}", DropReason.TooDeep);
+        yield return new TestCaseData("{\"op\":\"" + new string('x', 2_000_000) + "\"}", DropReason.TooLarge);
+        yield return new TestCaseData(Good.Replace("\"secs\":5", "\"secs\":0"), DropReason.StampZero);
+    }
+
+    [TestCaseSource(nameof(BadMessages))]
+    public async Task Receive_BadMessage_IsCountedAndTheNextOneIsTaken(string message, DropReason reason)
+    {
+        var socket = await _server.AcceptAsync();
+
+        await Send(socket, message);
+        await Send(socket, Good);
+
+        await Eventually.Is(() => _listener.Messages.Count == 1, "the good message");
+        Assert.That(_listener.Drops, Is.EqualTo(new[] { reason }));
+    }
+
+    [Test]
+    public async Task Receive_BinaryMessage_IsDropped()
+    {
+        var socket = await _server.AcceptAsync();
+
+        await Send(socket, Good, WebSocketMessageType.Binary);
+        await Send(socket, Good);
+
+        await Eventually.Is(() => _listener.Messages.Count == 1, "the good message");
+        Assert.That(_listener.Drops, Is.EqualTo(new[] { DropReason.NotJson }));
+    }
+
+    [TestCase(64, true)]
+    [TestCase(65, false)]
+    public async Task Receive_ManyFragments_UpToTheLimitAreTaken(int fragments, bool taken)
+    {
+        var socket = await _server.AcceptAsync();
+        var perFragment = Good.Length / (fragments - 1);
+
+        for (var i = 0; i < fragments - 1; i++)
+            await Send(socket, Good.Substring(i * perFragment, perFragment), end: false);
+        await Send(socket, Good[((fragments - 1) * perFragment)..]);
+        await Send(socket, Good);
+
+        await Eventually.Is(() => _listener.Messages.Count == (taken ? 2 : 1), "the good messages");
+        Assert.That(_listener.Drops, taken ? Is.Empty : Is.EqualTo(new[] { DropReason.TooManyFragments }));
+    }
+
+    [Test]
+    public async Task Receive_LongFrameInSmallSegments_IsNotTakenForFragments()
+    {
+        var stream = await _server.AcceptStreamAsync();
+        var padded = Good.Replace("\"op\"", "\"padding\":\"" + new string('x', 60_000) + "\",\"op\"");
+        var payload = Encoding.UTF8.GetBytes(padded);
+
+        stream.Write([0x81, 126, (byte)(payload.Length >> 8), (byte)payload.Length]);
+        for (var at = 0; at < payload.Length; at += 600)
+        {
+            stream.Write(payload, at, Math.Min(600, payload.Length - at));
+            if (at % 3000 == 0) await Task.Delay(1);
+        }
+
+        await Eventually.Is(() => _listener.Messages.Count == 1, "the message");
+    }
+
+    [Test]
+    public async Task Receive_MessageThatNeverEnds_ClosesAndComesBack()
+    {
+        var socket = await _server.AcceptAsync();
+        await Send(socket, "{\"op\":", end: false);
+
+        await Eventually.Is(() => _client.Status.State == LinkState.Waiting, "waiting");
+
+        // A second later the silence itself is a reason; on a busy machine it may come first.
+        Assert.That(_client.Status.Detail, Does.Contain("not complete within 5 s").Or.Contain("nothing heard for 6 s"));
+        await Send(await _server.AcceptAsync(), Good);
+        await Eventually.Is(() => _listener.Messages.Count == 1, "a message over the new connection");
+    }
+
+    [Test]
+    public async Task Receive_CompressedFrame_ClosesWithAnError()
+    {
+        var stream = await _server.AcceptStreamAsync();
+
+        stream.Write([0xC1, 2, (byte)'{', (byte)'}']);
+
+        await Eventually.Is(() => _client.Status.State == LinkState.Waiting, "waiting");
+    }
+
+    [TestCase("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n", "token")]
+    [TestCase("HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n", "origin")]
+    [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n", "200")]
+    public async Task Connect_Refused_SaysWhy(string answer, string named)
+    {
+        await _server.AnswerAsync(answer);
+
+        await Eventually.Is(() => _client.Status.State == LinkState.Waiting && _client.Status.Detail.Contains(named), named);
+    }
+
+    [Test]
+    public async Task Dispose_WhileConnected_EndsAtOnce()
+    {
+        await _server.AcceptAsync();
+
+        var ending = Task.Run(_client.Dispose);
+
+        Assert.That(await Task.WhenAny(ending, Task.Delay(TimeSpan.FromSeconds(10))), Is.SameAs(ending));
+    }
+
+    sealed class Listener : IRosbridgeListener
+    {
+        public ConcurrentQueue<JointStateMessage> Messages { get; } = [];
+        public ConcurrentQueue<DropReason> Drops { get; } = [];
+
+        public void Received(JointStateMessage message, HeadsetTime arrival) => Messages.Enqueue(message);
+        public void Dropped(DropReason reason) => Drops.Enqueue(reason);
+        public DiagnosticsMessage Diagnostics() => null;
+    }
+}

@@ -1,0 +1,144 @@
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Network;
+
+public class SyncClientTests
+{
+    static readonly TimeSpan Quick = TimeSpan.FromMilliseconds(5);
+
+    static (SyncClient Client, ClockSynchroniser Clock) Connect(int port)
+    {
+        var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+        return (new SyncClient(new ConnectionSettings("127.0.0.1", port), new StopwatchHeadsetClock(), clock, Quick), clock);
+    }
+
+    static SyncFrame Reply(SyncFrame request, long t2Ns = 1000, long t3Ns = 2000, uint? sequence = null, long? t1Ns = null) =>
+        new(SyncFrameKind.Reply, 0, sequence ?? request.Sequence, 0, t1Ns ?? request.T1Ns, t2Ns, t3Ns, 0);
+
+    [Test]
+    public async Task Exchange_HonestServer_FeedsTheSynchroniser()
+    {
+        var offset = TimeSpan.FromHours(3);
+        var headset = new StopwatchHeadsetClock();
+        using var server = new FakeSyncServer(request =>
+        {
+            var now = (headset.Now - offset).Nanoseconds;
+            return FakeSyncServer.Bytes(Reply(request, now, now));
+        });
+        var (client, clock) = Connect(server.Port);
+        using (client)
+        {
+            await Eventually.Is(() => clock.ModelAt(headset.Now).State == ClockState.Synchronised, "synchronised");
+
+            var model = clock.ModelAt(headset.Now);
+            Assert.That(client.Status.State, Is.EqualTo(LinkState.Connected));
+            Assert.That((model.OffsetAt(headset.Now).HeadsetMinusControl - offset).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(5)));
+            Assert.That(client.Faults.Total, Is.EqualTo(0));
+        }
+    }
+
+    [TestCase(SyncExchangeFault.WrongSequence)]
+    [TestCase(SyncExchangeFault.WrongEcho)]
+    [TestCase(SyncExchangeFault.ControlTimeReversed)]
+    [TestCase(SyncExchangeFault.NegativeRoundTrip)]
+    public async Task Exchange_ReplyBreaksARule_IsCountedByReasonAndTenInARowReconnect(SyncExchangeFault fault)
+    {
+        using var server = new FakeSyncServer(request => FakeSyncServer.Bytes(fault switch
+        {
+            SyncExchangeFault.WrongSequence => Reply(request, sequence: request.Sequence + 1),
+            SyncExchangeFault.WrongEcho => Reply(request, t1Ns: request.T1Ns + 100),
+            SyncExchangeFault.ControlTimeReversed => Reply(request, t2Ns: 5000, t3Ns: 4000),
+            _ => Reply(request, t2Ns: 0, t3Ns: 3_600_000_000_000),
+        }));
+        var (client, clock) = Connect(server.Port);
+        using (client)
+        {
+            await Eventually.Is(() => server.Connections >= 2, "a second connection");
+
+            Assert.That(client.Faults[fault], Is.GreaterThanOrEqualTo(ProtocolLimits.SyncDropsInARow));
+            Assert.That(client.Faults[fault], Is.EqualTo(client.Faults.Total));
+            Assert.That(clock.ModelAt(default).State, Is.EqualTo(ClockState.Unsynchronised));
+        }
+    }
+
+    [TestCase(new byte[] { 0x48, 0x54, 0x54, 0x50 }, "WrongMagic")]
+    [TestCase(new byte[] { 0x53, 0x59, 0x4E, 0x43, 9 }, "WrongVersion")]
+    [TestCase(new byte[] { 0x53, 0x59, 0x4E, 0x43, 1, 7 }, "WrongKind")]
+    public async Task Exchange_NotASyncFrame_ClosesAndSaysWhy(byte[] start, string named)
+    {
+        using var server = new FakeSyncServer(_ =>
+        {
+            var bytes = new byte[SyncFrame.Size];
+            start.CopyTo(bytes, 0);
+            return bytes;
+        });
+        var (client, _) = Connect(server.Port);
+        using (client)
+        {
+            await Eventually.Is(() => client.Status.State == LinkState.Waiting && client.Status.Detail.Contains(named), named);
+        }
+    }
+
+    [Test]
+    public async Task Exchange_OneBadReplyAmongGoodOnes_DoesNotReconnect()
+    {
+        var headset = new StopwatchHeadsetClock();
+        using var server = new FakeSyncServer(request =>
+        {
+            var now = headset.Now.Nanoseconds;
+            return FakeSyncServer.Bytes(Reply(request, now, request.Sequence % 5 == 0 ? now - 1000 : now));
+        });
+        var (client, clock) = Connect(server.Port);
+        using (client)
+        {
+            await Eventually.Is(() => client.Faults.Total >= 5, "five bad replies");
+
+            Assert.That(server.Connections, Is.EqualTo(1));
+            Assert.That(clock.ModelAt(headset.Now).IsKnown, Is.True);
+        }
+    }
+
+    [Test]
+    public async Task Exchange_SilentServer_TimesOutAndReconnects()
+    {
+        using var server = new FakeSyncServer(_ => []);
+        var (client, _) = Connect(server.Port);
+        using (client)
+        {
+            var took = await Eventually.Is(() => server.Connections >= 2, "a second connection");
+
+            Assert.That(took, Is.GreaterThan(ProtocolLimits.SyncReplyTimeout - TimeSpan.FromMilliseconds(100)));
+        }
+    }
+
+    [Test]
+    public async Task Dispose_WhileTheServerIsSilent_EndsAtOnce()
+    {
+        using var server = new FakeSyncServer(_ => []);
+        var (client, _) = Connect(server.Port);
+        await Eventually.Is(() => server.Connections == 1, "connected");
+
+        var ending = Task.Run(client.Dispose);
+
+        Assert.That(await Task.WhenAny(ending, Task.Delay(TimeSpan.FromSeconds(10))), Is.SameAs(ending));
+        Assert.That(client.Status.State, Is.EqualTo(LinkState.Idle));
+    }
+
+    [Test]
+    public async Task Run_NobodyListens_SaysSoAndKeepsTrying()
+    {
+        var gone = new FakeSyncServer(_ => null);
+        var port = gone.Port;
+        gone.Dispose();
+        var (client, _) = Connect(port);
+        using (client)
+        {
+            await Eventually.Is(() => client.Status.State == LinkState.Waiting, "waiting");
+
+            Assert.That(client.Status.Detail, Does.StartWith("clock sync: "));
+        }
+    }
+}
