@@ -23,9 +23,18 @@ namespace Nowpose.Sync
 
         public ClockOffset OffsetAt(HeadsetTime t) => Offset + ClockTicks.Span(ClockTicks.Seconds(t - Reference) * Skew);
 
+        /// <summary>One standard error of <see cref="OffsetAt"/>, seconds: a line through few points is worth little soon after.</summary>
+        public double ErrorAt(HeadsetTime t)
+        {
+            var drift = SkewError * ClockTicks.Seconds(t - Reference);
+            var offset = ClockTicks.Seconds(OffsetError);
+            return Math.Sqrt(offset * offset + drift * drift);
+        }
+
         /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two, not all equal.</param>
         /// <param name="y">Seconds relative to <paramref name="referenceOffset"/>.</param>
-        public static FittedLine Through(double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset)
+        /// <param name="bound">How far a point may lie from the line, seconds.</param>
+        public static FittedLine Through(double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset, double bound)
         {
             var (intercept, slope) = SimpleRegression.Fit(x, y);
             var meanX = Mean(x);
@@ -36,7 +45,8 @@ namespace Nowpose.Sync
                 squares += residual * residual;
                 spread += (x[i] - meanX) * (x[i] - meanX);
             }
-            var variance = x.Length > 2 ? squares / (x.Length - 2) : 0;
+            // As if one more point lay a whole bound away: two points are always on a line, which proves nothing.
+            var variance = (squares + bound * bound) / (x.Length - 1);
             var offsetError = Math.Sqrt(variance * (1.0 / x.Length + meanX * meanX / spread));
             return new FittedLine(
                 reference, referenceOffset + ClockTicks.Span(intercept), slope,

@@ -62,27 +62,31 @@ namespace Nowpose.Sync
                 x[i] = ClockTicks.Seconds(_points[i].At - newest.At);
                 y[i] = ClockTicks.Seconds(_points[i].Offset - newest.Offset);
             }
-            var inliers = Ransac.Inliers(x, y, _settings.Hypotheses, ClockTicks.Seconds(_settings.InlierBound), _random);
-            return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset);
+            var bound = ClockTicks.Seconds(_settings.InlierBound);
+            var inliers = Ransac.Inliers(x, y, _settings.Hypotheses, bound, _random);
+            return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset, bound);
         }
 
         // Each earlier line is carried to the present by its own slope before it is averaged: averaging offsets as
-        // they were then would lag behind by half the window times the skew.
+        // they were then would lag behind by half the window times the skew. Their errors are averaged as they are, not as
+        // if they were independent: neighbouring lines share all but one of their points.
         ClockLine Averaged(FittedLine fitted)
         {
             _lines.Enqueue(fitted);
             if (_lines.Count > _settings.MovingAverage)
                 _lines.Dequeue();
 
-            double change = 0, skew = 0;
+            double change = 0, skew = 0, error = 0, skewError = 0;
             foreach (var line in _lines)
             {
                 change += ClockTicks.Seconds(line.OffsetAt(fitted.Reference) - fitted.Offset);
                 skew += line.Skew;
+                error += line.ErrorAt(fitted.Reference);
+                skewError += line.SkewError;
             }
             return new ClockLine(
                 fitted.Reference, fitted.Offset + ClockTicks.Span(change / _lines.Count), skew / _lines.Count,
-                fitted.OffsetError, fitted.SkewError, _exchanges);
+                ClockTicks.Span(error / _lines.Count), skewError / _lines.Count, _exchanges);
         }
 
         readonly struct OffsetPoint
