@@ -67,26 +67,31 @@ namespace Nowpose.Sync
             return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset, bound);
         }
 
-        // Each earlier line is carried to the present by its own slope before it is averaged: averaging offsets as
-        // they were then would lag behind by half the window times the skew. Their errors are averaged as they are, not as
-        // if they were independent: neighbouring lines share all but one of their points.
+        // Each earlier line is carried to the present by its own slope before it is averaged: averaging offsets as they
+        // were then would lag behind by half the window times the skew. A line weighs as much as its variance at the present
+        // allows: the same for all once the history is full, which is the paper's average, but little for the first ones,
+        // whose slopes through a handful of points would spoil the average for four seconds.
         ClockLine Averaged(FittedLine fitted)
         {
             _lines.Enqueue(fitted);
             if (_lines.Count > _settings.MovingAverage)
                 _lines.Dequeue();
 
-            double change = 0, skew = 0, error = 0, skewError = 0;
+            double weights = 0, change = 0, skew = 0, error = 0, skewError = 0;
             foreach (var line in _lines)
             {
-                change += ClockTicks.Seconds(line.OffsetAt(fitted.Reference) - fitted.Offset);
-                skew += line.Skew;
-                error += line.ErrorAt(fitted.Reference);
-                skewError += line.SkewError;
+                var lineError = line.ErrorAt(fitted.Reference);
+                var weight = 1 / (lineError * lineError);
+                weights += weight;
+                change += weight * ClockTicks.Seconds(line.OffsetAt(fitted.Reference) - fitted.Offset);
+                skew += weight * line.Skew;
+                // Neighbouring lines share all but one of their points: their errors do not average out.
+                error += weight * lineError;
+                skewError += weight * line.SkewError;
             }
             return new ClockLine(
-                fitted.Reference, fitted.Offset + ClockTicks.Span(change / _lines.Count), skew / _lines.Count,
-                ClockTicks.Span(error / _lines.Count), skewError / _lines.Count, _exchanges);
+                fitted.Reference, fitted.Offset + ClockTicks.Span(change / weights), skew / weights,
+                ClockTicks.Span(error / weights), skewError / weights, _exchanges);
         }
 
         readonly struct OffsetPoint
