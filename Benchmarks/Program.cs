@@ -1,1 +1,14 @@
-return 0;
+using BenchmarkDotNet.Running;
+using Nowpose.Benchmarks;
+
+// BenchmarkDotNet looks for the project below the current directory, which may be anywhere.
+Environment.CurrentDirectory = Path.GetFullPath("../../..", AppContext.BaseDirectory);
+
+// Without arguments everything runs; BenchmarkDotNet's own arguments choose, such as --filter *Frame*.
+var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks)])
+    .Run(args.Length > 0 ? args : ["--filter", "*"], MeasurementSettings.Create())
+    .ToList();
+if (summaries.Count == 0) return 1;
+
+ResultTable.Write(summaries, Console.Out);
+return summaries.All(summary => summary.Reports.Length > 0 && summary.Reports.All(report => report.Success)) ? 0 : 1;

@@ -1,0 +1,109 @@
+using BenchmarkDotNet.Attributes;
+using MathNet.Numerics;
+using Nowpose.Kinematics;
+using Nowpose.Prediction;
+using Nowpose.Session;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>
+/// One frame of the seven-joint arm, 75 to 125 ms ahead of the newest sample, against the naive way: solving Schnierle &amp;
+/// Röck 2022, Eq. (8), for each joint in each frame, without any kinematics. As it comes, MathNet shares even a system of
+/// three equations among threads: most of its time is theirs, and several times as much while other programs run.
+/// </summary>
+public class FrameBenchmarks
+{
+    const int Samples = 3;
+    const int Frames = 64;
+
+    readonly VirtualSession _virtual = new();
+    readonly ForwardKinematics _kinematics = new(SevenJointArm.Model);
+    readonly RigidTransform[] _linkPoses = new RigidTransform[SevenJointArm.Model.Links.Count];
+    readonly IJointPredictor[] _predictors = VirtualSession.CreatePredictors();
+    readonly double[] _positions = new double[SevenJointArm.JointNames.Length];
+
+    // What the naive way has at hand: the newest samples, oldest first, times relative to the newest.
+    readonly double[] _sampleTimes = [-2 * VirtualSession.SampleSeconds, -VirtualSession.SampleSeconds, 0];
+    readonly double[][] _samplesOfJoint = [.. SevenJointArm.JointNames.Select(_ => new double[Samples])];
+
+    readonly HeadsetTime[] _starts = new HeadsetTime[Frames];
+    readonly double[] _horizons = new double[Frames];
+    int _next;
+
+    [GlobalSetup]
+    public void Prepare()
+    {
+        for (var i = 0; i < Samples; i++) Sample(i);
+        for (var i = 0; i < Frames; i++)
+        {
+            _horizons[i] = 0.075 + 0.05 * i / (Frames - 1);
+            _starts[i] = _virtual.NewestSample + TimeSpan.FromSeconds(_horizons[i]) - VirtualSession.Visualisation.Length;
+            RequireAgreement(i);
+        }
+    }
+
+    [GlobalSetup(Target = nameof(SolveOnOneThread))]
+    public void PrepareOneThread()
+    {
+        Control.UseSingleThread();
+        Prepare();
+    }
+
+    [Benchmark(Description = "Frame: session tick, 7 joints and all link poses")]
+    public DisplayFrame Tick() => _virtual.Session.Tick(_starts[NextFrame()]);
+
+    [Benchmark(Description = "– of it predictors and forward kinematics")]
+    public double Predict()
+    {
+        var horizon = _horizons[NextFrame()];
+        for (var i = 0; i < _predictors.Length; i++) _positions[i] = _predictors[i].At(horizon).Position;
+        _kinematics.Compute(_positions, _linkPoses);
+        return _linkPoses[^1].X;
+    }
+
+    [Benchmark(Baseline = true, Description = "Naive frame: Fit.Polynomial for 7 joints, no link poses")]
+    public double Solve()
+    {
+        var horizon = _horizons[NextFrame()];
+        for (var i = 0; i < _positions.Length; i++)
+            _positions[i] = Polynomial.Evaluate(horizon, Fit.Polynomial(_sampleTimes, _samplesOfJoint[i], 2));
+        return _positions[0];
+    }
+
+    [Benchmark(Description = "– the same with MathNet kept to one thread")]
+    public double SolveOnOneThread() => Solve();
+
+    int NextFrame() => _next = (_next + 1) % Frames;
+
+    void Sample(int index)
+    {
+        _virtual.Sample();
+        var positions = SevenJointArm.PositionsAt(index * VirtualSession.SampleSeconds);
+        for (var i = 0; i < positions.Length; i++)
+        {
+            _samplesOfJoint[i][index] = positions[i];
+            _predictors[i].Add(new JointSample(_sampleTimes[index], positions[i]));
+        }
+    }
+
+    // Three ways to the same joints: a ratio between unlike results would say nothing.
+    void RequireAgreement(int frame)
+    {
+        var displayed = _virtual.Session.Tick(_starts[frame]);
+        if (displayed.State != PoseState.Current) throw new InvalidOperationException("the frame's pose is " + displayed.State);
+        _next = frame - 1;
+        Predict();
+        RequireSame(displayed.Joints, _positions);
+        _next = frame - 1;
+        Solve();
+        RequireSame(displayed.Joints, _positions);
+    }
+
+    static void RequireSame(ReadOnlySpan<double> expected, ReadOnlySpan<double> actual)
+    {
+        for (var i = 0; i < expected.Length; i++)
+            // A few ticks of the time types at the arm's greatest speed.
+            if (!(Math.Abs(expected[i] - actual[i]) < 1e-6))
+                throw new InvalidOperationException($"joint {i + 1}: {actual[i]} rad instead of {expected[i]} rad");
+    }
+}

@@ -1,0 +1,21 @@
+using BenchmarkDotNet.Columns;
+using BenchmarkDotNet.Configs;
+using BenchmarkDotNet.Diagnosers;
+using BenchmarkDotNet.Jobs;
+using BenchmarkDotNet.Loggers;
+using Perfolizer.Horology;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>How everything here is measured: each method in a process of its own, all in about a minute.</summary>
+static class MeasurementSettings
+{
+    public static IConfig Create() => ManualConfig.CreateEmpty()
+        .AddLogger(ConsoleLogger.Default)
+        .AddColumnProvider(DefaultColumnProviders.Instance)
+        .AddDiagnoser(MemoryDiagnoser.Default)
+        .AddJob(Job.Default
+            .WithIterationTime(TimeInterval.FromMilliseconds(100))
+            .WithWarmupCount(8)
+            .WithIterationCount(20));
+}

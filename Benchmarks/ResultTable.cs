@@ -1,0 +1,54 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using BenchmarkDotNet.Mathematics;
+using BenchmarkDotNet.Reports;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>The results in one Markdown table, how much faster a frame is than the naive one, and the conditions.</summary>
+static class ResultTable
+{
+    public static void Write(IReadOnlyList<Summary> summaries, TextWriter to)
+    {
+        to.WriteLine();
+        to.WriteLine("| | mean | allocated |");
+        to.WriteLine("| --- | ---: | ---: |");
+        foreach (var report in summaries.SelectMany(summary => summary.Reports)) to.WriteLine(Row(report));
+        to.WriteLine();
+        foreach (var summary in summaries) WriteRatios(summary, to);
+        to.WriteLine(Conditions(summaries[0]));
+    }
+
+    static string Row(BenchmarkReport report)
+    {
+        var what = report.BenchmarkCase.Descriptor.WorkloadMethodDisplayInfo.Trim('\'');
+        if (report.ResultStatistics == null) return $"| {what} | failed | |";
+        var bytes = report.GcStats.GetBytesAllocatedPerOperation(report.BenchmarkCase);
+        return $"| {what} | {Time(report.ResultStatistics.Mean)} ± {Time(report.ResultStatistics.StandardError)} | {bytes} B |";
+    }
+
+    // The naive frames at their fastest: what they take above that is other programs' doing, and would flatter us.
+    static void WriteRatios(Summary summary, TextWriter to)
+    {
+        if (StatisticsOf(summary, nameof(FrameBenchmarks.Tick))?.Mean is not { } frame) return;
+        if (StatisticsOf(summary, nameof(FrameBenchmarks.Solve))?.Min is { } naive)
+            to.WriteLine(Ratio(naive, frame, "the naive one"));
+        if (StatisticsOf(summary, nameof(FrameBenchmarks.SolveOnOneThread))?.Min is { } oneThread)
+            to.WriteLine(Ratio(oneThread, frame, "the naive one on one thread"));
+    }
+
+    static string Ratio(double naive, double frame, string what) => FormattableString.Invariant(
+        $"A frame ({Time(frame)}) is {naive / frame:0} times faster than {what} at its fastest ({Time(naive)}).");
+
+    static Statistics StatisticsOf(Summary summary, string method) => summary.Reports
+        .FirstOrDefault(report => report.BenchmarkCase.Descriptor.WorkloadMethod.Name == method)?.ResultStatistics;
+
+    static string Time(double nanoseconds) => nanoseconds < 1000
+        ? string.Create(CultureInfo.InvariantCulture, $"{nanoseconds:0.0} ns")
+        : string.Create(CultureInfo.InvariantCulture, $"{nanoseconds / 1000:0.00} µs");
+
+    static string Conditions(Summary summary) => string.Create(CultureInfo.InvariantCulture,
+        $"Mean ± standard error on {RuntimeInformation.FrameworkDescription}, "
+        + $"{summary.HostEnvironmentInfo.CpuInfo.Value.ProcessorName}, {Environment.ProcessorCount} logical cores, "
+        + $"{RuntimeInformation.OSDescription}, {DateTime.UtcNow:yyyy-MM-dd}.");
+}

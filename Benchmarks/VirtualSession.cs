@@ -1,0 +1,60 @@
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Prediction;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>The runtime's own session of the seven-joint arm, synchronised, a sample every 50 ms, in virtual time.</summary>
+sealed class VirtualSession
+{
+    public const double SampleSeconds = 0.05;
+
+    static readonly PredictionSettings Prediction = new("quadratic");
+    static readonly ClockOffset Offset = new(TimeSpan.FromSeconds(-1234.5));
+    static readonly TimeSpan ApplicationLatency = TimeSpan.FromMilliseconds(35);
+
+    public static readonly VisualisationLatency Visualisation = new(TimeSpan.FromMilliseconds(40));
+
+    readonly double[][] _positions =
+        [.. Enumerable.Range(0, 128).Select(sample => SevenJointArm.PositionsAt(sample * SampleSeconds))];
+    long _samples;
+
+    public VirtualSession()
+    {
+        Session = new CompensationSession(
+            new SessionSettings(new ConnectionSettings("127.0.0.1"), Visualisation, Prediction),
+            SevenJointArm.Model, new StopwatchHeadsetClock());
+        for (var exchange = 0; exchange < 50; exchange++) Exchange(HeadsetTime.FromSeconds(exchange * 0.2));
+        NewestSample = HeadsetTime.FromSeconds(10);
+        Session.Tick(NewestSample);
+    }
+
+    public CompensationSession Session { get; }
+
+    /// <summary>t_k of the newest sample, as the headset clock shows it.</summary>
+    public HeadsetTime NewestSample { get; private set; }
+
+    /// <summary>Predictors like the session's own, to be measured without it.</summary>
+    public static IJointPredictor[] CreatePredictors() =>
+        [.. SevenJointArm.Model.MovingJoints.Select(joint => Prediction.Create(joint.Limits))];
+
+    /// <summary>The next sample arrives.</summary>
+    /// <returns>When.</returns>
+    public HeadsetTime Sample()
+    {
+        NewestSample += TimeSpan.FromSeconds(SampleSeconds);
+        var positions = _positions[_samples++ % _positions.Length];
+        var arrival = NewestSample + ApplicationLatency;
+        Session.Received(new JointStateMessage(Offset.ToControl(NewestSample), SevenJointArm.JointNames, positions), arrival);
+        return arrival;
+    }
+
+    void Exchange(HeadsetTime start)
+    {
+        var there = Offset.ToControl(start + TimeSpan.FromMilliseconds(1));
+        Session.Clock.Add(new SyncExchange(start, there, there, start + TimeSpan.FromMilliseconds(2)), out _);
+    }
+}
