@@ -1,0 +1,48 @@
+using BenchmarkDotNet.Attributes;
+using Nowpose.Prediction;
+using Nowpose.Protocol;
+using Nowpose.Session;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>One sample of seven joints: read from its JSON on a network thread, solved for, taken in by a frame.</summary>
+public class SampleBenchmarks
+{
+    const int Positions = 128;
+
+    readonly VirtualSession _virtual = new();
+    readonly IJointPredictor[] _predictors = VirtualSession.CreatePredictors();
+    readonly double[][] _positions =
+        [.. Enumerable.Range(0, Positions).Select(i => SevenJointArm.PositionsAt(i * VirtualSession.SampleSeconds))];
+    readonly string _text = RosbridgeWriter.PublishJointState(
+        RosTopics.JointStates,
+        new JointStateMessage(ControlTime.FromSeconds(1234.567), SevenJointArm.JointNames, SevenJointArm.PositionsAt(1)),
+        RosTimeForm.Sec);
+    long _samples;
+
+    [GlobalSetup]
+    public void Prepare()
+    {
+        if (Read()?.JointState?.Positions.Length != SevenJointArm.JointNames.Length)
+            throw new InvalidOperationException("the message is not read: " + _text);
+        for (var i = 0; i < 3; i++) Take();
+        if (Take().State != PoseState.Current) throw new InvalidOperationException("the samples are not taken");
+    }
+
+    [Benchmark(Description = "Sample: JSON of 7 joints read and checked")]
+    public RosbridgeMessage Read() => RosbridgeReader.TryRead(_text, out var message, out _) ? message : null;
+
+    [Benchmark(Description = "Sample: 7 predictors solve")]
+    public SampleOutcome Solve()
+    {
+        var outcome = SampleOutcome.Accepted;
+        var time = ++_samples * VirtualSession.SampleSeconds;
+        var positions = _positions[_samples % Positions];
+        for (var i = 0; i < _predictors.Length; i++) outcome = _predictors[i].Add(new JointSample(time, positions[i]));
+        return outcome;
+    }
+
+    /// <summary>With the message object itself, 48 bytes, which reading it has already made.</summary>
+    [Benchmark(Description = "Frame that takes a sample: queue, solve, tick")]
+    public DisplayFrame Take() => _virtual.Session.Tick(_virtual.Sample());
+}
