@@ -1,0 +1,37 @@
+using BenchmarkDotNet.Attributes;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>One sync exchange over good WiFi, the estimator's history full: checks, RANSAC, fit, moving average.</summary>
+public class ExchangeBenchmarks
+{
+    const int Delays = 1024;
+    static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(200);
+
+    readonly ClockSynchroniser _clock = new(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+    readonly TimeSpan[] _up = DelaysOf(NetworkProfile.Wifi.Up(1));
+    readonly TimeSpan[] _down = DelaysOf(NetworkProfile.Wifi.Down(2));
+    HeadsetTime _now;
+    int _next;
+
+    [GlobalSetup]
+    public void Prepare()
+    {
+        for (var i = 0; i < Delays; i++)
+            if (Add() != SyncVerdict.Consistent) throw new InvalidOperationException("an exchange is not used");
+    }
+
+    [Benchmark(Description = "Exchange: added to a full history of 100")]
+    public SyncVerdict Add()
+    {
+        _next = (_next + 1) % Delays;
+        _now += Interval;
+        // Both clocks show the same: what they show does not change the work.
+        var there = new ControlTime(_now.SinceEpoch + _up[_next]);
+        return _clock.Add(new SyncExchange(_now, there, there, _now + _up[_next] + _down[_next]), out _);
+    }
+
+    static TimeSpan[] DelaysOf(PathDelay path) => [.. Enumerable.Range(0, Delays).Select(_ => path.Next())];
+}
