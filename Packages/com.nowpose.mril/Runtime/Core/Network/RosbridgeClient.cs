@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Net.Sockets;
 using System.Net.WebSockets;
+using System.Runtime.ExceptionServices;
 using System.Threading;
 using System.Threading.Tasks;
 using Nowpose.Protocol;
@@ -48,16 +49,23 @@ namespace Nowpose.Network
             var backoff = new Backoff(new Random());
             while (!_stop.IsCancellationRequested)
             {
-                try
-                {
-                    await ServeAsync(backoff).ConfigureAwait(false);
-                    _status = LinkStatus.Waiting("joint positions: the gateway closed the connection");
-                }
-                catch (Exception failure) when (IsOfTheNetwork(failure))
-                {
-                    _status = LinkStatus.Waiting("joint positions: " + failure.Message);
-                }
+                var end = await EndOfAsync(ServeAsync(backoff)).ConfigureAwait(false);
+                _status = LinkStatus.Waiting("joint positions: " + (end?.Message ?? "the gateway closed the connection"));
                 await WaitAsync(backoff.Next()).ConfigureAwait(false);
+            }
+        }
+
+        /// <returns>What a network that failed threw; null when the task came to its end.</returns>
+        static async Task<Exception> EndOfAsync(Task task)
+        {
+            try
+            {
+                await task.ConfigureAwait(false);
+                return null;
+            }
+            catch (Exception failure) when (IsOfTheNetwork(failure))
+            {
+                return failure;
             }
         }
 
@@ -76,10 +84,14 @@ namespace Nowpose.Network
                 backoff.Reset();
                 var receiving = ReceiveAsync(link, end.Token);
                 var tending = TendAsync(link, end.Token);
-                await Task.WhenAny(receiving, tending).ConfigureAwait(false);
+                var first = await Task.WhenAny(receiving, tending).ConfigureAwait(false);
                 end.Cancel();
                 link.Dispose();
-                await Task.WhenAll(receiving, tending).ConfigureAwait(false);
+                var received = await EndOfAsync(receiving).ConfigureAwait(false);
+                var tended = await EndOfAsync(tending).ConfigureAwait(false);
+                // One that ends takes the other down; a limit that was broken is the reason even if its victim was quicker.
+                var reason = received is IOException || first == receiving ? received : tended;
+                if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
             }
         }
 

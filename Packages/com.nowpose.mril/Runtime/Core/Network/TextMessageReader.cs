@@ -56,9 +56,9 @@ namespace Nowpose.Network
 
         async Task<WebSocketReceiveResult> RestAsync(CancellationToken cancel)
         {
-            using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
+            using (var timeUp = new CancellationTokenSource(ProtocolLimits.MessageTimeout))
+            using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel, timeUp.Token))
             {
-                inTime.CancelAfter(ProtocolLimits.MessageTimeout);
                 try
                 {
                     while (true)
@@ -69,7 +69,7 @@ namespace Nowpose.Network
                         if (_length > LongestDiscarded) throw new IOException("a message of more than " + LongestDiscarded + " bytes");
                     }
                 }
-                catch (Exception failure) when (inTime.IsCancellationRequested && !cancel.IsCancellationRequested)
+                catch (Exception failure) when (timeUp.IsCancellationRequested)
                 {
                     // Cancelled, the library aborts the connection and reports either that or the cancellation.
                     throw new IOException("a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s", failure);
