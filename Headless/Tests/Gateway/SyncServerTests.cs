@@ -156,7 +156,7 @@ public class SyncServerTests
         using var client = await SyncClient.ConnectAsync(gateway);
 
         Assert.That(await client.ReceiveAsync(), Is.Null);
-        Assert.That(gateway.SyncConnections[Closure.Token], Is.EqualTo(1));
+        await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Token] == 1, "counted");
     }
 
     [Test]

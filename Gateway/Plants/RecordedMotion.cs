@@ -1,0 +1,56 @@
+using Nowpose.Gateway.Recordings;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Gateway.Plants;
+
+/// <summary>A recording played forth and back: one pass there and one back is one cycle.</summary>
+public sealed class RecordedMotion : IMotion
+{
+    readonly MotionRecording _recording;
+    readonly RobotModel _robot;
+    readonly int[] _joints;
+    readonly bool[] _given;
+    readonly double[] _rest;
+
+    /// <summary>Columns move the joints of their names; when not all of them are joints of the robot, its joints in order.</summary>
+    /// <remarks>Joints without a column stand still at 0 or the limit next to it; mimic joints follow theirs.</remarks>
+    /// <exception cref="InputException">The recording has more columns than the robot joints.</exception>
+    public RecordedMotion(MotionRecording recording, RobotModel robot)
+    {
+        _recording = recording;
+        _robot = robot;
+        JointNames = [.. robot.MovingJoints.Select(joint => joint.Name)];
+        _joints = ByName(recording, robot) ?? InOrder(recording, robot);
+        _rest = [.. robot.MovingJoints.Select(joint => joint.Limits.Clamp(0))];
+        _given = [.. robot.MovingJoints.Select(joint => joint.Mimic == null || _joints.Contains(joint.MovingIndex))];
+    }
+
+    public IReadOnlyList<string> JointNames { get; }
+    public double CycleSeconds => 2 * _recording.Duration;
+
+    public void At(double seconds, Span<double> positions)
+    {
+        var inCycle = Math.Max(seconds, 0) % CycleSeconds;
+        Span<double> columns = stackalloc double[_joints.Length];
+        _recording.At(Math.Min(inCycle, CycleSeconds - inCycle), columns);
+        _rest.CopyTo(positions);
+        for (var i = 0; i < _joints.Length; i++)
+            positions[_joints[i]] = columns[i];
+        _robot.CompleteMimics(positions, _given);
+    }
+
+    static int[] ByName(MotionRecording recording, RobotModel robot)
+    {
+        var joints = recording.Names.Select(robot.IndexOfMovingJoint).ToArray();
+        return joints.Contains(-1) ? null : joints;
+    }
+
+    static int[] InOrder(MotionRecording recording, RobotModel robot)
+    {
+        var joints = robot.MovingJoints.Where(joint => joint.Mimic == null).Select(joint => joint.MovingIndex).ToArray();
+        if (recording.Names.Count > joints.Length)
+            throw new InputException(
+                $"the recording has {recording.Names.Count} columns ({string.Join(", ", recording.Names)}), robot {robot.Name} has {joints.Length} joints that move by themselves; choose a robot with as many");
+        return joints[..recording.Names.Count];
+    }
+}

@@ -1,0 +1,38 @@
+namespace Nowpose.Gateway.Plants;
+
+/// <summary>The samples of a cell one after the other: when each is taken and when it is sent. Made of a seed, without a clock.</summary>
+sealed class SampleSchedule
+{
+    readonly ControlTime _start;
+    readonly CellTiming _timing;
+    readonly Random _random;
+    long _index = -1;
+
+    /// <param name="from">The first sample is taken at the first multiple of T_s that is not before.</param>
+    public SampleSchedule(ControlTime from, CellTiming timing, int seed)
+    {
+        var step = timing.SamplingInterval.Ticks;
+        var late = (from.SinceEpoch.Ticks % step + step) % step;
+        _start = late == 0 ? from : from + new TimeSpan(step - late);
+        _timing = timing;
+        _random = new Random(seed);
+        Taken = Sent = _start;
+    }
+
+    /// <summary>t_k, cut to the control cycle.</summary>
+    public ControlTime Taken { get; private set; }
+
+    /// <summary>Never before the one before it: a sample waits for its forerunner.</summary>
+    public ControlTime Sent { get; private set; }
+
+    /// <summary>Goes on to the next sample; to the first when called first.</summary>
+    public void Next()
+    {
+        var nominal = _start + new TimeSpan(++_index * _timing.SamplingInterval.Ticks);
+        var rest = nominal.SinceEpoch.Ticks % CellTiming.Cycle.Ticks;
+        Taken = nominal - new TimeSpan(rest < 0 ? rest + CellTiming.Cycle.Ticks : rest);
+        var spread = (_timing.AcquisitionMax - _timing.AcquisitionMin).Ticks;
+        var sent = Taken + _timing.AcquisitionMin + new TimeSpan((long)(_random.NextDouble() * spread));
+        Sent = _index > 0 && Sent > sent ? Sent : sent;
+    }
+}

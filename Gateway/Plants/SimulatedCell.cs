@@ -1,0 +1,100 @@
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Plants;
+
+/// <summary>A robot cell that publishes its joint positions, and knows where its robot truly is.</summary>
+public sealed class SimulatedCell : IDisposable
+{
+    // A sleep of this length ends before it is over on every system; the rest is spun away.
+    static readonly TimeSpan SpinLength = TimeSpan.FromMilliseconds(1.5);
+
+    readonly IMotion _motion;
+    readonly IControlClock _clock;
+    readonly SampleSchedule _schedule;
+    readonly string[] _names;
+    readonly ManualResetEventSlim _stop = new();
+    Thread _thread;
+    long _samples;
+
+    /// <param name="timing">When samples are taken and sent.</param>
+    /// <param name="seed">Of the acquisition delays.</param>
+    public SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed)
+    {
+        _motion = motion;
+        _clock = clock;
+        _names = [.. motion.JointNames];
+        Start = clock.Now;
+        _schedule = new SampleSchedule(Start, timing, seed);
+    }
+
+    /// <summary>When the motion began.</summary>
+    public ControlTime Start { get; }
+
+    /// <summary>Samples sent so far. Any thread.</summary>
+    public long Samples => Interlocked.Read(ref _samples);
+
+    /// <summary>Where the robot truly is; any thread, allocates nothing.</summary>
+    /// <param name="positions">As long as the motion's joint names, rad or m.</param>
+    public void TruthAt(ControlTime time, Span<double> positions) => _motion.At((time - Start).Ticks / (double)TimeSpan.TicksPerSecond, positions);
+
+    /// <summary>Begins to publish into a hub, on a thread of its own until disposed.</summary>
+    /// <remarks>
+    /// After a gateway was restarted the cell goes on in the new one's hub when called again. Not to be called, nor the cell
+    /// disposed, by a subscriber that is being handed a sample.
+    /// </remarks>
+    public void PublishInto(MessageHub hub)
+    {
+        StopThread();
+        _stop.Reset();
+        // Above the others: who is late here makes the acquisition look longer than it was set.
+        _thread = new Thread(() => Publish(hub)) { IsBackground = true, Name = "simulated cell", Priority = ThreadPriority.AboveNormal };
+        _thread.Start();
+    }
+
+    public void Dispose()
+    {
+        StopThread();
+        _stop.Dispose();
+    }
+
+    void Publish(MessageHub hub)
+    {
+        using var source = hub.OpenSource();
+        // What was due while there was no hub is lost, as it is with a real cell.
+        do
+            _schedule.Next();
+        while (_schedule.Sent < _clock.Now);
+        for (; WaitUntil(_schedule.Sent); _schedule.Next())
+        {
+            var positions = new double[_names.Length];
+            TruthAt(_schedule.Taken, positions);
+            if (source.TryPublish(new JointStateMessage(_schedule.Taken, _names, positions)) == null)
+                Interlocked.Increment(ref _samples);
+        }
+    }
+
+    // False when stopped.
+    bool WaitUntil(ControlTime time)
+    {
+        for (var left = time - _clock.Now; left > TimeSpan.Zero; left = time - _clock.Now)
+        {
+            if (left > SpinLength)
+                _stop.Wait(left - SpinLength);
+            else
+                Thread.SpinWait(20);
+            if (_stop.IsSet)
+                return false;
+        }
+
+        return !_stop.IsSet;
+    }
+
+    void StopThread()
+    {
+        _stop.Set();
+        _thread?.Join();
+        _thread = null;
+    }
+}

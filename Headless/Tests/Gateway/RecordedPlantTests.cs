@@ -1,0 +1,73 @@
+using NUnit.Framework;
+using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.Robots;
+using Nowpose.Headless.Tests.Cli;
+using RecordedPlant = Nowpose.Gateway.Plants.RecordedMotion;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class RecordedPlantTests
+{
+    const string Rows = "0,0.1,0.2\n1,0.3,0.6\n3,0.5,0.4\n";
+
+    static RecordedPlant Played(string header, string robot)
+    {
+        using var file = new TemporaryFile(header + "\n" + Rows);
+        return new RecordedPlant(MotionRecording.Read(file.Path), RobotFiles.Load(robot));
+    }
+
+    static double[] At(RecordedPlant motion, double seconds)
+    {
+        var positions = new double[motion.JointNames.Count];
+        motion.At(seconds, positions);
+        return positions;
+    }
+
+    [Test]
+    public void At_NamesOfTheRobot_MoveThoseJoints()
+    {
+        var motion = Played("t,wrist_3_joint,elbow_joint", "ur5");
+
+        Assert.That(At(motion, 1), Is.EqualTo(new[] { 0, 0, 0.6, 0, 0, 0.3 }));
+    }
+
+    [Test]
+    public void At_OtherNames_MoveTheJointsInOrder()
+    {
+        var motion = Played("t,q1,elbow_joint", "ur5");
+
+        Assert.That(At(motion, 0.5), Is.EqualTo(new[] { 0.2, 0.4, 0, 0, 0, 0 }).Within(1e-12));
+    }
+
+    [TestCase(0, 0.1)]
+    [TestCase(-1, 0.1)]
+    [TestCase(3, 0.5)]
+    [TestCase(5, 0.3)]
+    [TestCase(6, 0.1)]
+    [TestCase(6 + 5, 0.3)]
+    public void At_Time_PlaysForthAndBack(double seconds, double expected)
+    {
+        var motion = Played("t,q1,q2", "ur5");
+
+        Assert.That(motion.CycleSeconds, Is.EqualTo(6));
+        Assert.That(At(motion, seconds)[0], Is.EqualTo(expected).Within(1e-12));
+    }
+
+    [Test]
+    public void At_FingerColumn_MovesTheMimicToo()
+    {
+        var motion = Played("t,gripper_finger_joint_l,arm_joint_1", "youbot");
+
+        Assert.That(At(motion, 1)[^2..], Is.EqualTo(new[] { 0.3, 0.3 }));
+    }
+
+    [Test]
+    public void Constructor_MoreColumnsThanJoints_SaysBoth()
+    {
+        using var file = new TemporaryFile("t,a,b,c,d,e,f,g\n0,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n");
+
+        var error = Assert.Throws<InputException>(() => new RecordedPlant(MotionRecording.Read(file.Path), RobotFiles.Load("ur5")));
+
+        Assert.That(error.Message, Does.Contain("7 columns").And.Contain("6 joints").And.Not.Contain("\n"));
+    }
+}

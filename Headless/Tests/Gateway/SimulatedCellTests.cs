@@ -1,0 +1,82 @@
+using System.Collections.Concurrent;
+using NUnit.Framework;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Robots;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class SimulatedCellTests
+{
+    static readonly CellTiming Timing = new(TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
+
+    [Test]
+    public async Task Publish_RealTime_SendsTheTruthOfTheStampWhenItsDelayIsOver()
+    {
+        var clock = new StopwatchControlClock(ControlTime.FromSeconds(50), 100e-6);
+        await using var gateway = await Gateways.StartAsync(clock: clock);
+        var received = new ConcurrentQueue<ControlTime>();
+        using var listening = gateway.Hub.Subscribe(RosTopics.JointStates, _ => received.Enqueue(clock.Now));
+        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates, null, 0, 100);
+        var motion = new PickAndPlaceMotion(RobotFiles.Load("youbot"));
+        using var cell = new SimulatedCell(motion, clock, Timing, 1);
+
+        cell.PublishInto(gateway.Hub);
+
+        var truth = new double[motion.JointNames.Count];
+        var samples = new List<JointStateMessage>();
+        for (var i = 0; i < 50; i++)
+        {
+            samples.Add((await client.ReceiveAsync()).JointState);
+            Assert.That(samples[i].Names, Is.EqualTo(motion.JointNames));
+            cell.TruthAt(samples[i].Stamp, truth);
+            Assert.That(samples[i].Positions, Is.EqualTo(truth));
+        }
+
+        Assert.That(samples.Zip(samples.Skip(1), (a, b) => b.Stamp - a.Stamp), Has.All.EqualTo(Timing.SamplingInterval));
+        // The median: single wake-ups may be late on a busy machine, never early.
+        var delays = samples.Zip(received, (sample, at) => (at - sample.Stamp).TotalMilliseconds).Order().ToArray();
+        Assert.That(delays[0], Is.GreaterThanOrEqualTo(20));
+        Assert.That(delays[25], Is.InRange(20, 45));
+    }
+
+    [Test]
+    public void TruthAt_BeforeTheStart_StandsAtHome()
+    {
+        var clock = new StopwatchControlClock(ControlTime.FromSeconds(50));
+        var motion = new PickAndPlaceMotion(RobotFiles.Load("youbot"));
+        using var cell = new SimulatedCell(motion, clock, Timing, 1);
+        var home = new double[motion.JointNames.Count];
+        var before = new double[motion.JointNames.Count];
+        motion.At(0, home);
+
+        cell.TruthAt(cell.Start - TimeSpan.FromSeconds(10), before);
+
+        Assert.That(before, Is.EqualTo(home));
+    }
+
+    [Test]
+    public async Task PublishInto_ASecondHub_GoesOnThereWithFreshSamples()
+    {
+        var clock = new StopwatchControlClock(ControlTime.FromSeconds(50));
+        using var cell = new SimulatedCell(new PickAndPlaceMotion(RobotFiles.Load("ur5")), clock, Timing, 1);
+        await SampleOf(cell, new MessageHub());
+        var before = clock.Now;
+
+        await SampleOf(cell, new MessageHub());
+
+        Assert.That(cell.Samples, Is.GreaterThanOrEqualTo(2));
+        Assert.That(clock.Now - before, Is.LessThan(Soon.Limit));
+    }
+
+    static async Task SampleOf(SimulatedCell cell, MessageHub hub)
+    {
+        var arrived = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        using var listening = hub.Subscribe(RosTopics.JointStates, _ => arrived.TrySetResult());
+        cell.PublishInto(hub);
+        await arrived.Task.Bounded();
+    }
+}
