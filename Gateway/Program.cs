@@ -1,1 +1,1 @@
-return 0;
+return await Nowpose.Gateway.CommandLine.RunAsync(args);

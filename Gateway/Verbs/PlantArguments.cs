@@ -1,0 +1,41 @@
+using System.CommandLine;
+using Nowpose.Cli.Options;
+using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Plants;
+
+namespace Nowpose.Gateway.Verbs;
+
+/// <summary>The options of the verbs that bring a robot with them.</summary>
+sealed class PlantArguments
+{
+    readonly Option<string> _robot = new("--robot")
+    {
+        Description = "youbot, ur5 or the path of a .urdf file",
+        HelpName = "ROBOT",
+        DefaultValueFactory = _ => "youbot",
+    };
+
+    readonly Option<double> _sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s", 50.0, 1, 1000, "ms");
+
+    readonly Option<MillisecondRange> _acquisition = RangeOption.Create(
+        "--acquisition-ms", "What subscription and middleware add to each sample before it is sent", new MillisecondRange(55, 105), 1000);
+
+    readonly Option<int> _seed = NumberOption.Create("--seed", "Seed of the random delays", 1, 0, int.MaxValue, "");
+
+    public void AddTo(Command command)
+    {
+        foreach (var option in new Option[] { _robot, _sampling, _acquisition, _seed })
+            command.Options.Add(option);
+    }
+
+    public string Robot(ParseResult parsed) => parsed.GetValue(_robot);
+    public int Seed(ParseResult parsed) => parsed.GetValue(_seed);
+
+    public CellTiming Timing(ParseResult parsed)
+    {
+        var acquisition = parsed.GetValue(_acquisition);
+        return new CellTiming(Milliseconds(parsed.GetValue(_sampling)), Milliseconds(acquisition.Min), Milliseconds(acquisition.Max));
+    }
+
+    static TimeSpan Milliseconds(double value) => new((long)Math.Round(value * TimeSpan.TicksPerMillisecond));
+}

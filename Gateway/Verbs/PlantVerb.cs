@@ -1,0 +1,43 @@
+using System.CommandLine;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.Robots;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Gateway.Verbs;
+
+/// <summary>simulate and replay: gateways with a robot cell of their own.</summary>
+static class PlantVerb
+{
+    public static Command Simulate() =>
+        Create(new Command("simulate", "Serves a simulated robot that picks and places"), (_, robot) => new PickAndPlaceMotion(robot));
+
+    public static Command Replay()
+    {
+        var file = new Argument<string>("FILE") { Description = "Recorded motion, .csv or .csv.gz: time in s, then one column for each joint" };
+        var command = new Command("replay", "Serves a recorded motion, played forth and back");
+        command.Arguments.Add(file);
+        return Create(command, (parsed, robot) => new RecordedMotion(MotionRecording.Read(parsed.GetValue(file)), robot));
+    }
+
+    static Command Create(Command command, Func<ParseResult, RobotModel, IMotion> motionOf)
+    {
+        var server = new ServerArguments();
+        var plant = new PlantArguments();
+        plant.AddTo(command);
+        server.AddTo(command);
+        command.SetAction(async (parsed, stop) =>
+        {
+            var motion = motionOf(parsed, RobotFiles.Load(plant.Robot(parsed)));
+            var clock = server.Clock(parsed);
+            await using var gateway = await GatewayServer.StartAsync(server.Options(parsed), clock, Announcement.Log, stop);
+            using var source = gateway.Hub.OpenSource();
+            source.TryDescribe(RobotFiles.LoadText(plant.Robot(parsed)));
+            using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed));
+            cell.PublishInto(gateway.Hub);
+            Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), motion);
+            await Task.Delay(Timeout.Infinite, stop);
+        });
+        return command;
+    }
+}

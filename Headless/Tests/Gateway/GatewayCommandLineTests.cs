@@ -1,0 +1,62 @@
+using NUnit.Framework;
+using Nowpose.Headless.Tests.Cli;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class GatewayCommandLineTests
+{
+    static async Task<(int Status, string[] Errors)> RunAsync(params string[] args)
+    {
+        var errors = Console.Error;
+        using var captured = new StringWriter();
+        try
+        {
+            Console.SetError(captured);
+            var status = await Nowpose.Gateway.CommandLine.RunAsync(args).Bounded();
+            return (status, captured.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        }
+        finally
+        {
+            Console.SetError(errors);
+        }
+    }
+
+    [TestCase("--nonsense", "--nonsense")]
+    [TestCase("juggle", "juggle")]
+    [TestCase("simulate --nonsense", "--nonsense")]
+    [TestCase("simulate --sync-port x", "--sync-port")]
+    [TestCase("simulate --ws-port 65536", "65535")]
+    [TestCase("simulate --sampling-ms 0", "--sampling-ms")]
+    [TestCase("simulate --sampling-ms", "--sampling-ms")]
+    [TestCase("simulate --acquisition-ms 9-3", "MIN-MAX")]
+    [TestCase("simulate --acquisition-ms -5-3", "MIN-MAX")]
+    [TestCase("simulate --bind nowhere", "--bind")]
+    [TestCase("simulate --bind any", "--insecure-lan")]
+    [TestCase("simulate --robot none.urdf", "none.urdf")]
+    [TestCase("simulate --max-connections 0", "--max-connections")]
+    [TestCase("serve --clock-start-s -1", "--clock-start-s")]
+    [TestCase("serve --certificate-key key.pem", "--certificate")]
+    [TestCase("serve --tokens none.txt", "none.txt")]
+    [TestCase("replay", "FILE")]
+    [TestCase("replay none.csv", "none.csv")]
+    [TestCase("", "command")]
+    public async Task Arguments_Bad_EndWithOneLineAndStatus2(string line, string part)
+    {
+        var (status, errors) = await RunAsync(line.Split(' ', StringSplitOptions.RemoveEmptyEntries));
+
+        Assert.That(status, Is.EqualTo(2));
+        Assert.That(errors.Length, Is.EqualTo(1), string.Join(" | ", errors));
+        Assert.That(errors[0], Does.StartWith("nowpose-gateway: ").And.Contain(part));
+    }
+
+    [Test]
+    public async Task Replay_MoreColumnsThanJoints_EndsWithStatus2()
+    {
+        using var file = new TemporaryFile("t,a,b,c,d,e,f,g\n0,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n");
+
+        var (status, errors) = await RunAsync("replay", file.Path, "--robot", "ur5");
+
+        Assert.That(status, Is.EqualTo(2));
+        Assert.That(errors.Single(), Does.Contain("7 columns"));
+    }
+}
