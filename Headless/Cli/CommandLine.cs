@@ -27,8 +27,9 @@ public static class CommandLine
 
     static IEnumerable<Command> Verbs()
     {
-        yield return Sync.SyncVerb.Create();
+        yield return Demo.DemoVerb.Create();
         yield return Replay.ReplayVerb.Create();
+        yield return Sync.SyncVerb.Create();
         yield return Kinematics.KinematicsVerb.Create();
     }
 

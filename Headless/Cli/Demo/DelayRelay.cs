@@ -1,0 +1,62 @@
+using System.Net;
+using System.Net.Sockets;
+using Nowpose.Simulation;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>A TCP relay on loopback that delays each direction of each connection as a network profile says, in order.</summary>
+sealed class DelayRelay : IDisposable
+{
+    readonly TcpListener _listener = new(IPAddress.Loopback, 0);
+    readonly IPEndPoint _target;
+    readonly NetworkProfile _network;
+    readonly List<RelayedConnection> _connections = [];
+    int _seed;
+
+    /// <param name="seed">Each connection and direction draws from a seed of its own that follows from this one.</param>
+    public DelayRelay(IPEndPoint target, NetworkProfile network, int seed)
+    {
+        _target = target;
+        _network = network;
+        _seed = seed;
+        _listener.Start();
+        new Thread(Accept) { IsBackground = true, Name = "relay accept" }.Start();
+    }
+
+    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+
+    public void Dispose()
+    {
+        _listener.Stop();
+        lock (_connections)
+            foreach (var connection in _connections) connection.Dispose();
+    }
+
+    void Accept()
+    {
+        try
+        {
+            while (true) Relay(_listener.AcceptTcpClient());
+        }
+        catch (Exception end) when (end is SocketException or ObjectDisposedException or InvalidOperationException)
+        {
+            // The listener was stopped.
+        }
+    }
+
+    void Relay(TcpClient headset)
+    {
+        try
+        {
+            var gateway = new TcpClient();
+            gateway.Connect(_target);
+            lock (_connections)
+                _connections.Add(new RelayedConnection(headset, gateway, _network.Up(_seed++), _network.Down(_seed++)));
+        }
+        catch (SocketException)
+        {
+            // Nobody behind the relay: the headset sees its connection closed, as with a real router.
+            headset.Dispose();
+        }
+    }
+}

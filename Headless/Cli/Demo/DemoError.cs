@@ -1,0 +1,9 @@
+namespace Nowpose.Cli.Demo;
+
+/// <summary>How wrong one scored frame was.</summary>
+/// <param name="Frame">Index among all frames.</param>
+/// <param name="HoldMm">Distance of the tool from the truth without compensation, mm.</param>
+/// <param name="Mm">Distance of the tool from the truth as displayed, mm.</param>
+/// <param name="LightMs">Assumed minus true control time of the light, ms.</param>
+/// <param name="Cycle">Motion cycle at the moment of light, from 0.</param>
+readonly record struct DemoError(int Frame, double HoldMm, double Mm, double LightMs, int Cycle);

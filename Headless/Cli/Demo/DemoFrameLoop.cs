@@ -1,0 +1,43 @@
+using System.Diagnostics;
+using Nowpose.Session;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>The headset's frame loop at 60 fps: read C2, tick, keep what is displayed.</summary>
+sealed class DemoFrameLoop(DemoSettings settings, CompensationSession session, IHeadsetClock clock, DemoTruth truth)
+{
+    public const int FramesPerSecond = 60;
+
+    readonly TimeSpan _visualisation = TimeSpan.FromMilliseconds(settings.VisualisationMs);
+
+    public DemoFrames Frames { get; } = new(session.Robot.MovingJoints.Count, (int)(settings.Seconds * FramesPerSecond) + 1);
+
+    /// <param name="report">Takes the seconds done and what to say about them.</param>
+    public void Run(Action<double, Func<string>> report, CancellationToken cancel)
+    {
+        var begin = clock.Now;
+        var beginCount = Stopwatch.GetTimestamp();
+        var count = (int)(settings.Seconds * FramesPerSecond);
+        for (var i = 0; i < count && !cancel.IsCancellationRequested; i++)
+        {
+            PreciseWait.Until(beginCount + (long)((double)i / FramesPerSecond * Stopwatch.Frequency));
+            ShowFrame(begin);
+            report((i + 1) / (double)FramesPerSecond, () => DemoProgress.Describe(session, clock.Now));
+        }
+    }
+
+    void ShowFrame(HeadsetTime begin)
+    {
+        var start = clock.Now;
+        var bytes = GC.GetAllocatedBytesForCurrentThread();
+        var count = Stopwatch.GetTimestamp();
+        var frame = session.Tick(start);
+        var cpu = Stopwatch.GetElapsedTime(count);
+        bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
+        var model = session.Clock.ModelAt(start);
+        var offsetErrorUs = model.IsKnown ? (model.OffsetAt(start) - truth.OffsetAt(start)).TotalMicroseconds : double.NaN;
+        Frames.Add(frame, new DemoFrames.Row(
+            start - begin, start, truth.ControlAt(start + _visualisation), frame.DisplayTime, model,
+            frame.State, offsetErrorUs, ToolPosition.Of(frame.ToolPose), cpu.TotalMicroseconds, bytes));
+    }
+}

@@ -1,0 +1,124 @@
+using System.Globalization;
+using System.Text.Json;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Collects what report.html shows: the fields are those of <c>Web/src/data.ts</c>.</summary>
+static class DemoReport
+{
+    const double MsPerSecond = 1000;
+    const double SlowestShare = 0.05;
+
+    static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100, 200];
+    static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
+
+    public static string Of(DemoScore score, DemoRun run, DemoResult result)
+    {
+        var start = run.Frames.Rows.Count > 0 ? run.Frames.Rows[0].TrueLight : default;
+        return JsonSerializer.Serialize(new
+        {
+            Title = $"Nowpose demo: {run.Settings.Robot.Name}",
+            Subtitle = "What the headset would have shown, against where the simulated robot truly was at the moment of light.",
+            Settings = Settings(run.Settings),
+            Summary = Summary(score, result.ToolErrorMm),
+            Facts = Facts(result),
+            Error = Error(score, run, start),
+            Joint = new DemoJointSeries(run, start).Busiest(),
+            Field = Field(score, run),
+            Clock = Clock(run, start),
+            Latency = Latency(run.ApplicationLatencies),
+        }, Options);
+    }
+
+    static string[][] Settings(DemoSettings s) =>
+    [
+        ["Robot", s.Robot.Name],
+        ["Motion", s.Recording == null ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(s.Recording)}, forth and back"],
+        ["Network", s.Network.Name],
+        ["Predictor", s.Predictor],
+        ["Sampling interval", Ms(s.SamplingMs)],
+        ["Acquisition", s.Acquisition + " ms"],
+        ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime is told {Ms(s.VisualisationMs + s.VisualisationErrorMs)}"],
+        ["Frame rate", $"{DemoFrameLoop.FramesPerSecond} fps"],
+        ["Seed", s.Seed.ToString(CultureInfo.InvariantCulture)],
+    ];
+
+    static object[] Summary(DemoScore score, DemoResult.ToolErrors tool) =>
+    [
+        new { Label = "RMS", Unit = "mm", Uncompensated = tool.HoldRms, Compensated = tool.Rms },
+        new { Label = "P95", Unit = "mm", Uncompensated = score.HoldP95Mm, Compensated = tool.P95 },
+        new { Label = "Greatest", Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
+    ];
+
+    static string[][] Facts(DemoResult r) =>
+    [
+        ["Application latency, median and P95", $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
+        ["Error of the moment of light, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
+        ["Clock offset error, median, P95 and greatest", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs, {Number(r.Clock.OffsetErrorUsMax)} µs"],
+        ["Clock synchronised after", $"{Number(r.Clock.ConvergedS)} s"],
+        ["Time of a frame in the runtime, median and P99", $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
+        ["Allocated per frame", $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
+        ["Frames, samples, dropped", $"{r.Frames}, {r.Samples}, {r.Dropped}"],
+    ];
+
+    static object Error(DemoScore score, DemoRun run, ControlTime start) => score.Errors.Count == 0 ? null : new
+    {
+        T = score.Errors.Select(e => Seconds(run.Frames.Rows[e.Frame].TrueLight, start)),
+        Hold = score.Errors.Select(e => Round(e.HoldMm)),
+        Compensated = score.Errors.Select(e => Round(e.Mm)),
+    };
+
+    // Fig. 18: the error as a point on v and L; what compensation leaves is an effective latency e/v.
+    static object Field(DemoScore score, DemoRun run)
+    {
+        var speed = new ToolSpeed(run);
+        var points = score.Errors.Select(e => (Error: e, Speed: speed.At(run.Frames.Rows[e.Frame].TrueLight))).ToList();
+        // Near standstill a latency e/v is the quotient of two small numbers.
+        var slowest = SlowestShare * points.Select(p => p.Speed).DefaultIfEmpty().Max();
+        var moving = points.Where(p => p.Speed > slowest).ToList();
+        if (moving.Count == 0) return null;
+        var speeds = moving.Select(p => Round(p.Speed)).ToList();
+        return new
+        {
+            Hold = new { LatencyMs = moving.Select(p => Round(MsPerSecond * p.Error.HoldMm / p.Speed)), Speed = speeds },
+            Compensated = new { LatencyMs = moving.Select(p => Round(MsPerSecond * p.Error.Mm / p.Speed)), Speed = speeds },
+            IsoMm = IsoErrorsMm,
+        };
+    }
+
+    static object Clock(DemoRun run, ControlTime start)
+    {
+        var known = run.Frames.Rows.Where(row => row.Clock.IsKnown).ToList();
+        if (known.Count == 0) return null;
+        var first = known[0].Clock.OffsetAt(known[0].Start);
+        return new
+        {
+            T = known.Select(row => Seconds(row.TrueLight, start)),
+            OffsetUs = known.Select(row => Round((row.Clock.OffsetAt(row.Start) - first).TotalMicroseconds)),
+            ErrorUs = known.Select(row => Round(row.OffsetErrorUs)),
+            BoundUs = known.Select(row => Round(row.Clock.ErrorBound.TotalMicroseconds)),
+        };
+    }
+
+    static object Latency(IReadOnlyList<TimeSpan> latencies)
+    {
+        if (latencies.Count == 0) return null;
+        const double binMs = 2;
+        var bins = latencies.GroupBy(l => Math.Floor(l.TotalMilliseconds / binMs)).ToDictionary(g => g.Key, g => g.Count());
+        var all = Enumerable.Range((int)bins.Keys.Min(), (int)(bins.Keys.Max() - bins.Keys.Min()) + 1).ToList();
+        return new
+        {
+            BinMs = all.Select(bin => bin * binMs),
+            Count = all.Select(bin => bins.GetValueOrDefault(bin)),
+            Label = "Application latency L_app of each sample",
+        };
+    }
+
+    static double Seconds(ControlTime t, ControlTime start) => Math.Round((t - start).TotalSeconds, 5);
+
+    static double Round(double value) => Math.Round(value, 4);
+
+    static string Ms(double value) => value.ToString("0.###", CultureInfo.InvariantCulture) + " ms";
+
+    static string Number(double? value) => value?.ToString("0.##", CultureInfo.InvariantCulture) ?? "–";
+}

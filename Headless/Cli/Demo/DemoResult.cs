@@ -1,0 +1,18 @@
+namespace Nowpose.Cli.Demo;
+
+/// <summary>What a demo run measured, in the words of result.json. Null stands for "nothing was measured".</summary>
+sealed record DemoResult(
+    double Seconds, int Frames, long Samples, long Dropped, string Network,
+    DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame)
+{
+    /// <summary>Milliseconds; <see cref="Visu"/> is the simulated headset's true one.</summary>
+    public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
+
+    public sealed record ClockErrors(double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS);
+
+    public sealed record ToolErrors(
+        double? HoldRms, double? HoldMax, double? Rms, double? P95, double? Max,
+        double? Reduction, double? ReductionFirstCycle, double? ReductionRepeated);
+
+    public sealed record FrameCost(double? CpuUsP50, double? CpuUsP99, double? AllocatedBytesPerFrame);
+}

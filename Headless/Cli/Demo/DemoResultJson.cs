@@ -1,0 +1,16 @@
+using System.Text.Json;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>result.json: the fields of <see cref="DemoResult"/> in snake case, as cli.md fixes them.</summary>
+static class DemoResultJson
+{
+    static readonly JsonSerializerOptions Options = new()
+    {
+        PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower,
+        WriteIndented = true,
+    };
+
+    /// <exception cref="ArgumentException">A number is not finite: JSON has no NaN, and a run has none either.</exception>
+    public static string Of(DemoResult result) => JsonSerializer.Serialize(result, Options);
+}

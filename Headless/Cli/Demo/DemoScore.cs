@@ -1,0 +1,114 @@
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Compares what was displayed with the truth, frame by frame, and sums it up as cli.md defines.</summary>
+sealed class DemoScore
+{
+    /// <summary>Frames before it are not scored even if the clock converged: buffers fill and code is compiled.</summary>
+    static readonly TimeSpan WarmUp = TimeSpan.FromSeconds(3);
+
+    readonly DemoRun _run;
+    readonly TimeSpan? _converged;
+
+    public DemoScore(DemoRun run)
+    {
+        _run = run;
+        _converged = FirstSynchronised();
+        Errors = ScoredFrames().Select(ErrorOf).ToList();
+    }
+
+    /// <summary>The scored frames' errors, in order.</summary>
+    public IReadOnlyList<DemoError> Errors { get; }
+
+    /// <summary>P95 of the uncompensated error, mm; null when no frame was scored.</summary>
+    public double? HoldP95Mm => Percentile(Errors.Select(e => e.HoldMm), 0.95);
+
+    public DemoResult Result()
+    {
+        var statistics = _run.Statistics;
+        return new DemoResult(
+            Round(_run.Frames.Rows.Count / (double)DemoFrameLoop.FramesPerSecond), _run.Frames.Rows.Count, statistics.Samples, statistics.Dropped,
+            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame());
+    }
+
+    TimeSpan? FirstSynchronised()
+    {
+        foreach (var row in _run.Frames.Rows)
+            if (row.Clock.State == ClockState.Synchronised) return row.Elapsed;
+        return null;
+    }
+
+    IEnumerable<int> ScoredFrames() => Enumerable.Range(0, _run.Frames.Rows.Count)
+        .Where(i => _run.Frames.Rows[i].Elapsed >= WarmUp && _run.Frames.Rows[i].Elapsed >= _converged);
+
+    DemoError ErrorOf(int frame)
+    {
+        var row = _run.Frames.Rows[frame];
+        var joints = new double[_run.Settings.Robot.MovingJoints.Count];
+        var kinematics = new ToolKinematics(_run.Settings.Robot);
+        _run.Truth.JointsAt(row.TrueLight, joints);
+        var truth = kinematics.At(joints);
+        _run.Frames.CopyHeld(frame, joints);
+        return new DemoError(
+            frame, kinematics.At(joints).DistanceMm(truth), row.Tool.DistanceMm(truth),
+            (row.AssumedLight.Value - row.TrueLight).TotalMilliseconds, _run.Truth.CycleAt(row.TrueLight));
+    }
+
+    DemoResult.Latencies Latencies()
+    {
+        var app = _run.ApplicationLatencies.Select(l => l.TotalMilliseconds).ToList();
+        return new DemoResult.Latencies(
+            Percentile(app, 0.5), Percentile(app, 0.95), _run.Settings.VisualisationMs,
+            Percentile(Errors.Select(e => Math.Abs(e.LightMs)), 0.95));
+    }
+
+    DemoResult.ClockErrors Clock()
+    {
+        var rows = _run.Frames.Rows.Where(row => row.Elapsed >= _converged).ToList();
+        var errors = rows.Select(row => Math.Abs(row.OffsetErrorUs)).ToList();
+        return new DemoResult.ClockErrors(
+            Percentile(errors, 0.5), Percentile(errors, 0.95), Percentile(errors, 1), SkewErrorPpm(rows), _converged?.TotalSeconds);
+    }
+
+    // At the end: the skew is an average over the whole history, so its last value is the best it reached.
+    double? SkewErrorPpm(List<DemoFrames.Row> rows)
+    {
+        if (rows.Count < 2) return null;
+        var (first, last) = (rows[0].Start, rows[^1].Start);
+        var trueSkew = (_run.Truth.OffsetAt(last) - _run.Truth.OffsetAt(first)) / (last - first);
+        return (rows[^1].Clock.Skew - trueSkew) * 1e6;
+    }
+
+    DemoResult.ToolErrors Tool() => new(
+        Rms(Errors.Select(e => e.HoldMm)), Percentile(Errors.Select(e => e.HoldMm), 1),
+        Rms(Errors.Select(e => e.Mm)), Percentile(Errors.Select(e => e.Mm), 0.95), Percentile(Errors.Select(e => e.Mm), 1),
+        Reduction(Errors), Reduction(Errors.Where(e => e.Cycle == 0)), Reduction(Errors.Where(e => e.Cycle >= 2)));
+
+    DemoResult.FrameCost Frame()
+    {
+        var warm = _run.Frames.Rows.Where(row => row.Elapsed >= WarmUp).ToList();
+        return new DemoResult.FrameCost(
+            Percentile(warm.Select(row => row.CpuUs), 0.5), Percentile(warm.Select(row => row.CpuUs), 0.99),
+            warm.Count == 0 ? null : warm.Average(row => (double)row.AllocatedBytes));
+    }
+
+    static double? Reduction(IEnumerable<DemoError> errors)
+    {
+        var list = errors.ToList();
+        var hold = Rms(list.Select(e => e.HoldMm));
+        return hold > 0 ? 1 - Rms(list.Select(e => e.Mm)) / hold : null;
+    }
+
+    static double? Rms(IEnumerable<double> values)
+    {
+        var list = values.ToList();
+        return list.Count == 0 ? null : Math.Sqrt(list.Average(v => v * v));
+    }
+
+    static double? Percentile(IEnumerable<double> values, double fraction)
+    {
+        var list = values.ToList();
+        return list.Count == 0 ? null : Quantile.Of(list, fraction);
+    }
+
+    static double Round(double seconds) => Math.Round(seconds, 3);
+}

@@ -1,0 +1,53 @@
+using System.Globalization;
+using Spectre.Console;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>The result for reading: uncompensated against compensated, then what it rests on.</summary>
+static class DemoTable
+{
+    public static void Print(DemoSettings settings, DemoScore score, DemoResult result, DemoOutput output)
+    {
+        var console = ResultConsole.Create();
+        console.WriteLine($"{settings.Robot.Name}, {settings.Predictor}, {result.Network}: error of the tool centre point");
+        console.Write(Errors(score, result));
+        console.Write(Facts(result));
+        console.WriteLine("result  " + output.ResultPath);
+        console.WriteLine("report  " + output.ReportPath);
+    }
+
+    static Table Errors(DemoScore score, DemoResult result)
+    {
+        var tool = result.ToolErrorMm;
+        var table = new Table();
+        table.AddColumn("");
+        foreach (var heading in new[] { "uncompensated", "compensated", "reduction" })
+            table.AddColumn(new TableColumn(heading).RightAligned());
+        table.AddRow("RMS", Mm(tool.HoldRms), Mm(tool.Rms), Percent(tool.Reduction));
+        table.AddRow("P95", Mm(score.HoldP95Mm), Mm(tool.P95), "");
+        table.AddRow("greatest", Mm(tool.HoldMax), Mm(tool.Max), "");
+        return table;
+    }
+
+    static Grid Facts(DemoResult result)
+    {
+        var grid = new Grid().AddColumn().AddColumn();
+        void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
+        Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
+        Row("visualisation latency", Ms(result.LatencyMs.Visu));
+        Row("error of the moment of light", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");
+        Row("clock offset error", $"{Us(result.Clock.OffsetErrorUsP50)} median, {Us(result.Clock.OffsetErrorUsP95)} P95, {Us(result.Clock.OffsetErrorUsMax)} greatest");
+        Row("clock synchronised after", Text(result.Clock.ConvergedS, "0.0", " s"));
+        Row("frame", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B")} allocated");
+        Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
+        return grid;
+    }
+
+    static string Mm(double? value) => Text(value, "0.00", " mm");
+    static string Ms(double? value) => Text(value, "0.0#", " ms");
+    static string Us(double? value) => Text(value, "0.#", " µs");
+    static string Percent(double? share) => Text(100 * share, "0.0", " %");
+
+    static string Text(double? value, string format, string unit) =>
+        value is double number ? number.ToString(format, CultureInfo.InvariantCulture) + unit : "–";
+}

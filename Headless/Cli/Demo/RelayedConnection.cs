@@ -1,0 +1,75 @@
+using System.Collections.Concurrent;
+using System.Diagnostics;
+using System.Net.Sockets;
+using Nowpose.Simulation;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>One relayed connection: each direction reads at once, and writes when the piece's delay is over.</summary>
+sealed class RelayedConnection : IDisposable
+{
+    readonly TcpClient _headset;
+    readonly TcpClient _gateway;
+
+    public RelayedConnection(TcpClient headset, TcpClient gateway, PathDelay up, PathDelay down)
+    {
+        _headset = headset;
+        _gateway = gateway;
+        _headset.NoDelay = _gateway.NoDelay = true;
+        Start(headset, gateway, up, "relay up");
+        Start(gateway, headset, down, "relay down");
+    }
+
+    public void Dispose()
+    {
+        _headset.Dispose();
+        _gateway.Dispose();
+    }
+
+    void Start(TcpClient from, TcpClient to, PathDelay delay, string name)
+    {
+        var underway = new BlockingCollection<Piece>();
+        new Thread(() => Guarded(() => Read(from, delay, underway), underway.CompleteAdding)) { IsBackground = true, Name = name + " read" }.Start();
+        new Thread(() => Guarded(() => Write(to, underway), Dispose)) { IsBackground = true, Name = name + " write" }.Start();
+    }
+
+    static void Read(TcpClient from, PathDelay delay, BlockingCollection<Piece> underway)
+    {
+        var buffer = new byte[64 * 1024];
+        var due = 0L;
+        for (int read; (read = from.GetStream().Read(buffer)) > 0;)
+        {
+            // In order: a piece never arrives before the one sent before it.
+            due = Math.Max(due, Stopwatch.GetTimestamp() + (long)(delay.Next().TotalSeconds * Stopwatch.Frequency));
+            underway.Add(new Piece(buffer[..read], due));
+        }
+    }
+
+    static void Write(TcpClient to, BlockingCollection<Piece> underway)
+    {
+        foreach (var piece in underway.GetConsumingEnumerable())
+        {
+            PreciseWait.Until(piece.DueCount);
+            to.GetStream().Write(piece.Bytes);
+        }
+    }
+
+    static void Guarded(Action work, Action atTheEnd)
+    {
+        try
+        {
+            work();
+        }
+        catch (Exception end) when (end is IOException or SocketException or ObjectDisposedException or InvalidOperationException)
+        {
+            // One of the two ends closed; the other follows.
+        }
+        finally
+        {
+            atTheEnd();
+        }
+    }
+
+    /// <param name="DueCount">Count of <see cref="Stopwatch"/> at which the piece arrives.</param>
+    readonly record struct Piece(byte[] Bytes, long DueCount);
+}

@@ -1,0 +1,17 @@
+using Nowpose.Kinematics;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Joint positions to the tool's position, for scoring.</summary>
+sealed class ToolKinematics(RobotModel robot)
+{
+    readonly ForwardKinematics _kinematics = new(robot);
+    readonly RigidTransform[] _poses = new RigidTransform[robot.Links.Count];
+    readonly int _tool = robot.IndexOfLink(robot.ToolLink.Name);
+
+    public ToolPosition At(ReadOnlySpan<double> positions)
+    {
+        _kinematics.Compute(positions, _poses);
+        return ToolPosition.Of(_poses[_tool]);
+    }
+}
