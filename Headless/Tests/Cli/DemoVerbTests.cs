@@ -1,0 +1,85 @@
+using System.Text.Json;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>The main job end to end, over real sockets: short runs, limits wide enough for a busy machine.</summary>
+public class DemoVerbTests
+{
+    string _folder;
+
+    [SetUp]
+    public void MakeFolder() => _folder = Directory.CreateTempSubdirectory("nowpose-demo-").FullName;
+
+    [TearDown]
+    public void RemoveFolder() => Directory.Delete(_folder, recursive: true);
+
+    JsonElement Result() => JsonDocument.Parse(File.ReadAllText(Path.Combine(_folder, "result.json"))).RootElement;
+
+    [Test]
+    public async Task Demo_OverWifi_RemovesMostOfTheErrorAndWritesItsFiles()
+    {
+        var run = await CliRun.OfAsync("demo", "--seconds", "10", "--predictor", "quadratic", "--visu-error-ms", "3", "--out", _folder);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        var result = Result();
+        Assert.That(result.GetProperty("tool_error_mm").GetProperty("reduction").GetDouble(), Is.GreaterThan(0.7));
+        Assert.That(result.GetProperty("tool_error_mm").GetProperty("hold_rms").GetDouble(), Is.GreaterThan(5));
+        Assert.That(result.GetProperty("latency_ms").GetProperty("total_error_p95").GetDouble(), Is.LessThan(6));
+        Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.InRange(60, 130));
+        Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(600));
+        Assert.That(result.GetProperty("network").GetString(), Is.EqualTo("wifi"));
+        Assert.That(File.ReadAllText(Path.Combine(_folder, "report.html")), Does.Contain("Nowpose demo: youbot"));
+        Assert.That(run.Output, Does.Contain("report.html").And.Contain("uncompensated"));
+        Assert.That(run.Errors, Does.Contain("of 10 s"), "progress");
+    }
+
+    [Test]
+    public async Task Demo_Result_HasTheFieldsOfTheContract()
+    {
+        var run = await CliRun.OfAsync("demo", "--seconds", "6", "--network", "lan", "--out", _folder);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(Names(Result()), Is.EqualTo(new[] { "seconds", "frames", "samples", "dropped", "network", "latency_ms", "clock", "tool_error_mm", "frame" }));
+        Assert.That(Names(Result().GetProperty("latency_ms")), Is.EqualTo(new[] { "app_p50", "app_p95", "visu", "total_error_p95" }));
+        Assert.That(Names(Result().GetProperty("clock")), Is.EqualTo(new[] { "offset_error_us_p50", "offset_error_us_p95", "offset_error_us_max", "skew_error_ppm", "converged_s" }));
+        Assert.That(Names(Result().GetProperty("tool_error_mm")), Is.EqualTo(new[] { "hold_rms", "hold_max", "rms", "p95", "max", "reduction", "reduction_first_cycle", "reduction_repeated" }));
+        Assert.That(Names(Result().GetProperty("frame")), Is.EqualTo(new[] { "cpu_us_p50", "cpu_us_p99", "allocated_bytes_per_frame" }));
+        Assert.That(Result().GetProperty("frame").GetProperty("allocated_bytes_per_frame").GetDouble(), Is.EqualTo(0));
+        Assert.That(Result().GetProperty("tool_error_mm").GetProperty("reduction_repeated").ValueKind, Is.EqualTo(JsonValueKind.Null), "no third cycle in six seconds");
+    }
+
+    [Test]
+    public async Task Demo_RecordingOnAnotherRobot_PlaysItsColumns()
+    {
+        // At rest at both ends, where the motion turns back.
+        var rows = Enumerable.Range(0, 301).Select(i => FormattableString.Invariant($"{i * 0.02},{-Math.Cos(i * Math.PI / 150)},{-1 + 0.3 * Math.Cos(i * Math.PI / 150)}"));
+        using var recording = new TemporaryFile("t,q1,q2\n" + string.Join('\n', rows) + "\n", ".csv.gz");
+
+        var run = await CliRun.OfAsync("demo", "--seconds", "7", "--network", "lan", "--robot", "ur5", "--recording", recording.Path, "--out", _folder);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(Result().GetProperty("tool_error_mm").GetProperty("reduction").GetDouble(), Is.GreaterThan(0.8));
+    }
+
+    [TestCase("--seconds", "1", "--seconds: 1 s is out of range; allowed are 5 to 3600 s")]
+    [TestCase("--seconds", "soon", "--seconds: 'soon' is not a number")]
+    [TestCase("--network", "carrier-pigeon", "--network: 'carrier-pigeon' is not known; allowed are lan, wifi, busy-wifi")]
+    [TestCase("--acquisition-ms", "105-55", "--acquisition-ms: '105-55' is not a range")]
+    [TestCase("--acquisition-ms", "5", "--acquisition-ms: '5' is not a range")]
+    [TestCase("--predictor", "crystal-ball", "--predictor: 'crystal-ball' is not known")]
+    [TestCase("--robot", "r2d2", "r2d2")]
+    [TestCase("--recording", "gone.csv", "gone.csv: no such file")]
+    [TestCase("--visu-error-ms", "-50", "--visu-ms plus --visu-error-ms: -10 ms is out of range")]
+    [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
+    public async Task Demo_BadOption_IsOneLineAndExit2(string option, string value, string named)
+    {
+        var run = await CliRun.OfAsync("demo", option, value);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);
+        Assert.That(run.Errors, Does.Contain(named));
+    }
+
+    static IEnumerable<string> Names(JsonElement element) => element.EnumerateObject().Select(property => property.Name);
+}

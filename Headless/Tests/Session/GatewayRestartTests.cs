@@ -1,0 +1,80 @@
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Robots;
+using Nowpose.Headless.Tests.Network;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Session;
+
+/// <summary>The gateway goes away in the middle of a session and comes back, as after an update or a power cut.</summary>
+public class GatewayRestartTests
+{
+    static readonly TimeSpan ReconnectLimit = TimeSpan.FromSeconds(2);
+
+    [TestCase(0)]
+    [TestCase(-5000)]
+    public async Task Session_GatewayRestarts_ReconnectsWithinTwoSecondsAndSynchronisesAnew(int clockStepSeconds)
+    {
+        var robot = RobotFiles.Load("youbot");
+        var clock = StopwatchControlClock.FromUnixTime();
+        using var cell = Cell(clock);
+        var gateway = await StartAsync(0, 0, clock, cell);
+        var (syncPort, webSocketPort) = (gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port);
+        var headsetClock = new StopwatchHeadsetClock();
+        using var session = new CompensationSession(
+            new SessionSettings(new ConnectionSettings("127.0.0.1", syncPort, webSocketPort), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+            robot, headsetClock);
+        session.Connect();
+        await Eventually.Is(() => Tick(session, headsetClock) == PoseState.Current, "current before");
+
+        await gateway.DisposeAsync();
+        cell.Dispose();
+        await Eventually.Is(() => Tick(session, headsetClock) == PoseState.Held, "held while the gateway is gone");
+        var held = session.Tick(headsetClock.Now).Joints.ToArray();
+        await Eventually.Is(() => Links(session, headsetClock, LinkState.Waiting), "both links waiting");
+        Assert.That(session.Tick(headsetClock.Now).Joints.ToArray(), Is.EqualTo(held), "the pose holds");
+
+        var newClock = new StopwatchControlClock(clock.Now + TimeSpan.FromSeconds(clockStepSeconds));
+        using var newCell = Cell(newClock);
+        await using var newGateway = await StartAsync(syncPort, webSocketPort, newClock, newCell);
+        var took = await Eventually.Is(() => Links(session, headsetClock, LinkState.Connected), "both links connected");
+        await Eventually.Is(() => Tick(session, headsetClock) == PoseState.Current, "current after");
+        await Eventually.Is(() => IsRight(session, headsetClock, newClock), "synchronised to the new clock");
+
+        Assert.That(took, Is.LessThan(ReconnectLimit));
+        Assert.That(session.Clock.Steps, Is.EqualTo(clockStepSeconds == 0 ? 0 : 1));
+    }
+
+    static SimulatedCell Cell(IControlClock clock) => new(
+        new PickAndPlaceMotion(RobotFiles.Load("youbot")), clock,
+        new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
+
+    static async Task<GatewayServer> StartAsync(int syncPort, int webSocketPort, IControlClock clock, SimulatedCell cell)
+    {
+        var gateway = await GatewayServer.StartAsync(new GatewayOptions { SyncPort = syncPort, WebSocketPort = webSocketPort }, clock);
+        cell.PublishInto(gateway.Hub);
+        return gateway;
+    }
+
+    static PoseState Tick(CompensationSession session, IHeadsetClock clock) => session.Tick(clock.Now).State;
+
+    static bool Links(CompensationSession session, IHeadsetClock clock, LinkState state)
+    {
+        session.Tick(clock.Now);
+        var statistics = session.Statistics(clock.Now);
+        return statistics.SyncLink.State == state && statistics.SampleLink.State == state;
+    }
+
+    static bool IsRight(CompensationSession session, IHeadsetClock clock, StopwatchControlClock control)
+    {
+        session.Tick(clock.Now);
+        var model = session.Clock.ModelAt(clock.Now);
+        if (model.State != ClockState.Synchronised) return false;
+        var (headset, truth) = (clock.Now, control.Now);
+        return (model.ToControl(headset) - truth).Duration() < TimeSpan.FromMilliseconds(5);
+    }
+}

@@ -1,0 +1,136 @@
+using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Security;
+using Nowpose.Headless.Tests.Network;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Session;
+
+/// <summary>As from another machine: headset and clients are processes of their own, over TLS, with tokens.</summary>
+public class SecondProcessTests
+{
+    const string ObserverToken = "observer-3f9d2c";
+    const string SourceToken = "source-77aa01";
+
+    const string Sample = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"sec":1700000000,"nanosec":1}},"name":["NAME"],"position":[0.5]}}""";
+
+    GatewayServer _gateway;
+    SimulatedCell _cell;
+
+    async Task StartAsync(X509Certificate2 certificate)
+    {
+        var clock = StopwatchControlClock.FromUnixTime();
+        _gateway = await GatewayServer.StartAsync(
+            new GatewayOptions
+            {
+                SyncPort = 0,
+                WebSocketPort = 0,
+                Certificate = certificate,
+                Tokens = new TokenList([(ObserverToken, Role.Observer), (SourceToken, Role.Source)]),
+            },
+            clock);
+        _cell = new SimulatedCell(
+            new PickAndPlaceMotion(RobotFiles.Load("youbot")), clock,
+            new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
+        _cell.PublishInto(_gateway.Hub);
+    }
+
+    [TearDown]
+    public async Task Stop()
+    {
+        _cell?.Dispose();
+        if (_gateway != null) await _gateway.DisposeAsync();
+    }
+
+    PeerProcess Headset(string pin, string token) => new(
+        "Nowpose.Peer.dll", "headset", "127.0.0.1", Port(_gateway.SyncEndPoint), Port(_gateway.WebSocketEndPoint), pin, token);
+
+    PeerProcess Client(string token, string origin = "-") => new(
+        "Nowpose.Peer.dll", "client", $"wss://127.0.0.1:{Port(_gateway.WebSocketEndPoint)}/", _gateway.Pin.ToString(), token, origin);
+
+    static string Port(System.Net.IPEndPoint endPoint) => endPoint.Port.ToString();
+
+    [Test]
+    public async Task Headset_PinAndToken_SynchronisesAndShowsTheRobot()
+    {
+        await StartAsync(CertificateFiles.Generate());
+        using var headset = Headset(_gateway.Pin.ToString(), ObserverToken);
+
+        await Eventually.Is(() => headset.Printed("pose Current | clock Synchronised | sync Connected: connected | positions Connected: connected"), "current: " + headset.All);
+    }
+
+    [Test]
+    public async Task Headset_WrongPin_IsRefusedByTheHeadsetOnBothConnections()
+    {
+        await StartAsync(CertificateFiles.Generate());
+        var other = CertificatePin.Of(CertificateFiles.Generate());
+        using var headset = Headset(other.ToString(), ObserverToken);
+
+        await Eventually.Is(() => headset.Printed("clock sync: certificate: its pin is") && headset.Printed("joint positions: certificate: its pin is"), "refused");
+        Assert.That(headset.All, Does.Contain(_gateway.Pin.ToString()).And.Contain(other.ToString()), "both pins are named");
+        Assert.That(headset.All, Does.Not.Contain("Connected").And.Not.Contain(ObserverToken));
+    }
+
+    [Test]
+    public async Task Headset_WrongToken_IsRefusedByTheGatewayOnBothConnections()
+    {
+        await StartAsync(CertificateFiles.Generate());
+        using var headset = Headset(_gateway.Pin.ToString(), "guessed");
+
+        await Eventually.Is(() => headset.Printed("sync Waiting: clock sync: the gateway does not accept this headset's token"), "sync refused");
+        await Eventually.Is(() => headset.Printed("the gateway does not accept this headset's token (401)"), "WebSocket refused");
+        Assert.That(headset.All, Does.Not.Contain("Connected").And.Not.Contain("guessed"));
+    }
+
+    [Test]
+    public async Task Headset_ExpiredCertificate_IsRefusedEvenWithItsPin()
+    {
+        await StartAsync(CertificateFiles.Generate(DateTimeOffset.UtcNow.AddDays(-30), DateTimeOffset.UtcNow.AddDays(-1)));
+        using var headset = Headset(_gateway.Pin.ToString(), ObserverToken);
+
+        await Eventually.Is(() => headset.Printed("clock sync: certificate: expired on") && headset.Printed("joint positions: certificate: expired on"), "refused");
+        Assert.That(headset.All, Does.Not.Contain("Connected"));
+    }
+
+    [Test]
+    public async Task Client_ForeignOrigin_IsRefused()
+    {
+        await StartAsync(CertificateFiles.Generate());
+        using var client = Client(ObserverToken, "https://elsewhere.example");
+
+        await Eventually.Is(() => client.Printed("refused:"), "refused");
+        Assert.That(client.All, Does.Contain("403"));
+    }
+
+    [Test]
+    public async Task Client_ObserverThatPublishes_IsToldWhy()
+    {
+        await StartAsync(CertificateFiles.Generate());
+        using var client = Client(ObserverToken);
+        await Eventually.Is(() => client.Printed("connected"), "connected");
+
+        client.Send(Sample.Replace("NAME", "extra_axis"));
+
+        await Eventually.Is(() => client.Printed("\"status\""), "a status");
+        Assert.That(client.All, Does.Contain("the role of this client does not allow it"));
+        Assert.That(_gateway.Drops[DropReason.NotAllowed], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Client_SecondSourceForAJoint_IsToldWhich()
+    {
+        await StartAsync(CertificateFiles.Generate());
+        using var client = Client(SourceToken);
+        await Eventually.Is(() => client.Printed("connected"), "connected");
+
+        client.Send(Sample.Replace("NAME", "arm_joint_1"));
+
+        await Eventually.Is(() => client.Printed("\"status\""), "a status");
+        Assert.That(client.All, Does.Contain("arm_joint_1"));
+        Assert.That(_gateway.Drops[DropReason.JointTaken], Is.EqualTo(1));
+    }
+}
