@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Nowpose.Cli.Options;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 

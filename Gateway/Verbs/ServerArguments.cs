@@ -3,7 +3,7 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
 using System.Security.Cryptography.X509Certificates;
-using Nowpose.Cli.Options;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;

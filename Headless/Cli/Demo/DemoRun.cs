@@ -58,7 +58,7 @@ sealed class DemoRun
 
     static CellTiming Timing(DemoSettings settings) => new(
         TimeSpan.FromMilliseconds(settings.SamplingMs),
-        TimeSpan.FromMilliseconds(settings.Acquisition.LeastMs), TimeSpan.FromMilliseconds(settings.Acquisition.GreatestMs));
+        TimeSpan.FromMilliseconds(settings.Acquisition.Min), TimeSpan.FromMilliseconds(settings.Acquisition.Max));
 
     static IMotion Motion(DemoSettings settings) => settings.Recording == null
         ? new PickAndPlaceMotion(settings.Robot)

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Options;
 using Nowpose.Kinematics;
 using Nowpose.Simulation;
 
@@ -14,7 +15,7 @@ sealed record DemoSettings(
     string Recording,
     string Predictor,
     double SamplingMs,
-    AcquisitionRange Acquisition,
+    MillisecondRange Acquisition,
     double VisualisationMs,
     double VisualisationErrorMs,
     int Seed,

@@ -1,5 +1,5 @@
 using System.CommandLine;
-using Nowpose.Cli.Options;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Robots;
 using Nowpose.Prediction;
 using Nowpose.Simulation;
@@ -11,20 +11,15 @@ static class DemoVerb
 {
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "How long to run", 20.0, 5, 3600, "s");
     static readonly Option<string> Network = ChoiceOption.Create("--network", "Simulated network between gateway and headset", "wifi", [.. NetworkProfile.All.Select(p => p.Name)]);
-    static readonly Option<string> Robot = new("--robot") { Description = "youbot, ur5 or a .urdf file [default youbot]", DefaultValueFactory = _ => "youbot" };
+    static readonly Option<string> Robot = new("--robot") { Description = "youbot, ur5 or a .urdf file", DefaultValueFactory = _ => "youbot" };
     static readonly Option<string> Recording = new("--recording") { Description = "Motion to play forth and back: .csv or .csv.gz, time in s, then one column per joint" };
     static readonly Option<string> Predictor = ChoiceOption.Create("--predictor", "How joints are predicted", Predictors.Default, [.. Predictors.Names]);
     static readonly Option<double> Sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s of the control system", 50.0, 1, 1000, "ms");
-    static readonly Option<AcquisitionRange> Acquisition = new("--acquisition-ms")
-    {
-        Description = "What acquisition adds to each sample before it is sent, ms [MIN-MAX within 0 to 2000; default 55-105]",
-        DefaultValueFactory = _ => new AcquisitionRange(55, 105),
-        CustomParser = AcquisitionRange.Parse,
-    };
+    static readonly Option<MillisecondRange> Acquisition = RangeOption.Create("--acquisition-ms", "What subscription and middleware add to each sample before it is sent", new MillisecondRange(55, 105), 1000);
     static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "True display latency of the simulated headset", 40.0, 0, 400, "ms");
     static readonly Option<double> VisualisationError = NumberOption.Create("--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of everything random", 1, 0, 1_000_000, "");
-    static readonly Option<string> Output = new("--out") { Description = "Folder for report.html and result.json [default ./nowpose-demo]", DefaultValueFactory = _ => "nowpose-demo" };
+    static readonly Option<string> Output = new("--out") { Description = "Folder for report.html and result.json", DefaultValueFactory = _ => "nowpose-demo" };
 
     public static Command Create()
     {

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Robots;
 using Nowpose.Kinematics;
 

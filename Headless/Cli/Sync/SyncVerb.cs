@@ -1,5 +1,5 @@
 using System.CommandLine;
-using Nowpose.Cli.Options;
+using Nowpose.Gateway.Options;
 using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;

@@ -3,10 +3,10 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Numerics;
 
-namespace Nowpose.Cli.Options;
+namespace Nowpose.Gateway.Options;
 
 /// <summary>Options that take a number within a range; anything else is one line that names option, value, unit and range.</summary>
-static class NumberOption
+public static class NumberOption
 {
     /// <param name="unit">Written after the numbers in messages: "ms", "s", or empty.</param>
     public static Option<T> Create<T>(string name, string description, T standard, T least, T greatest, string unit)
@@ -14,7 +14,7 @@ static class NumberOption
     {
         return new Option<T>(name)
         {
-            Description = Invariant($"{description} [{least} to {greatest}{Suffix(unit)}; default {standard}]"),
+            Description = Invariant($"{description} [{least} to {greatest}{Suffix(unit)}]"),
             DefaultValueFactory = _ => standard,
             CustomParser = result => Parse(result, name, least, greatest, unit),
         };

@@ -1,7 +1,7 @@
-namespace Nowpose.Cli;
+namespace Nowpose.Gateway.Options;
 
 /// <summary>What the process says when it ends.</summary>
-static class ExitStatus
+public static class ExitStatus
 {
     public const int Done = 0;
     public const int Failed = 1;

@@ -1,16 +1,16 @@
 using System.CommandLine;
 
-namespace Nowpose.Cli.Options;
+namespace Nowpose.Gateway.Options;
 
 /// <summary>Options that take one of a few words.</summary>
-static class ChoiceOption
+public static class ChoiceOption
 {
     public static Option<string> Create(string name, string description, string standard, IReadOnlyCollection<string> allowed)
     {
         var list = string.Join(", ", allowed);
         var option = new Option<string>(name)
         {
-            Description = $"{description} [{list}; default {standard}]",
+            Description = $"{description} [{list}]",
             DefaultValueFactory = _ => standard,
         };
         option.Validators.Add(result =>
