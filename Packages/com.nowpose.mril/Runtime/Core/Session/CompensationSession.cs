@@ -140,13 +140,13 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>What this headset publishes about itself once a second; null until the control time is known. Any thread.</summary>
+        /// <summary>What this headset publishes about itself once a second; stamped zero until the control time is known. Any thread.</summary>
         public DiagnosticsMessage Diagnostics()
         {
             var now = _clock.Now;
             var statistics = Statistics(now);
-            if (!statistics.Clock.IsKnown) return null;
-            return SessionDiagnostics.Of(statistics, _settings.Connection.HeadsetName, statistics.Clock.ToControl(now));
+            return SessionDiagnostics.Of(
+                statistics, _settings.Connection.HeadsetName, statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
         }
 
         // Stamps from before a step belong to another time line, and stamps from before the first exchange were never

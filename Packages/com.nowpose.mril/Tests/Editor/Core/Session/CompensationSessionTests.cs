@@ -68,6 +68,33 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Diagnostics_BeforeAndAfterTheClockIsKnown_LeaveOutWhatIsUnknown()
+        {
+            var clock = new SetClock();
+            var session = new CompensationSession(
+                new SessionSettings(new ConnectionSettings("127.0.0.1", headsetName: "left"), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+                TestRobot.Model, clock);
+            var before = session.Diagnostics();
+            session.Clock.Add(new SyncExchange(
+                HeadsetTime.FromSeconds(1), ControlTime.FromSeconds(101.001), ControlTime.FromSeconds(101.001), HeadsetTime.FromSeconds(1.002)), out _);
+            clock.Now = HeadsetTime.FromSeconds(1.002);
+
+            var after = session.Diagnostics();
+
+            Assert.That(before.HardwareId, Is.EqualTo("left"));
+            Assert.That(before.Values.Select(v => v.Key), Is.EqualTo(new[] { "state", "l_visu_ms", "samples", "dropped" }));
+            Assert.That(before.Values[0].Value, Is.EqualTo("unsynchronised"));
+            Assert.That(after.Stamp, Is.EqualTo(ControlTime.FromSeconds(101.002)));
+            var values = after.Values.ToDictionary(v => v.Key, v => v.Value);
+            Assert.That(values["state"], Is.EqualTo("converging"));
+            Assert.That(values["offset_ns"], Is.EqualTo("-100000000000"));
+            Assert.That(values["rtt_ms"], Is.EqualTo("2"));
+            Assert.That(values["error_bound_us"], Is.EqualTo("1000"));
+            Assert.That(values["l_visu_ms"], Is.EqualTo("40"));
+            Assert.That(values.Keys, Has.No.Member("l_app_ms"), "no sample yet");
+        }
+
+        [Test]
         public void Tick_BeforeAnythingArrived_SaysNoData()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
@@ -278,6 +305,11 @@ namespace Nowpose.Tests
             Assert.That(Assert.Throws<InputException>(() => new SessionSettings(
                     new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.Zero), syncIntervalMs: 5)).Message,
                 Is.EqualTo("sync interval: 5 ms is out of range; allowed are 20 to 10000 ms"));
+        }
+
+        sealed class SetClock : IHeadsetClock
+        {
+            public HeadsetTime Now { get; set; }
         }
 
         static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Received(
