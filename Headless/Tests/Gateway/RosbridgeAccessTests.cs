@@ -36,7 +36,7 @@ public class RosbridgeAccessTests
     public async Task Observer_ThatPublishes_IsRefusedAndGoesOn()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
-        using var observer = await RosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
+        using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
         await observer.SubscribeAsync(RosTopics.JointStates);
 
         await observer.SendAsync(State());
@@ -54,8 +54,8 @@ public class RosbridgeAccessTests
     public async Task Source_ThatPublishes_ReachesTheObserver()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
-        using var observer = await RosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
-        using var source = await RosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.SourceToken));
+        using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.SourceToken));
         await observer.SubscribeAsync(RosTopics.JointStates);
 
         await source.SendAsync(State());
@@ -101,7 +101,7 @@ public class RosbridgeAccessTests
     {
         await using var gateway = await Gateways.StartAsync();
 
-        using var client = await RosbridgeClient.ConnectAsync(gateway, Header("Origin", $"http://{host}:{gateway.WebSocketEndPoint.Port}"));
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway, Header("Origin", $"http://{host}:{gateway.WebSocketEndPoint.Port}"));
 
         await client.RoundTripAsync();
     }
@@ -123,7 +123,7 @@ public class RosbridgeAccessTests
         using var certificate = CertificateFiles.Generate();
         await using var gateway = await Gateways.StartAsync(WithTokens with { Certificate = certificate });
 
-        using var client = await RosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.SourceToken));
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.SourceToken));
 
         await client.RoundTripAsync();
     }

@@ -19,7 +19,7 @@ public class RosbridgeServerTests
     public async Task Subscribe_TypeNamed_GetsItsSpellingOfTime(string type, string seconds)
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates, type);
 
         using var source = gateway.Hub.OpenSource();
@@ -36,8 +36,8 @@ public class RosbridgeServerTests
     public async Task RoslibStyleMessages_OfARealClient_AreServed()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var robot = await RosbridgeClient.ConnectAsync(gateway);
-        using var page = await RosbridgeClient.ConnectAsync(gateway);
+        using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var page = await RawRosbridgeClient.ConnectAsync(gateway);
 
         // As roslib.js writes them, field for field.
         await page.SendAsync("""{"op":"subscribe","id":"subscribe:/joint_states:1","type":"sensor_msgs/JointState","topic":"/joint_states","compression":"none","throttle_rate":0,"queue_length":0}""");
@@ -56,7 +56,7 @@ public class RosbridgeServerTests
     public async Task Unsubscribe_ThenPublish_GetsNothing()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates);
         await client.SendAsync(RosbridgeWriter.Unsubscribe(RosTopics.JointStates));
         await client.RoundTripAsync();
@@ -71,7 +71,7 @@ public class RosbridgeServerTests
     public async Task Unsubscribe_OneOfTwoIds_GoesOnWithTheOther()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, null, "1"));
         await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, null, "2"));
         await client.SendAsync(RosbridgeWriter.Unsubscribe(RosTopics.JointStates, "1"));
@@ -90,7 +90,7 @@ public class RosbridgeServerTests
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
         source.TryDescribe("<robot name=\"r\"/>");
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, "std_msgs/String"));
 
@@ -101,8 +101,8 @@ public class RosbridgeServerTests
     public async Task Description_NearlyAMebibyte_Passes()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var robot = await RosbridgeClient.ConnectAsync(gateway);
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.RobotDescription);
         var urdf = new string('u', 1_000_000);
 
@@ -116,7 +116,7 @@ public class RosbridgeServerTests
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(1e9), 1e-3);
         await using var gateway = await Gateways.StartAsync(clock: clock);
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         var before = clock.Now;
         var time = (await client.RoundTripAsync()).Time.Value;
@@ -128,7 +128,7 @@ public class RosbridgeServerTests
     public async Task Service_Unknown_FailsWithTheCallersId()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.SendAsync(RosbridgeWriter.CallService("/rosapi/topics", "9"));
 
@@ -148,7 +148,7 @@ public class RosbridgeServerTests
     public async Task Message_AgainstARule_IsDroppedCountedToldAndTheConnectionGoesOn(string text, DropReason reason, string part)
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates);
 
         await client.SendAsync(text);
@@ -164,7 +164,7 @@ public class RosbridgeServerTests
     public async Task Message_Nested10000Deep_IsDroppedAndTheConnectionGoesOn()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.SendAsync("{\"op\":" + new string('[', 10_000) + new string(']', 10_000) + "}");
 
@@ -176,7 +176,7 @@ public class RosbridgeServerTests
     public async Task Message_OfTwoMebibytes_IsDroppedAndTheConnectionGoesOn()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.SendAsync(new string(' ', 2 * 1024 * 1024));
 
@@ -189,7 +189,7 @@ public class RosbridgeServerTests
     public async Task Message_Binary_IsDropped()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.Socket.SendAsync(Encoding.UTF8.GetBytes(State(1)), WebSocketMessageType.Binary, true, default).Bounded();
 
@@ -202,7 +202,7 @@ public class RosbridgeServerTests
     public async Task Message_InFragments_UpTo64(int count, bool expected)
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates);
         var text = State(1);
 
@@ -221,7 +221,7 @@ public class RosbridgeServerTests
     public async Task Message_LateInEnding_IsDroppedAndTheConnectionGoesOn()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MessageTimeout = TimeSpan.FromMilliseconds(50) });
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.SendAsync("{\"op\":", false);
         await Task.Delay(300);
@@ -237,7 +237,7 @@ public class RosbridgeServerTests
     {
         var options = Gateways.Options() with { MessageTimeout = TimeSpan.FromMilliseconds(50), DrainTimeout = TimeSpan.FromMilliseconds(100) };
         await using var gateway = await Gateways.StartAsync(options);
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.SendAsync("{\"op\":", false);
 
@@ -250,7 +250,7 @@ public class RosbridgeServerTests
     public async Task Message_BeyondWhatIsDrained_Closes()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { DrainBytes = 2_000_000 });
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         try
         {
@@ -268,7 +268,7 @@ public class RosbridgeServerTests
     public async Task Topics_MoreThan32_AreRefused()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         for (var i = 0; i < ProtocolLimits.TopicsPerClient; i++)
             await client.SubscribeAsync("/topic" + i);
 
@@ -287,8 +287,8 @@ public class RosbridgeServerTests
     public async Task Source_SecondForAJoint_IsRefusedUntilTheFirstGoes()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var first = await RosbridgeClient.ConnectAsync(gateway);
-        using var second = await RosbridgeClient.ConnectAsync(gateway);
+        using var first = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var second = await RawRosbridgeClient.ConnectAsync(gateway);
         await first.SendAsync(State(1));
         await first.RoundTripAsync();
 
@@ -308,8 +308,8 @@ public class RosbridgeServerTests
     public async Task Diagnostics_OfAHeadset_ReachWhoeverListens()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var headset = await RosbridgeClient.ConnectAsync(gateway);
-        using var page = await RosbridgeClient.ConnectAsync(gateway);
+        using var headset = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var page = await RawRosbridgeClient.ConnectAsync(gateway);
         await page.SubscribeAsync(RosTopics.Diagnostics);
         var sent = new DiagnosticsMessage(default, "h1", [new("rtt_ms", "3.5")]);
 
@@ -326,8 +326,8 @@ public class RosbridgeServerTests
     public async Task Reader_ThatStops_LosesTheOldestAndDelaysNobody()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
-        using var slow = await RosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));
-        using var quick = await RosbridgeClient.ConnectAsync(gateway);
+        using var slow = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));
+        using var quick = await RawRosbridgeClient.ConnectAsync(gateway);
         await slow.SubscribeAsync(RosTopics.JointStates);
         await quick.SubscribeAsync(RosTopics.JointStates);
         using var source = gateway.Hub.OpenSource();
@@ -356,7 +356,7 @@ public class RosbridgeServerTests
     {
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);
-        using var client = await RosbridgeClient.ConnectAsync(gateway); // which answers only while it receives
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway); // which answers only while it receives
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Silence] == 1, "closed for silence");
     }
@@ -366,7 +366,7 @@ public class RosbridgeServerTests
     {
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(500) };
         await using var gateway = await Gateways.StartAsync(options);
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates);
 
         var receiving = client.ReceiveAsync();
@@ -381,7 +381,7 @@ public class RosbridgeServerTests
     public async Task Subscription_Throttled_GetsTheNewestAtItsRate()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates, null, 300);
         using var source = gateway.Hub.OpenSource();
         source.TryPublish(Gateways.State(1, "a"));
@@ -401,7 +401,7 @@ public class RosbridgeServerTests
     public async Task Connections_BeyondTheLimit_AreAnswered503()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
-        using var first = await RosbridgeClient.ConnectAsync(gateway);
+        using var first = await RawRosbridgeClient.ConnectAsync(gateway);
 
         Assert.That(await RefusalAsync(gateway, null), Is.EqualTo(HttpStatusCode.ServiceUnavailable));
         await first.RoundTripAsync();
@@ -411,7 +411,7 @@ public class RosbridgeServerTests
     public async Task Compression_AskedFor_IsNotAgreed()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway, options => options.DangerousDeflateOptions = new WebSocketDeflateOptions());
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway, options => options.DangerousDeflateOptions = new WebSocketDeflateOptions());
 
         Assert.That(client.Socket.HttpResponseHeaders.ContainsKey("Sec-WebSocket-Extensions"), Is.False);
         await client.RoundTripAsync();
@@ -421,7 +421,7 @@ public class RosbridgeServerTests
     public async Task Gateway_Stopped_SaysGoodbye()
     {
         var gateway = await Gateways.StartAsync();
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.RoundTripAsync();
         var receiving = client.Socket.ReceiveAsync(new byte[100], default);
 

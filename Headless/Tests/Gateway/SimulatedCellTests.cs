@@ -19,7 +19,7 @@ public class SimulatedCellTests
         await using var gateway = await Gateways.StartAsync(clock: clock);
         var received = new ConcurrentQueue<ControlTime>();
         using var listening = gateway.Hub.Subscribe(RosTopics.JointStates, _ => received.Enqueue(clock.Now));
-        using var client = await RosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates, null, 0, 100);
         var motion = new PickAndPlaceMotion(RobotFiles.Load("youbot"));
         using var cell = new SimulatedCell(motion, clock, Timing, 1);

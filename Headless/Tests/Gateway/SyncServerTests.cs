@@ -14,7 +14,7 @@ public class SyncServerTests
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(-3), 50e-6);
         await using var gateway = await Gateways.StartAsync(clock: clock);
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         for (var i = 0u; i < 20; i++)
         {
@@ -39,7 +39,7 @@ public class SyncServerTests
             IsSynchronised = false, ErrorBound = TimeSpan.FromMilliseconds(3), Resolution = TimeSpan.FromMilliseconds(1),
         };
         await using var gateway = await Gateways.StartAsync(clock: clock);
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         var reply = (await client.ExchangeAsync(SyncFrame.Request(1, 2))).Value;
 
@@ -55,7 +55,7 @@ public class SyncServerTests
     public async Task Frame_Malformed_ClosesAndIsCounted(int at, string what)
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
         var bytes = new byte[SyncFrame.Size];
         SyncFrame.Request(1, 2).Write(bytes);
         bytes[at] ^= 0x40;
@@ -71,7 +71,7 @@ public class SyncServerTests
     public async Task Frame_OnlyAServerSends_Closes(SyncFrameKind kind)
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         Assert.That(await client.ExchangeAsync(new SyncFrame(kind, 0, 0, 0, 0, 0, 0, 0)), Is.Null);
         Assert.That(gateway.SyncConnections[Closure.MalformedFrame], Is.EqualTo(1));
@@ -81,7 +81,7 @@ public class SyncServerTests
     public async Task Requests_FasterThanAllowed_Close()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         var answered = 0;
         while (answered <= 1000 && await client.ExchangeAsync(SyncFrame.Request(1, 2)) != null)
@@ -95,7 +95,7 @@ public class SyncServerTests
     public async Task Connection_Silent_IsClosed()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncSilence = TimeSpan.FromMilliseconds(200) });
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         Assert.That(await client.ReceiveAsync(), Is.Null);
         Assert.That(gateway.SyncConnections[Closure.Silence], Is.EqualTo(1));
@@ -105,10 +105,10 @@ public class SyncServerTests
     public async Task Connections_BeyondTheLimit_AreRefusedAndOthersServed()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
-        using var first = await SyncClient.ConnectAsync(gateway);
+        using var first = await RawSyncClient.ConnectAsync(gateway);
         Assert.That(await first.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
 
-        using var second = await SyncClient.ConnectAsync(gateway);
+        using var second = await RawSyncClient.ConnectAsync(gateway);
 
         Assert.That(await second.ReceiveAsync(), Is.Null);
         Assert.That(gateway.SyncConnections[Closure.ConnectionLimit], Is.EqualTo(1));
@@ -119,7 +119,7 @@ public class SyncServerTests
     public async Task Token_Right_IsAcceptedAndServed()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         await client.SendAsync(SyncToken.Write(Gateways.ObserverToken));
 
@@ -131,7 +131,7 @@ public class SyncServerTests
     public async Task Token_Wrong_IsRefusedAndNothingServed()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         await client.SendAsync(SyncToken.Write("guess"));
 
@@ -143,7 +143,7 @@ public class SyncServerTests
     public async Task Token_NotGiven_RequestCloses()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Null);
     }
@@ -153,7 +153,7 @@ public class SyncServerTests
     {
         var options = Gateways.Options() with { Tokens = Gateways.Tokens, TokenTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         Assert.That(await client.ReceiveAsync(), Is.Null);
         await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Token] == 1, "counted");
@@ -163,7 +163,7 @@ public class SyncServerTests
     public async Task Token_LongerThanAllowed_Closes()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
         await client.SendAsync(SyncFrame.Token());
 
         await client.SendAsync([0x01, 0x02]);
@@ -176,7 +176,7 @@ public class SyncServerTests
     public async Task Token_ServerWithout_AcceptsAny()
     {
         await using var gateway = await Gateways.StartAsync();
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         await client.SendAsync(SyncToken.Write("left over"));
 
@@ -188,7 +188,7 @@ public class SyncServerTests
     {
         using var certificate = CertificateFiles.Generate();
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate, Tokens = Gateways.Tokens });
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
         var seen = default(CertificatePin);
         var secure = new SslStream(client.Stream, false, (_, given, _, _) => (seen = CertificatePin.Of(given)) != null);
         await secure.AuthenticateAsClientAsync("localhost").Bounded();
@@ -206,7 +206,7 @@ public class SyncServerTests
     {
         using var certificate = CertificateFiles.Generate();
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate });
-        using var client = await SyncClient.ConnectAsync(gateway);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
 
         Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Null);
         Assert.That(gateway.SyncConnections[Closure.TlsHandshake], Is.EqualTo(1));
@@ -216,8 +216,8 @@ public class SyncServerTests
     public async Task Gateway_StoppedWithOpenConnections_StartsAgainOnTheSamePorts()
     {
         var first = await Gateways.StartAsync();
-        using var sync = await SyncClient.ConnectAsync(first);
-        using var socket = await RosbridgeClient.ConnectAsync(first);
+        using var sync = await RawSyncClient.ConnectAsync(first);
+        using var socket = await RawRosbridgeClient.ConnectAsync(first);
         await sync.ExchangeAsync(SyncFrame.Request(1, 2));
         await socket.RoundTripAsync();
         var options = new GatewayOptions { SyncPort = first.SyncEndPoint.Port, WebSocketPort = first.WebSocketEndPoint.Port };
@@ -226,9 +226,9 @@ public class SyncServerTests
         Assert.That(await sync.ReceiveAsync(), Is.Null);
         await using var second = await Gateways.StartAsync(options);
 
-        using var again = await SyncClient.ConnectAsync(second);
+        using var again = await RawSyncClient.ConnectAsync(second);
         Assert.That(await again.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
-        using var socketAgain = await RosbridgeClient.ConnectAsync(second);
+        using var socketAgain = await RawRosbridgeClient.ConnectAsync(second);
         await socketAgain.RoundTripAsync();
     }
 }

@@ -47,7 +47,7 @@ public class RosbridgeClientTests
         await Send(socket, Good);
 
         Assert.That(Encoding.UTF8.GetString(buffer, 0, first.Count), Does.Contain("\"subscribe\"").And.Contain("/joint_states"));
-        await Eventually.Is(() => _listener.Messages.Count == 1, "a message");
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "a message");
         Assert.That(_listener.Messages.Single().Positions, Is.EqualTo(new[] { 1.5 }));
         Assert.That(_client.Status.State, Is.EqualTo(LinkState.Connected));
     }
@@ -71,7 +71,7 @@ public class RosbridgeClientTests
         await Send(socket, message);
         await Send(socket, Good);
 
-        await Eventually.Is(() => _listener.Messages.Count == 1, "the good message");
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "the good message");
         Assert.That(_listener.Drops, Is.EqualTo(new[] { reason }));
     }
 
@@ -83,7 +83,7 @@ public class RosbridgeClientTests
         await Send(socket, Good, WebSocketMessageType.Binary);
         await Send(socket, Good);
 
-        await Eventually.Is(() => _listener.Messages.Count == 1, "the good message");
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "the good message");
         Assert.That(_listener.Drops, Is.EqualTo(new[] { DropReason.NotJson }));
     }
 
@@ -99,7 +99,7 @@ public class RosbridgeClientTests
         await Send(socket, Good[((fragments - 1) * perFragment)..]);
         await Send(socket, Good);
 
-        await Eventually.Is(() => _listener.Messages.Count == (taken ? 2 : 1), "the good messages");
+        await Soon.BecomesAsync(() => _listener.Messages.Count == (taken ? 2 : 1), "the good messages");
         Assert.That(_listener.Drops, taken ? Is.Empty : Is.EqualTo(new[] { DropReason.TooManyFragments }));
     }
 
@@ -117,7 +117,7 @@ public class RosbridgeClientTests
             if (at % 3000 == 0) await Task.Delay(1);
         }
 
-        await Eventually.Is(() => _listener.Messages.Count == 1, "the message");
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "the message");
     }
 
     [Test]
@@ -126,11 +126,11 @@ public class RosbridgeClientTests
         var socket = await _server.AcceptAsync();
         await Send(socket, "{\"op\":", end: false);
 
-        await Eventually.Is(() => _client.Status.State == LinkState.Waiting, "waiting");
+        await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting, "waiting");
 
         Assert.That(_client.Status.Detail, Does.Contain("not complete within 5 s"));
         await Send(await _server.AcceptAsync(), Good);
-        await Eventually.Is(() => _listener.Messages.Count == 1, "a message over the new connection");
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "a message over the new connection");
     }
 
     [Test]
@@ -138,13 +138,13 @@ public class RosbridgeClientTests
     {
         var stream = await _server.AcceptStreamAsync();
 
-        await Eventually.Is(() => _client.Status.State == LinkState.Waiting, "waiting");
+        await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting, "waiting");
 
         Assert.That(_client.Status.Detail, Does.Contain("nothing heard for 6 s"));
         var sent = new byte[4096];
         Assert.That(stream.Read(sent), Is.GreaterThan(0), "it had asked");
         await Send(await _server.AcceptAsync(), Good);
-        await Eventually.Is(() => _listener.Messages.Count == 1, "a message over the new connection");
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "a message over the new connection");
     }
 
     [Test]
@@ -154,7 +154,7 @@ public class RosbridgeClientTests
 
         await socket.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, "", CancellationToken.None);
 
-        await Eventually.Is(() => _client.Status.State == LinkState.Waiting, "waiting");
+        await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting, "waiting");
         Assert.That(_client.Status.Detail, Is.EqualTo("joint positions: the gateway closed the connection"));
     }
 
@@ -165,7 +165,7 @@ public class RosbridgeClientTests
 
         stream.Write([0xC1, 2, (byte)'{', (byte)'}']);
 
-        await Eventually.Is(() => _client.Status.State == LinkState.Waiting, "waiting");
+        await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting, "waiting");
     }
 
     [TestCase("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n", "token")]
@@ -175,7 +175,7 @@ public class RosbridgeClientTests
     {
         await _server.AnswerAsync(answer);
 
-        await Eventually.Is(() => _client.Status.State == LinkState.Waiting && _client.Status.Detail.Contains(named), named);
+        await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting && _client.Status.Detail.Contains(named), named);
     }
 
     [Test]

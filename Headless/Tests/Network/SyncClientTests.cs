@@ -31,7 +31,7 @@ public class SyncClientTests
         var (client, clock) = Connect(server.Port);
         using (client)
         {
-            await Eventually.Is(() => clock.ModelAt(headset.Now).State == ClockState.Synchronised, "synchronised");
+            await Soon.BecomesAsync(() => clock.ModelAt(headset.Now).State == ClockState.Synchronised, "synchronised");
 
             var model = clock.ModelAt(headset.Now);
             Assert.That(client.Status.State, Is.EqualTo(LinkState.Connected));
@@ -56,7 +56,7 @@ public class SyncClientTests
         var (client, clock) = Connect(server.Port);
         using (client)
         {
-            await Eventually.Is(() => server.Connections >= 2, "a second connection");
+            await Soon.BecomesAsync(() => server.Connections >= 2, "a second connection");
 
             Assert.That(client.Faults[fault], Is.GreaterThanOrEqualTo(ProtocolLimits.SyncDropsInARow));
             Assert.That(client.Faults[fault], Is.EqualTo(client.Faults.Total));
@@ -78,7 +78,7 @@ public class SyncClientTests
         var (client, _) = Connect(server.Port);
         using (client)
         {
-            await Eventually.Is(() => client.Status.State == LinkState.Waiting && client.Status.Detail.Contains(named), named);
+            await Soon.BecomesAsync(() => client.Status.State == LinkState.Waiting && client.Status.Detail.Contains(named), named);
         }
     }
 
@@ -94,7 +94,7 @@ public class SyncClientTests
         var (client, clock) = Connect(server.Port);
         using (client)
         {
-            await Eventually.Is(() => client.Faults.Total >= 5, "five bad replies");
+            await Soon.BecomesAsync(() => client.Faults.Total >= 5, "five bad replies");
 
             Assert.That(server.Connections, Is.EqualTo(1));
             Assert.That(clock.ModelAt(headset.Now).IsKnown, Is.True);
@@ -108,7 +108,7 @@ public class SyncClientTests
         var (client, _) = Connect(server.Port);
         using (client)
         {
-            var took = await Eventually.Is(() => server.Connections >= 2, "a second connection");
+            var took = await Soon.BecomesAsync(() => server.Connections >= 2, "a second connection");
 
             Assert.That(took, Is.GreaterThan(ProtocolLimits.SyncReplyTimeout - TimeSpan.FromMilliseconds(100)));
         }
@@ -119,7 +119,7 @@ public class SyncClientTests
     {
         using var server = new FakeSyncServer(_ => []);
         var (client, _) = Connect(server.Port);
-        await Eventually.Is(() => server.Connections == 1, "connected");
+        await Soon.BecomesAsync(() => server.Connections == 1, "connected");
 
         var ending = Task.Run(client.Dispose);
 
@@ -136,7 +136,7 @@ public class SyncClientTests
         var (client, _) = Connect(port);
         using (client)
         {
-            await Eventually.Is(() => client.Status.State == LinkState.Waiting, "waiting");
+            await Soon.BecomesAsync(() => client.Status.State == LinkState.Waiting, "waiting");
 
             Assert.That(client.Status.Detail, Does.StartWith("clock sync: "));
         }

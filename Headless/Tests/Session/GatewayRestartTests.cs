@@ -2,7 +2,6 @@ using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
-using Nowpose.Headless.Tests.Network;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
@@ -29,21 +28,21 @@ public class GatewayRestartTests
             new SessionSettings(new ConnectionSettings("127.0.0.1", syncPort, webSocketPort), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
             robot, headsetClock);
         session.Connect();
-        await Eventually.Is(() => Tick(session, headsetClock) == PoseState.Current, "current before");
+        await Soon.BecomesAsync(() => Tick(session, headsetClock) == PoseState.Current, "current before");
 
         await gateway.DisposeAsync();
         cell.Dispose();
-        await Eventually.Is(() => Tick(session, headsetClock) == PoseState.Held, "held while the gateway is gone");
+        await Soon.BecomesAsync(() => Tick(session, headsetClock) == PoseState.Held, "held while the gateway is gone");
         var held = session.Tick(headsetClock.Now).Joints.ToArray();
-        await Eventually.Is(() => Links(session, headsetClock, LinkState.Waiting), "both links waiting");
+        await Soon.BecomesAsync(() => Links(session, headsetClock, LinkState.Waiting), "both links waiting");
         Assert.That(session.Tick(headsetClock.Now).Joints.ToArray(), Is.EqualTo(held), "the pose holds");
 
         var newClock = new StopwatchControlClock(clock.Now + TimeSpan.FromSeconds(clockStepSeconds));
         using var newCell = Cell(newClock);
         await using var newGateway = await StartAsync(syncPort, webSocketPort, newClock, newCell);
-        var took = await Eventually.Is(() => Links(session, headsetClock, LinkState.Connected), "both links connected");
-        await Eventually.Is(() => Tick(session, headsetClock) == PoseState.Current, "current after");
-        await Eventually.Is(() => IsRight(session, headsetClock, newClock), "synchronised to the new clock");
+        var took = await Soon.BecomesAsync(() => Links(session, headsetClock, LinkState.Connected), "both links connected");
+        await Soon.BecomesAsync(() => Tick(session, headsetClock) == PoseState.Current, "current after");
+        await Soon.BecomesAsync(() => IsRight(session, headsetClock, newClock), "synchronised to the new clock");
 
         Assert.That(took, Is.LessThan(ReconnectLimit));
         Assert.That(session.Clock.Steps, Is.EqualTo(clockStepSeconds == 0 ? 0 : 1));

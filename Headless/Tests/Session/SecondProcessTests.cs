@@ -4,7 +4,6 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
-using Nowpose.Headless.Tests.Network;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
@@ -60,7 +59,7 @@ public class SecondProcessTests
         await StartAsync(CertificateFiles.Generate());
         using var headset = Headset(_gateway.Pin.ToString(), ObserverToken);
 
-        await Eventually.Is(() => headset.Printed("pose Current | clock Synchronised | sync Connected: connected | positions Connected: connected"), "current: " + headset.All);
+        await Soon.BecomesAsync(() => headset.Printed("pose Current | clock Synchronised | sync Connected: connected | positions Connected: connected"), "current: " + headset.All);
     }
 
     [Test]
@@ -70,7 +69,7 @@ public class SecondProcessTests
         var other = CertificatePin.Of(CertificateFiles.Generate());
         using var headset = Headset(other.ToString(), ObserverToken);
 
-        await Eventually.Is(() => headset.Printed("clock sync: certificate: its pin is") && headset.Printed("joint positions: certificate: its pin is"), "refused");
+        await Soon.BecomesAsync(() => headset.Printed("clock sync: certificate: its pin is") && headset.Printed("joint positions: certificate: its pin is"), "refused");
         Assert.That(headset.All, Does.Contain(_gateway.Pin.ToString()).And.Contain(other.ToString()), "both pins are named");
         Assert.That(headset.All, Does.Not.Contain("Connected").And.Not.Contain(ObserverToken));
     }
@@ -81,8 +80,8 @@ public class SecondProcessTests
         await StartAsync(CertificateFiles.Generate());
         using var headset = Headset(_gateway.Pin.ToString(), "guessed");
 
-        await Eventually.Is(() => headset.Printed("sync Waiting: clock sync: the gateway does not accept this headset's token"), "sync refused");
-        await Eventually.Is(() => headset.Printed("the gateway does not accept this headset's token (401)"), "WebSocket refused");
+        await Soon.BecomesAsync(() => headset.Printed("sync Waiting: clock sync: the gateway does not accept this headset's token"), "sync refused");
+        await Soon.BecomesAsync(() => headset.Printed("the gateway does not accept this headset's token (401)"), "WebSocket refused");
         Assert.That(headset.All, Does.Not.Contain("Connected").And.Not.Contain("guessed"));
     }
 
@@ -92,7 +91,7 @@ public class SecondProcessTests
         await StartAsync(CertificateFiles.Generate(DateTimeOffset.UtcNow.AddDays(-30), DateTimeOffset.UtcNow.AddDays(-1)));
         using var headset = Headset(_gateway.Pin.ToString(), ObserverToken);
 
-        await Eventually.Is(() => headset.Printed("clock sync: certificate: expired on") && headset.Printed("joint positions: certificate: expired on"), "refused");
+        await Soon.BecomesAsync(() => headset.Printed("clock sync: certificate: expired on") && headset.Printed("joint positions: certificate: expired on"), "refused");
         Assert.That(headset.All, Does.Not.Contain("Connected"));
     }
 
@@ -102,7 +101,7 @@ public class SecondProcessTests
         await StartAsync(CertificateFiles.Generate());
         using var client = Client(ObserverToken, "https://elsewhere.example");
 
-        await Eventually.Is(() => client.Printed("refused:"), "refused");
+        await Soon.BecomesAsync(() => client.Printed("refused:"), "refused");
         Assert.That(client.All, Does.Contain("403"));
     }
 
@@ -111,11 +110,11 @@ public class SecondProcessTests
     {
         await StartAsync(CertificateFiles.Generate());
         using var client = Client(ObserverToken);
-        await Eventually.Is(() => client.Printed("connected"), "connected");
+        await Soon.BecomesAsync(() => client.Printed("connected"), "connected");
 
         client.Send(Sample.Replace("NAME", "extra_axis"));
 
-        await Eventually.Is(() => client.Printed("\"status\""), "a status");
+        await Soon.BecomesAsync(() => client.Printed("\"status\""), "a status");
         Assert.That(client.All, Does.Contain("the role of this client does not allow it"));
         Assert.That(_gateway.Drops[DropReason.NotAllowed], Is.EqualTo(1));
     }
@@ -125,11 +124,11 @@ public class SecondProcessTests
     {
         await StartAsync(CertificateFiles.Generate());
         using var client = Client(SourceToken);
-        await Eventually.Is(() => client.Printed("connected"), "connected");
+        await Soon.BecomesAsync(() => client.Printed("connected"), "connected");
 
         client.Send(Sample.Replace("NAME", "arm_joint_1"));
 
-        await Eventually.Is(() => client.Printed("\"status\""), "a status");
+        await Soon.BecomesAsync(() => client.Printed("\"status\""), "a status");
         Assert.That(client.All, Does.Contain("arm_joint_1"));
         Assert.That(_gateway.Drops[DropReason.JointTaken], Is.EqualTo(1));
     }

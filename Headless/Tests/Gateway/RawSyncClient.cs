@@ -5,15 +5,15 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Gateway;
 
 /// <summary>Sends and receives bytes on the sync port.</summary>
-sealed class SyncClient : IDisposable
+sealed class RawSyncClient : IDisposable
 {
     readonly TcpClient _tcp = new() { NoDelay = true };
 
     public Stream Stream { get; set; }
 
-    public static async Task<SyncClient> ConnectAsync(GatewayServer gateway)
+    public static async Task<RawSyncClient> ConnectAsync(GatewayServer gateway)
     {
-        var client = new SyncClient();
+        var client = new RawSyncClient();
         await client._tcp.ConnectAsync(gateway.SyncEndPoint).Bounded();
         client.Stream = client._tcp.GetStream();
         return client;

@@ -7,15 +7,15 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Gateway;
 
 /// <summary>A plain rosbridge client over a real socket.</summary>
-sealed class RosbridgeClient : IDisposable
+sealed class RawRosbridgeClient : IDisposable
 {
     readonly byte[] _buffer = new byte[2 * 1024 * 1024];
 
     public ClientWebSocket Socket { get; } = new();
 
-    public static async Task<RosbridgeClient> ConnectAsync(GatewayServer gateway, Action<ClientWebSocketOptions> set = null)
+    public static async Task<RawRosbridgeClient> ConnectAsync(GatewayServer gateway, Action<ClientWebSocketOptions> set = null)
     {
-        var client = new RosbridgeClient();
+        var client = new RawRosbridgeClient();
         set?.Invoke(client.Socket.Options);
         client.Socket.Options.CollectHttpResponseDetails = true;
         if (gateway.Pin != null)

@@ -1,9 +1,9 @@
 using System.Diagnostics;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Gateway;
+namespace Nowpose.Headless.Tests;
 
-/// <summary>Bounded waits.</summary>
+/// <summary>Bounded waits for what another thread or process does.</summary>
 static class Soon
 {
     public static readonly TimeSpan Limit = TimeSpan.FromSeconds(20);
@@ -11,8 +11,9 @@ static class Soon
     public static Task<T> Bounded<T>(this Task<T> task) => task.WaitAsync(Limit);
     public static Task Bounded(this Task task) => task.WaitAsync(Limit);
 
-    /// <summary>For what no signal tells: a counter of the other side.</summary>
-    public static async Task BecomesAsync(Func<bool> condition, string what)
+    /// <summary>For what no signal tells: a state or a counter of the other side.</summary>
+    /// <returns>How long it took.</returns>
+    public static async Task<TimeSpan> BecomesAsync(Func<bool> condition, string what)
     {
         var since = Stopwatch.GetTimestamp();
         while (!condition())
@@ -20,5 +21,6 @@ static class Soon
             Assert.That(Stopwatch.GetElapsedTime(since), Is.LessThan(Limit), what);
             await Task.Delay(5);
         }
+        return Stopwatch.GetElapsedTime(since);
     }
 }
