@@ -62,6 +62,20 @@ public class DemoVerbTests
         Assert.That(Result().GetProperty("tool_error_mm").GetProperty("reduction").GetDouble(), Is.GreaterThan(0.8));
     }
 
+    [Test]
+    public async Task Demo_Interrupted_WritesWhatItMeasuredAndExits130()
+    {
+        using var run = new PeerProcess("Nowpose.Cli.dll", "demo", "--network", "lan", "--out", _folder);
+        await Soon.BecomesAsync(() => run.Printed("6 of 20 s"), "six seconds of it");
+
+        var status = await run.InterruptAsync();
+
+        Assert.That(status, Is.EqualTo(130));
+        Assert.That(Result().GetProperty("seconds").GetDouble(), Is.InRange(6, 15));
+        Assert.That(Result().GetProperty("tool_error_mm").GetProperty("reduction").GetDouble(), Is.GreaterThan(0.5));
+        Assert.That(File.Exists(Path.Combine(_folder, "report.html")), Is.True);
+    }
+
     [TestCase("--seconds", "1", "--seconds: 1 s is out of range; allowed are 5 to 3600 s")]
     [TestCase("--seconds", "soon", "--seconds: 'soon' is not a number")]
     [TestCase("--network", "carrier-pigeon", "--network: 'carrier-pigeon' is not known; allowed are lan, wifi, busy-wifi")]

@@ -1,7 +1,7 @@
 using System.Collections.Concurrent;
 using System.Diagnostics;
 
-namespace Nowpose.Headless.Tests.Session;
+namespace Nowpose.Headless.Tests;
 
 /// <summary>A second process, as from another machine, with its lines; ended with the test whatever happens.</summary>
 sealed class PeerProcess : IDisposable
@@ -31,6 +31,15 @@ sealed class PeerProcess : IDisposable
     public void Send(string line) => _process.StandardInput.WriteLine(line);
 
     public bool Printed(string words) => _lines.Any(line => line.Contains(words));
+
+    /// <summary>Sends what Ctrl-C sends, and waits for the end.</summary>
+    /// <returns>The exit status.</returns>
+    public async Task<int> InterruptAsync()
+    {
+        using var kill = Process.Start("kill", ["-INT", _process.Id.ToString()]);
+        await _process.WaitForExitAsync().Bounded();
+        return _process.ExitCode;
+    }
 
     public void Dispose()
     {
