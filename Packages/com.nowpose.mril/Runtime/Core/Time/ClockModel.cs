@@ -9,13 +9,14 @@ namespace Nowpose
     /// </remarks>
     public readonly struct ClockModel
     {
-        public ClockModel(HeadsetTime reference, ClockOffset referenceOffset, double skew, TimeSpan errorBound, ClockState state)
+        public ClockModel(HeadsetTime reference, ClockOffset referenceOffset, double skew, TimeSpan errorBound, ClockState state, int steps = 0)
         {
             Reference = reference;
             ReferenceOffset = referenceOffset;
             Skew = skew;
             ErrorBound = errorBound;
             State = state;
+            Steps = steps;
         }
 
         /// <summary>The headset time the line is anchored at, near the newest exchange.</summary>
@@ -31,6 +32,9 @@ namespace Nowpose
         public TimeSpan ErrorBound { get; }
 
         public ClockState State { get; }
+
+        /// <summary>How often a clock stepped before; when it changes, earlier control times belong to another time line.</summary>
+        public int Steps { get; }
 
         /// <summary>Whether the model can convert at all.</summary>
         public bool IsKnown => State != ClockState.Unsynchronised;

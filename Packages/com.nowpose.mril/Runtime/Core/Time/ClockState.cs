@@ -3,10 +3,10 @@ namespace Nowpose
     /// <summary>How far the headset clock is tied to the control clock.</summary>
     public enum ClockState
     {
-        /// <summary>No exchange yet, or the clock stepped and nothing is known of it since.</summary>
+        /// <summary>No exchange yet.</summary>
         Unsynchronised,
 
-        /// <summary>An offset is known, but not yet settled.</summary>
+        /// <summary>An offset is known, but not settled: at the start, after a step or a long silence, and while a step is suspected.</summary>
         Converging,
 
         /// <summary>Settled, and fed by recent exchanges.</summary>

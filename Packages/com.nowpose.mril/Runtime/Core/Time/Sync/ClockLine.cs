@@ -5,6 +5,12 @@ namespace Nowpose.Sync
     /// <summary>What an estimator believes: Φ as a line over the headset clock, with its statistical uncertainty.</summary>
     public readonly struct ClockLine
     {
+        /// <summary>
+        /// Two rates differ by no more: quartzes are good to 100 ppm each, and a clock that is slewed to a reference runs up
+        /// to 500 ppm fast or slow.
+        /// </summary>
+        internal const double GreatestSkew = 500e-6;
+
         public ClockLine(HeadsetTime reference, ClockOffset offset, double skew, TimeSpan offsetError, double skewError, int exchanges)
         {
             Reference = reference;
@@ -26,7 +32,7 @@ namespace Nowpose.Sync
         /// <summary>One standard error of <see cref="Offset"/>; zero while it cannot be told.</summary>
         public TimeSpan OffsetError { get; }
 
-        /// <summary>One standard error of <see cref="Skew"/>; zero while it cannot be told.</summary>
+        /// <summary>One standard error of <see cref="Skew"/>; a third of the greatest credible skew while it cannot be told.</summary>
         public double SkewError { get; }
 
         /// <summary>Exchanges seen since the start or the last reset; 0 means that the line says nothing.</summary>

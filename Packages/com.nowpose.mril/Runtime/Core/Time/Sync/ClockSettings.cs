@@ -12,15 +12,20 @@ namespace Nowpose.Sync
         /// <param name="errorToSynchroniseMs">Three standard errors of the offset must be below this, ms.</param>
         /// <param name="holdoverAfterSeconds">Silence after which a synchronised clock is in holdover, s: ten missed exchanges.</param>
         /// <param name="stepMarginMs">How far an exchange must contradict the earlier ones to count as a step, ms.</param>
+        /// <param name="startAnewAfterSeconds">Silence after which the old line is forgotten, s: the device slept, and quartzes drift.</param>
+        /// <param name="greatestHoldoverErrorMs">Error bound up to which a pose counts as current during a holdover, ms.</param>
         /// <param name="driftPpm">How much the skew itself may wander, ppm; the bound grows by it while no exchange arrives.</param>
         public ClockSettings(
             int exchangesToSynchronise = 20, double errorToSynchroniseMs = 1, double holdoverAfterSeconds = 2,
-            double stepMarginMs = 0.5, double driftPpm = 5)
+            double stepMarginMs = 0.5, double startAnewAfterSeconds = 60, double greatestHoldoverErrorMs = 10,
+            double driftPpm = 5)
         {
             ExchangesToSynchronise = (int)Require(exchangesToSynchronise, 1, 10_000, "exchanges to synchronise", "");
             ErrorToSynchronise = ClockTicks.Span(Require(errorToSynchroniseMs, 0.001, 1000, "error to synchronise", " ms") / 1000);
             HoldoverAfter = ClockTicks.Span(Require(holdoverAfterSeconds, 0.1, 3600, "holdover after", " s"));
             StepMargin = ClockTicks.Span(Require(stepMarginMs, 0.01, 10_000, "step margin", " ms") / 1000);
+            StartAnewAfter = ClockTicks.Span(Require(startAnewAfterSeconds, 1, 86_400, "start anew after", " s"));
+            GreatestHoldoverError = ClockTicks.Span(Require(greatestHoldoverErrorMs, 0, 1000, "greatest holdover error", " ms") / 1000);
             Drift = Require(driftPpm, 0, 1000, "drift", " ppm") * 1e-6;
         }
 
@@ -28,6 +33,9 @@ namespace Nowpose.Sync
         public TimeSpan ErrorToSynchronise { get; }
         public TimeSpan HoldoverAfter { get; }
         public TimeSpan StepMargin { get; }
+
+        public TimeSpan StartAnewAfter { get; }
+        public TimeSpan GreatestHoldoverError { get; }
 
         /// <summary>Dimensionless, seconds of error a second.</summary>
         public double Drift { get; }

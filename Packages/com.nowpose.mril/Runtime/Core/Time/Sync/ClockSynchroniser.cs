@@ -5,13 +5,15 @@ namespace Nowpose.Sync
     /// <summary>Keeps the clock model: exchanges go in on any thread, the model comes out on any other.</summary>
     public sealed class ClockSynchroniser
     {
+        /// <summary>One exchange that contradicts the past may be a fault; two are reason to doubt the clock already.</summary>
+        const int SuspectsToDoubt = 2;
+
         readonly object _gate = new object();
         readonly IClockEstimator _estimator;
         readonly ClockSettings _settings;
-        readonly ClockStepDetector _steps;
+        readonly ClockStepDetector _detector;
         readonly OffsetEnvelope _envelope = new OffsetEnvelope();
-        SyncExchange _newest;
-        bool _hasNewest;
+        SyncExchange? _newest;
         bool _wasSynchronised;
         volatile Belief _belief = Belief.None;
 
@@ -19,10 +21,10 @@ namespace Nowpose.Sync
         {
             _estimator = estimator;
             _settings = settings;
-            _steps = new ClockStepDetector(settings.StepMargin);
+            _detector = new ClockStepDetector(settings.StepMargin);
         }
 
-        /// <summary>How often a clock stepped since the start; a change means that older control times mean nothing any more.</summary>
+        /// <summary>How often a clock stepped since the start.</summary>
         public int Steps => _belief.Steps;
 
         /// <summary>Round-trip time of the newest exchange that was used; zero before the first.</summary>
@@ -33,15 +35,16 @@ namespace Nowpose.Sync
         {
             lock (_gate)
             {
-                fault = _hasNewest && exchange.T4 <= _newest.T4 ? SyncExchangeFault.NotNewer : SyncExchangeRules.Check(exchange);
+                fault = exchange.T4 <= _newest?.T4 ? SyncExchangeFault.NotNewer : SyncExchangeRules.Check(exchange);
                 if (fault != SyncExchangeFault.None) return SyncVerdict.Dropped;
 
+                if (exchange.T4 - _newest?.T4 > _settings.StartAnewAfter) ForgetTheLine();
                 _newest = exchange;
-                _hasNewest = true;
-                var verdict = _steps.Judge(exchange, _envelope);
+                var verdict = _detector.Judge(exchange, _estimator.Line, _envelope);
                 if (verdict == SyncVerdict.Consistent) Use(exchange);
-                if (verdict == SyncVerdict.Step) StartAnew();
-                if (verdict != SyncVerdict.SetAside) Publish(verdict);
+                else if (verdict == SyncVerdict.Step) StartAnew();
+                else if (_detector.Suspects.Count >= SuspectsToDoubt) Doubt(exchange);
+                if (verdict != SyncVerdict.SetAside) Publish(exchange, verdict == SyncVerdict.Step);
                 return verdict;
             }
         }
@@ -50,7 +53,7 @@ namespace Nowpose.Sync
         /// <remarks>
         /// The error bound is what the recent exchanges prove (at best half the least round trip: an asymmetry can hide no
         /// more), the server's own bound, and what three standard errors of the skew and its drift can have added since
-        /// the newest exchange.
+        /// the newest exchange. It counts on the server to say its clock's resolution.
         /// </remarks>
         public ClockModel ModelAt(HeadsetTime now)
         {
@@ -62,7 +65,7 @@ namespace Nowpose.Sync
             var grown = ClockTicks.Span((3 * line.SkewError + _settings.Drift) * age);
             var state = belief.State == ClockState.Synchronised && now - line.Reference > _settings.HoldoverAfter
                 ? ClockState.Holdover : belief.State;
-            return new ClockModel(line.Reference, line.Offset, line.Skew, belief.Bound + grown, state);
+            return new ClockModel(line.Reference, line.Offset, line.Skew, belief.Bound + grown, state, belief.Steps);
         }
 
         void Use(in SyncExchange exchange)
@@ -73,24 +76,37 @@ namespace Nowpose.Sync
 
         void StartAnew()
         {
-            _estimator.Reset();
+            ForgetTheLine();
             _envelope.Reset();
-            _wasSynchronised = false;
-            foreach (var suspect in _steps.Suspects) Use(suspect);
-            _steps.Reset();
+            foreach (var suspect in _detector.Suspects) Use(suspect);
+            _detector.Reset();
         }
 
-        void Publish(SyncVerdict verdict)
+        // The proofs stay: they are what tells whether a clock stepped meanwhile.
+        void ForgetTheLine()
+        {
+            _estimator.Reset();
+            _wasSynchronised = false;
+        }
+
+        // The old line stays in use, but no longer as a settled one, and with a bound that admits the contradiction.
+        void Doubt(in SyncExchange exchange)
+        {
+            var model = ModelAt(exchange.T4);
+            var contradiction = (exchange.Offset - model.OffsetAt(exchange.T4)).Duration() + exchange.RoundTripTime.Duration();
+            _belief = new Belief(_belief.Line, ClockState.Converging, _belief.Bound + contradiction, _belief.RoundTripTime, _belief.Steps);
+        }
+
+        void Publish(in SyncExchange exchange, bool stepped)
         {
             var line = _estimator.Line;
-            var bound = _envelope.GreatestError(line.Reference, line.Offset) + _newest.ServerErrorBound;
-            var steps = _belief.Steps + (verdict == SyncVerdict.Step ? 1 : 0);
-            _belief = new Belief(line, StateOf(line), bound, _newest.RoundTripTime, steps);
+            var bound = _envelope.GreatestError(line) + exchange.ServerErrorBound;
+            _belief = new Belief(line, StateOf(line, exchange.ServerSynchronised), bound, exchange.RoundTripTime, _belief.Steps + (stepped ? 1 : 0));
         }
 
-        ClockState StateOf(in ClockLine line)
+        ClockState StateOf(in ClockLine line, bool isServerSynchronised)
         {
-            if (!_newest.ServerSynchronised) return ClockState.Converging;
+            if (!isServerSynchronised) return ClockState.Converging;
             // Once settled, scatter alone does not unsettle it: the bound tells how good it is.
             _wasSynchronised = _wasSynchronised || (line.Exchanges >= _settings.ExchangesToSynchronise
                 && new TimeSpan(3 * line.OffsetError.Ticks) < _settings.ErrorToSynchronise);

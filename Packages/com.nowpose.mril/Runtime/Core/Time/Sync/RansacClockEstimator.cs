@@ -48,7 +48,7 @@ namespace Nowpose.Sync
             var newest = _points[_points.Count - 1];
             // Of two, the mean; of one, itself.
             var change = new TimeSpan((_points[0].Offset - newest.Offset).Ticks / 2);
-            return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, 0, _exchanges);
+            return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.GreatestSkew / 3, _exchanges);
         }
 
         FittedLine Fit()

@@ -20,6 +20,12 @@ namespace Nowpose.Sync
         /// <summary>The server kept the request for longer than the whole exchange took, by more than its clock's resolution.</summary>
         NegativeRoundTrip,
 
+        /// <summary>A timestamp beyond ±146 years of its epoch: no clock shows it, and sums with it would overflow.</summary>
+        ImplausibleTime,
+
+        /// <summary>Not a frame of the protocol: wrong magic, version or kind. Ends the connection.</summary>
+        NotAFrame,
+
         /// <summary>t4 is not after the previous exchange's: a log out of order, or a repeated line.</summary>
         NotNewer,
     }

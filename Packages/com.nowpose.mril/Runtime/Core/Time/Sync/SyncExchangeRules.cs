@@ -1,14 +1,23 @@
+using System;
+
 namespace Nowpose.Sync
 {
     /// <summary>What an exchange must satisfy before an estimator may see it.</summary>
     public static class SyncExchangeRules
     {
+        /// <summary>Half of what 64 bits of nanoseconds hold.</summary>
+        static readonly TimeSpan Farthest = new TimeSpan(long.MaxValue / 2 / ClockTicks.NanosecondsPerTick);
+
         public static SyncExchangeFault Check(in SyncExchange exchange)
         {
+            if (IsFar(exchange.T1.SinceEpoch) || IsFar(exchange.T2.SinceEpoch) || IsFar(exchange.T3.SinceEpoch) || IsFar(exchange.T4.SinceEpoch))
+                return SyncExchangeFault.ImplausibleTime;
             if (exchange.T3 < exchange.T2) return SyncExchangeFault.ControlTimeReversed;
             if (exchange.T4 < exchange.T1) return SyncExchangeFault.HeadsetTimeReversed;
             if (exchange.RoundTripTime < -exchange.Resolution) return SyncExchangeFault.NegativeRoundTrip;
             return SyncExchangeFault.None;
         }
+
+        static bool IsFar(TimeSpan sinceEpoch) => sinceEpoch > Farthest || sinceEpoch < -Farthest;
     }
 }

@@ -93,6 +93,95 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Step_WhileItIsBeingFound_TheStateAndTheBoundAdmitTheDoubt()
+        {
+            var link = new SimulatedLink(NetworkProfile.Lan, 5, 20);
+            var run = NewRun();
+            run.Run(link, 0, 30);
+
+            link.Step = TimeSpan.FromMilliseconds(100);
+            run.Run(link, 30, 32);
+
+            var doubted = run.Instants.Where(i => i.At > 30.45).ToList();
+            Assert.That(doubted.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True, "two exchanges contradict it by then");
+            Assert.That(doubted.First().Model.State, Is.EqualTo(ClockState.Converging));
+        }
+
+        [TestCase(200, 0.2)]
+        [TestCase(-500, 0.2)]
+        [TestCase(150, 2)]
+        [TestCase(150, 10)]
+        public void Steps_FastOrSlowClocks_AreNone(double skewPpm, double intervalSeconds)
+        {
+            foreach (var network in NetworkProfile.All)
+            {
+                var run = NewRun();
+                run.Run(new SimulatedLink(network, 6, skewPpm, driftPpm: 2), 0, 60 * intervalSeconds, intervalSeconds: intervalSeconds);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(0), network.Name);
+                Assert.That(run.Instants.Last().Model.IsKnown, Is.True);
+            }
+        }
+
+        [Test]
+        public void State_AfterALongSleep_SettlesAnew()
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 8, 60, driftPpm: 2);
+            var run = NewRun();
+            run.Run(link, 0, 30);
+
+            run.Run(link, 3600, 3620);
+
+            var awake = run.Instants.Where(i => i.At > 3600.3).ToList();
+            Assert.That(awake.First().Model.State, Is.EqualTo(ClockState.Converging));
+            Assert.That(awake.Last().Model.State, Is.EqualTo(ClockState.Synchronised));
+            Assert.That(awake.Where(i => i.Model.State == ClockState.Synchronised).All(i => Math.Abs(i.ErrorMs) < 1), Is.True);
+            Assert.That(run.Clock.Steps, Is.EqualTo(0));
+        }
+
+        [Test]
+        public void ErrorBound_FewExchangesLongAgo_CountsOnNoSkew()
+        {
+            var link = new SimulatedLink(NetworkProfile.Lan, 9, 80);
+            var run = NewRun();
+            run.Run(link, 0, 0.3);
+
+            run.Run(link, 0.3, 60, exchange: false);
+
+            Assert.That(Math.Abs(run.Instants.Last().ErrorMs), Is.GreaterThan(4), "80 ppm for a minute");
+            Assert.That(run.Instants.Where(i => i.Model.IsKnown).All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True);
+        }
+
+        [Test]
+        public void ErrorBound_ControlClockThatSaysItsCoarseResolution_Holds()
+        {
+            var run = NewRun();
+            var link = new SimulatedLink(NetworkProfile.Lan, 10, 30) { Resolution = TimeSpan.FromMilliseconds(1) };
+
+            run.Run(link, 0, 120);
+
+            Assert.That(run.Instants.Where(i => i.Model.IsKnown).All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True);
+            Assert.That(run.Clock.Steps, Is.EqualTo(0));
+        }
+
+        [Test]
+        public void Add_RandomTimes_NeverBreaksTheModel()
+        {
+            var random = new Random(11);
+            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            var now = HeadsetTime.FromSeconds(0);
+            for (var i = 0; i < 2000; i++)
+            {
+                now += TimeSpan.FromSeconds(random.NextDouble() < 0.02 ? 100 : 0.2);
+                var control = ControlTime.FromNanoseconds((long)((2 * random.NextDouble() - 1) * long.MaxValue));
+                clock.Add(new SyncExchange(now - TimeSpan.FromMilliseconds(2), control, control, now), out _);
+
+                var model = clock.ModelAt(now + TimeSpan.FromSeconds(60));
+                if (model.IsKnown) Assert.DoesNotThrow(() => model.ToControl(now + TimeSpan.FromSeconds(60)), "seed 11, exchange " + i);
+            }
+        }
+
+        [Test]
         public void Add_OneWildExchange_IsSetAsideAndForgotten()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 4, 20);

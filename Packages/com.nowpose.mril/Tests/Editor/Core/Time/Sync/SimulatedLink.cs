@@ -39,6 +39,9 @@ namespace Nowpose.Tests
             return new ClockOffset(TimeSpan.FromTicks((long)((_skew * s + wander) * TimeSpan.TicksPerSecond)) - _controlStart.SinceEpoch - Step);
         }
 
+        /// <summary>Steps in which the control clock advances, floored and said in each exchange.</summary>
+        public TimeSpan Resolution { get; set; }
+
         /// <returns>False when the exchange was lost.</returns>
         public bool TryExchange(HeadsetTime at, out SyncExchange exchange)
         {
@@ -46,8 +49,14 @@ namespace Nowpose.Tests
             var arrival = at + _up.Next() + Ms(load.UpMs);
             var sent = arrival + Ms(0.02);
             var back = sent + _down.Next() + Ms(load.DownMs);
-            exchange = new SyncExchange(at, TrueOffset(arrival).ToControl(arrival), TrueOffset(sent).ToControl(sent), back);
+            exchange = new SyncExchange(at, Stamp(arrival), Stamp(sent), back, Resolution);
             return _random.NextDouble() >= _lossChance;
+        }
+
+        ControlTime Stamp(HeadsetTime moment)
+        {
+            var exact = TrueOffset(moment).ToControl(moment).SinceEpoch.Ticks;
+            return new ControlTime(new TimeSpan(Resolution == TimeSpan.Zero ? exact : exact / Resolution.Ticks * Resolution.Ticks));
         }
 
         static TimeSpan Ms(double ms) => TimeSpan.FromTicks((long)(ms * TimeSpan.TicksPerMillisecond));

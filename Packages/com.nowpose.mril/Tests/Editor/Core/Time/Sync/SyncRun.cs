@@ -14,11 +14,11 @@ namespace Nowpose.Tests
 
         public SyncRun(IClockEstimator estimator) => Clock = new ClockSynchroniser(estimator, ClockSettings.Default);
 
-        public void Run(SimulatedLink link, double fromSeconds, double toSeconds, bool exchange = true)
+        public void Run(SimulatedLink link, double fromSeconds, double toSeconds, bool exchange = true, double intervalSeconds = 0.2)
         {
             var pending = new Queue<SyncExchange>();
             var next = fromSeconds;
-            for (var s = fromSeconds; s < toSeconds; s += 0.02)
+            for (var s = fromSeconds; s < toSeconds; s += intervalSeconds / 10)
             {
                 var now = HeadsetTime.FromSeconds(s);
                 while (pending.Count > 0 && pending.Peek().T4 <= now)
@@ -26,7 +26,7 @@ namespace Nowpose.Tests
                 if (exchange && s >= next && pending.Count == 0)
                 {
                     if (link.TryExchange(now, out var each)) pending.Enqueue(each);
-                    next += 0.2;
+                    next += intervalSeconds;
                 }
                 var model = Clock.ModelAt(now);
                 var error = model.IsKnown ? (model.OffsetAt(now) - link.TrueOffset(now)).TotalMilliseconds : double.NaN;
