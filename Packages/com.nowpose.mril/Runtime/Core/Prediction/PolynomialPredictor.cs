@@ -61,6 +61,12 @@ namespace Nowpose.Prediction
                 ahead = _limits.HorizonCap;
                 kind = PredictionKind.Held;
             }
+            // Before its oldest sample a section extrapolates as wildly as after its newest one.
+            else if (ahead < _section.Oldest && !double.IsPositiveInfinity(_limits.HorizonCap))
+            {
+                ahead = _section.Oldest;
+                kind = PredictionKind.Held;
+            }
             var position = newest.Position + _section.At(ahead);
             // Absurd samples overflow and an absurd time has no answer: neither may reach a transform.
             if (!double.IsFinite(position)) position = newest.Position;

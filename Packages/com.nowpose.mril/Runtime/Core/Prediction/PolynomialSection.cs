@@ -31,6 +31,9 @@ namespace Nowpose.Prediction
         /// <summary>Degree of the section in use; 0 when the stamps allow no motion to be told.</summary>
         public int Degree { get; private set; }
 
+        /// <summary>Time of the section's oldest sample relative to its newest, s; zero or negative.</summary>
+        public double Oldest { get; private set; }
+
         /// <summary>Position relative to the newest sample's, at seconds ahead of its time.</summary>
         public double At(double ahead)
         {
@@ -54,10 +57,12 @@ namespace Nowpose.Prediction
         void Localise(SampleHistory history, int count)
         {
             var span = 0.0;
+            Oldest = 0;
             for (var i = 0; i < count; i++)
             {
                 _times[i] = history[i].Time - history[0].Time;
                 _positions[i] = history[i].Position - history[0].Position;
+                Oldest = Math.Min(Oldest, _times[i]);
                 span = Math.Max(span, Math.Abs(_times[i]));
             }
             _perScale = span > 0 ? 1 / PowerOfTwoBelow(span) : 1;

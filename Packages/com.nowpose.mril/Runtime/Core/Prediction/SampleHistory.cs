@@ -5,7 +5,7 @@ namespace Nowpose.Prediction
     /// <summary>The newest samples of one joint, sorted whatever order they came in; index 0 is the newest.</summary>
     sealed class SampleHistory
     {
-        /// <summary>Nearer than this two samples are the same one sent twice: stamps on the wire are no finer.</summary>
+        /// <summary>Nearer than this two samples are the same one sent twice: no machine samples a joint a million times a second.</summary>
         const double DuplicateSeconds = 1e-6;
 
         readonly JointSample[] _newestFirst;

@@ -263,15 +263,35 @@ namespace Nowpose.Tests
             Assert.That(predictor.At(time).Kind, Is.EqualTo(kind));
         }
 
-        [TestCase(0.35, 1.0)]
-        [TestCase(-0.3, -0.5)]
-        [TestCase(0.24, 0.72)]
-        public void At_BeyondTheJointLimits_StopsAtThem(double time, double expected)
+        [TestCase(0.35, 3, 1.0)]
+        [TestCase(0.35, -3, -0.5)]
+        [TestCase(0.24, 3, 0.72)]
+        public void At_BeyondTheJointLimits_StopsAtThem(double time, double speed, double expected)
         {
             var predictor = new PolynomialPredictor(1, 1, new PredictionLimits(lower: -0.5, upper: 1));
-            Feed(predictor, new[] { 0.1, 0.2 }, t => 3 * t);
+            Feed(predictor, new[] { 0.1, 0.2 }, t => speed * t);
 
             Assert.That(predictor.At(time).Position, Is.EqualTo(expected).Within(1e-12));
+        }
+
+        [TestCase(0.1, 0.01, PredictionKind.Interpolated)]
+        [TestCase(0.09, 0.01, PredictionKind.Held)]
+        [TestCase(-0.9, 0.01, PredictionKind.Held)]
+        public void At_BeforeTheSection_HoldsItsOldestSample(double time, double expected, PredictionKind kind)
+        {
+            var predictor = new PolynomialPredictor(2, 2, new PredictionLimits());
+            Feed(predictor, new[] { 0.1, 0.15, 0.2 }, t => t * t);
+
+            Assert.That(predictor.At(time).Position, Is.EqualTo(expected).Within(1e-12), "0.81 at -0.9 s if it were extrapolated");
+            Assert.That(predictor.At(time).Kind, Is.EqualTo(kind));
+            Assert.That(UnlimitedAt(-0.9), Is.EqualTo(0.81).Within(1e-9), "the bare polynomial, for studies");
+        }
+
+        static double UnlimitedAt(double time)
+        {
+            var predictor = Unlimited(2, 2);
+            Feed(predictor, new[] { 0.1, 0.15, 0.2 }, t => t * t);
+            return predictor.At(time).Position;
         }
 
         [TestCase(2, 2)]
