@@ -11,7 +11,7 @@ sealed class DemoJointSeries(DemoRun run, ControlTime start)
     /// <summary>The joint that travels farthest; null when nothing was displayed.</summary>
     public object Busiest()
     {
-        var shown = Enumerable.Range(0, run.Frames.Rows.Count).Where(i => run.Frames.Rows[i].State != PoseState.NoData).ToList();
+        var shown = Enumerable.Range(0, run.Frames.Rows.Count).Where(i => run.Frames.Rows[i].State != PoseState.Incomplete).ToList();
         if (shown.Count == 0) return null;
         var truth = shown.Select(frame => JointsAt(run.Frames.Rows[frame].TrueLight)).ToList();
         var joint = Enumerable.Range(0, _joints).MaxBy(j => truth.Zip(truth.Skip(1), (a, b) => Math.Abs(b[j] - a[j])).Sum());

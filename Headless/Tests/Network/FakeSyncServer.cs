@@ -1,28 +1,18 @@
-using System.Net;
 using System.Net.Sockets;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>A sync server on loopback that answers as a test wants, one connection after another.</summary>
+/// <summary>A sync server that answers as a test wants.</summary>
 sealed class FakeSyncServer : IDisposable
 {
-    readonly TcpListener _listener = new(IPAddress.Loopback, 0);
-    readonly Func<SyncFrame, byte[]> _answer;
-    int _connections;
+    readonly FakeTcpServer _server;
 
     /// <param name="answer">The bytes to send back for a request; null closes the connection.</param>
-    public FakeSyncServer(Func<SyncFrame, byte[]> answer)
-    {
-        _answer = answer;
-        _listener.Start();
-        new Thread(Serve) { IsBackground = true }.Start();
-    }
+    public FakeSyncServer(Func<SyncFrame, byte[]> answer) => _server = new FakeTcpServer(stream => Serve(stream, answer));
 
-    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
-
-    /// <summary>Connections accepted so far.</summary>
-    public int Connections => Volatile.Read(ref _connections);
+    public int Port => _server.Port;
+    public int Connections => _server.Connections;
 
     public static byte[] Bytes(SyncFrame frame)
     {
@@ -31,42 +21,18 @@ sealed class FakeSyncServer : IDisposable
         return bytes;
     }
 
-    public void Dispose() => _listener.Stop();
+    public void Dispose() => _server.Dispose();
 
-    void Serve()
-    {
-        try
-        {
-            while (true)
-            {
-                using var client = _listener.AcceptTcpClient();
-                Interlocked.Increment(ref _connections);
-                try
-                {
-                    ServeOne(client.GetStream());
-                }
-                catch (IOException)
-                {
-                    // The client went away; the next one may come.
-                }
-            }
-        }
-        catch (Exception end) when (end is SocketException or InvalidOperationException)
-        {
-            // Stopped.
-        }
-    }
-
-    void ServeOne(NetworkStream stream)
+    static void Serve(NetworkStream stream, Func<SyncFrame, byte[]> answer)
     {
         var request = new byte[SyncFrame.Size];
         while (true)
         {
             stream.ReadExactly(request);
             SyncFrame.TryRead(request, out var frame, out _);
-            var answer = _answer(frame);
-            if (answer == null) return;
-            stream.Write(answer);
+            var bytes = answer(frame);
+            if (bytes == null) return;
+            stream.Write(bytes);
         }
     }
 }

@@ -47,6 +47,7 @@ public class RosbridgeClientTests
         await Send(socket, Good);
 
         Assert.That(Encoding.UTF8.GetString(buffer, 0, first.Count), Does.Contain("\"subscribe\"").And.Contain("/joint_states"));
+        await Soon.BecomesAsync(() => _client.Status.State == LinkState.Connected, "connected");
         await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "a message");
         Assert.That(_listener.Messages.Single().Positions, Is.EqualTo(new[] { 1.5 }));
         Assert.That(_client.Status.State, Is.EqualTo(LinkState.Connected));
@@ -129,6 +130,7 @@ public class RosbridgeClientTests
         await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting, "waiting");
 
         Assert.That(_client.Status.Detail, Does.Contain("not complete within 5 s"));
+        Assert.That(_listener.Drops, Is.EqualTo(new[] { DropReason.TooSlow }));
         await Send(await _server.AcceptAsync(), Good);
         await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "a message over the new connection");
     }
@@ -178,6 +180,39 @@ public class RosbridgeClientTests
         await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting && _client.Status.Detail.Contains(named), named);
     }
 
+    [TestCase("HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: bm9uc2Vuc2U=\r\n\r\n")]
+    [TestCase("SSH-2.0-OpenSSH_9.2\r\n\r\n")]
+    public async Task Connect_NoGatewayBehindThePort_KeepsTryingAndSaysWhy(string answer)
+    {
+        await _server.AnswerAsync(answer);
+
+        await Soon.BecomesAsync(() => _client.Status.State == LinkState.Waiting, "waiting");
+        Assert.That(_client.Status.Detail, Does.StartWith("joint positions: "));
+    }
+
+    [Test]
+    public async Task Connect_ServerThatAcceptsAndCloses_IsCalledEverMoreSlowly()
+    {
+        for (var i = 0; i < 4; i++) (await _server.AcceptStreamAsync()).Close();
+        var since = System.Diagnostics.Stopwatch.StartNew();
+
+        (await _server.AcceptStreamAsync()).Close();
+
+        Assert.That(since.Elapsed, Is.GreaterThan(TimeSpan.FromSeconds(1)), "0.2, 0.4, 0.8 s are over");
+    }
+
+    [Test]
+    public async Task Diagnostics_ThatThrow_EndTheConnectionNotTheClient()
+    {
+        _listener.FailDiagnostics = true;
+        await _server.AcceptStreamAsync();
+
+        await Soon.BecomesAsync(() => _client.Status.Detail.Contains("no diagnostics today"), "the reason");
+        _listener.FailDiagnostics = false;
+        await Send(await _server.AcceptAsync(), Good);
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "a message over the new connection");
+    }
+
     [Test]
     public async Task Dispose_WhileConnected_EndsAtOnce()
     {
@@ -195,6 +230,8 @@ public class RosbridgeClientTests
 
         public void Received(JointStateMessage message, HeadsetTime arrival) => Messages.Enqueue(message);
         public void Dropped(DropReason reason) => Drops.Enqueue(reason);
-        public DiagnosticsMessage Diagnostics() => null;
+        public bool FailDiagnostics { get; set; }
+
+        public DiagnosticsMessage Diagnostics() => FailDiagnostics ? throw new InvalidOperationException("no diagnostics today") : null;
     }
 }

@@ -9,10 +9,15 @@ public class SyncClientTests
 {
     static readonly TimeSpan Quick = TimeSpan.FromMilliseconds(5);
 
-    static (SyncClient Client, ClockSynchroniser Clock) Connect(int port)
+    SyncFaultCounters _faults;
+
+    [SetUp]
+    public void CountAnew() => _faults = new SyncFaultCounters();
+
+    (SyncClient Client, ClockSynchroniser Clock) Connect(int port, CertificatePin pin = null)
     {
         var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
-        return (new SyncClient(new ConnectionSettings("127.0.0.1", port), new StopwatchHeadsetClock(), clock, Quick), clock);
+        return (new SyncClient(new ConnectionSettings("127.0.0.1", port, pin: pin), new StopwatchHeadsetClock(), clock, _faults, Quick), clock);
     }
 
     static SyncFrame Reply(SyncFrame request, long t2Ns = 1000, long t3Ns = 2000, uint? sequence = null, long? t1Ns = null) =>
@@ -36,7 +41,7 @@ public class SyncClientTests
             var model = clock.ModelAt(headset.Now);
             Assert.That(client.Status.State, Is.EqualTo(LinkState.Connected));
             Assert.That((model.OffsetAt(headset.Now).HeadsetMinusControl - offset).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(5)));
-            Assert.That(client.Faults.Total, Is.EqualTo(0));
+            Assert.That(_faults.Total, Is.EqualTo(0));
         }
     }
 
@@ -58,8 +63,8 @@ public class SyncClientTests
         {
             await Soon.BecomesAsync(() => server.Connections >= 2, "a second connection");
 
-            Assert.That(client.Faults[fault], Is.GreaterThanOrEqualTo(ProtocolLimits.SyncDropsInARow));
-            Assert.That(client.Faults[fault], Is.EqualTo(client.Faults.Total));
+            Assert.That(_faults[fault], Is.GreaterThanOrEqualTo(ProtocolLimits.SyncDropsInARow));
+            Assert.That(_faults[fault], Is.EqualTo(_faults.Total));
             Assert.That(clock.ModelAt(default).State, Is.EqualTo(ClockState.Unsynchronised));
         }
     }
@@ -79,6 +84,7 @@ public class SyncClientTests
         using (client)
         {
             await Soon.BecomesAsync(() => client.Status.State == LinkState.Waiting && client.Status.Detail.Contains(named), named);
+            Assert.That(_faults[SyncExchangeFault.NotAFrame], Is.GreaterThanOrEqualTo(1));
         }
     }
 
@@ -94,7 +100,7 @@ public class SyncClientTests
         var (client, clock) = Connect(server.Port);
         using (client)
         {
-            await Soon.BecomesAsync(() => client.Faults.Total >= 5, "five bad replies");
+            await Soon.BecomesAsync(() => _faults.Total >= 5, "five bad replies");
 
             Assert.That(server.Connections, Is.EqualTo(1));
             Assert.That(clock.ModelAt(headset.Now).IsKnown, Is.True);
@@ -111,6 +117,56 @@ public class SyncClientTests
             var took = await Soon.BecomesAsync(() => server.Connections >= 2, "a second connection");
 
             Assert.That(took, Is.GreaterThan(ProtocolLimits.SyncReplyTimeout - TimeSpan.FromMilliseconds(100)));
+        }
+    }
+
+    [Test]
+    public async Task Exchange_ReplyByteByByte_TimesOutAllTheSame()
+    {
+        using var listener = new FakeTcpServer(stream =>
+        {
+            stream.ReadExactly(new byte[SyncFrame.Size]);
+            for (var i = 0; i < SyncFrame.Size; i++)
+            {
+                stream.WriteByte(0);
+                Thread.Sleep(300);
+            }
+        });
+        var (client, _) = Connect(listener.Port);
+        using (client)
+        {
+            var took = await Soon.BecomesAsync(() => listener.Connections >= 2, "a second connection");
+
+            Assert.That(took, Is.LessThan(TimeSpan.FromSeconds(6)), "48 bytes would take 14 s");
+        }
+    }
+
+    [Test]
+    public async Task Connect_TlsHandshakeWithoutAnAnswer_TimesOutAndSaysSo()
+    {
+        using var listener = new FakeTcpServer(stream =>
+        {
+            while (stream.ReadByte() >= 0) { }
+        });
+        var (client, _) = Connect(listener.Port, CertificatePin.Parse("47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU="));
+        using (client)
+        {
+            await Soon.BecomesAsync(() => listener.Connections >= 2, "a second connection");
+
+            Assert.That(client.Status.Detail, Does.Contain("no answer within 3 s"));
+        }
+    }
+
+    [Test]
+    public async Task Exchange_TimesThatNoClockShows_AreCountedAndHarmless()
+    {
+        using var server = new FakeSyncServer(request => FakeSyncServer.Bytes(Reply(request, long.MaxValue, long.MaxValue)));
+        var (client, clock) = Connect(server.Port);
+        using (client)
+        {
+            await Soon.BecomesAsync(() => _faults[SyncExchangeFault.ImplausibleTime] >= 3, "three of them");
+
+            Assert.That(clock.ModelAt(default).IsKnown, Is.False);
         }
     }
 

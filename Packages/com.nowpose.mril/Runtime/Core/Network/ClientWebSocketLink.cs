@@ -23,19 +23,20 @@ namespace Nowpose.Network
                 await socket.ConnectAsync(_settings.WebSocketUri, cancel).ConfigureAwait(false);
                 return socket;
             }
-            catch (WebSocketException failure)
+            catch (Exception failure)
             {
                 socket.Dispose();
-                throw new GatewayRefusalException(Reason(failure), failure);
+                if (failure is WebSocketException refused) throw new GatewayRefusalException(Reason(refused), refused);
+                throw;
             }
         }
 
-        // This client tells the status code in its message only.
+        // This client tells the status code in its message only, between quotation marks; a port may be 40111 as well.
         static string Reason(WebSocketException failure)
         {
-            var message = failure.InnerException == null ? failure.Message : failure.Message + " (" + failure.InnerException.Message + ")";
-            if (message.Contains("401")) return WebSocketUpgrade.RefusalOf(401);
-            return message.Contains("403") ? WebSocketUpgrade.RefusalOf(403) : message;
+            if (failure.Message.Contains("'401'")) return WebSocketUpgrade.RefusalOf(401);
+            if (failure.Message.Contains("'403'")) return WebSocketUpgrade.RefusalOf(403);
+            return failure.InnerException == null ? failure.Message : failure.Message + " (" + failure.InnerException.Message + ")";
         }
     }
 }

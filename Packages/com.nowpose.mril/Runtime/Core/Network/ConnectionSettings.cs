@@ -30,7 +30,7 @@ namespace Nowpose.Network
             Pin = pin;
             Security = pin != null ? TransportSecurity.Pinned : deviceTrust ? TransportSecurity.DeviceTrust : TransportSecurity.Plain;
             Token = RequireToken(token);
-            HeadsetName = string.IsNullOrWhiteSpace(headsetName) ? throw new InputException("headset name: is empty") : headsetName;
+            HeadsetName = RequireName(headsetName);
             if (Security == TransportSecurity.Plain && !IsLoopback) RequirePlainIsWanted(insecureLan);
         }
 
@@ -66,6 +66,13 @@ namespace Nowpose.Network
         {
             if (port < 1 || port > 65535) throw new InputException(name + ": " + port + " is out of range; allowed are 1 to 65535");
             return port;
+        }
+
+        static string RequireName(string name)
+        {
+            if (string.IsNullOrWhiteSpace(name) || name.Length > ProtocolLimits.NameLength)
+                throw new InputException("headset name: is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + ProtocolLimits.NameLength);
+            return name;
         }
 
         static string RequireToken(string token)

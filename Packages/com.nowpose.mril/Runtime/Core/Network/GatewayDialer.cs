@@ -5,6 +5,7 @@ using System.Net.Sockets;
 using System.Security.Authentication;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
@@ -20,28 +21,39 @@ namespace Nowpose.Network
             _trust = new ServerTrust(settings.Pin);
         }
 
-        /// <exception cref="GatewayRefusalException">The certificate is not trusted.</exception>
+        /// <exception cref="GatewayRefusalException">The certificate is not trusted, or nothing was answered in time.</exception>
         /// <exception cref="SocketException">Nobody listens there, or the network is down.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
         {
             var tcp = new TcpClient { NoDelay = true };
-            try
+            using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
             {
-                // Closing the socket is the only way to end a connect or a handshake on .NET Standard 2.1.
-                using (cancel.Register(tcp.Dispose))
+                inTime.CancelAfter(ProtocolLimits.DialTimeout);
+                try
                 {
-                    await tcp.ConnectAsync(_settings.Host, port).ConfigureAwait(false);
-                    var plain = tcp.GetStream();
-                    return _settings.Security == TransportSecurity.Plain ? plain : await SecureAsync(plain).ConfigureAwait(false);
+                    return await OpenAsync(tcp, port, inTime.Token).ConfigureAwait(false);
+                }
+                catch (Exception failure)
+                {
+                    tcp.Dispose();
+                    cancel.ThrowIfCancellationRequested();
+                    if (inTime.IsCancellationRequested)
+                        throw new GatewayRefusalException(
+                            _settings.Host + ":" + port + ": no answer within " + ProtocolLimits.DialTimeout.TotalSeconds + " s", failure);
+                    throw;
                 }
             }
-            catch (Exception failure)
+        }
+
+        async Task<Stream> OpenAsync(TcpClient tcp, int port, CancellationToken cancel)
+        {
+            // Closing the socket is the only way to end a connect or a handshake on .NET Standard 2.1.
+            using (cancel.Register(tcp.Dispose))
             {
-                tcp.Dispose();
-                cancel.ThrowIfCancellationRequested();
-                if (failure is GatewayRefusalException || failure is SocketException || failure is IOException) throw;
-                throw new GatewayRefusalException(_settings.Host + ":" + port + ": " + failure.Message, failure);
+                await tcp.ConnectAsync(_settings.Host, port).ConfigureAwait(false);
+                var plain = tcp.GetStream();
+                return _settings.Security == TransportSecurity.Plain ? plain : await SecureAsync(plain).ConfigureAwait(false);
             }
         }
 

@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Network
 {
     /// <summary>Where a connection stands, and why. Immutable.</summary>
@@ -19,6 +21,11 @@ namespace Nowpose.Network
         public string Detail { get; }
 
         public static LinkStatus Waiting(string reason) => new LinkStatus(LinkState.Waiting, reason);
+
+        /// <param name="what">Which connection.</param>
+        /// <param name="failure">Tasks that were waited for wrap it, as Mono's TLS streams do.</param>
+        internal static LinkStatus Waiting(string what, Exception failure) =>
+            Waiting(what + ": " + (failure is AggregateException ? failure.GetBaseException() : failure).Message);
 
         public override string ToString() => State + ": " + Detail;
     }

@@ -1,7 +1,5 @@
 using System;
 using System.IO;
-using System.Net.Sockets;
-using System.Net.WebSockets;
 using System.Runtime.ExceptionServices;
 using System.Threading;
 using System.Threading.Tasks;
@@ -50,12 +48,14 @@ namespace Nowpose.Network
             while (!_stop.IsCancellationRequested)
             {
                 var end = await EndOfAsync(ServeAsync(backoff)).ConfigureAwait(false);
-                _status = LinkStatus.Waiting("joint positions: " + (end?.Message ?? "the gateway closed the connection"));
+                _status = end == null
+                    ? LinkStatus.Waiting("joint positions: the gateway closed the connection")
+                    : LinkStatus.Waiting("joint positions", end);
                 await WaitAsync(backoff.Next()).ConfigureAwait(false);
             }
         }
 
-        /// <returns>What a network that failed threw; null when the task came to its end.</returns>
+        /// <returns>What the task threw, whatever it is (one that is not caught would end the session without a word); null at its end.</returns>
         static async Task<Exception> EndOfAsync(Task task)
         {
             try
@@ -63,15 +63,11 @@ namespace Nowpose.Network
                 await task.ConfigureAwait(false);
                 return null;
             }
-            catch (Exception failure) when (IsOfTheNetwork(failure))
+            catch (Exception failure)
             {
                 return failure;
             }
         }
-
-        static bool IsOfTheNetwork(Exception failure) =>
-            failure is IOException || failure is SocketException || failure is WebSocketException
-            || failure is OperationCanceledException || failure is ObjectDisposedException;
 
         async Task ServeAsync(Backoff backoff)
         {
@@ -80,9 +76,7 @@ namespace Nowpose.Network
             {
                 await OpenAsync(link).ConfigureAwait(false);
                 await SubscribeAsync(link, end.Token).ConfigureAwait(false);
-                _status = LinkStatus.Connected;
-                backoff.Reset();
-                var receiving = ReceiveAsync(link, end.Token);
+                var receiving = ReceiveAsync(link, backoff, end.Token);
                 var tending = TendAsync(link, end.Token);
                 var first = await Task.WhenAny(receiving, tending).ConfigureAwait(false);
                 end.Cancel();
@@ -90,7 +84,7 @@ namespace Nowpose.Network
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
                 var tended = await EndOfAsync(tending).ConfigureAwait(false);
                 // One that ends takes the other down; a limit that was broken is the reason even if its victim was quicker.
-                var reason = received is IOException || first == receiving ? received : tended;
+                var reason = received is MessageLimitException || first == receiving ? received : tended;
                 if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
             }
         }
@@ -100,7 +94,14 @@ namespace Nowpose.Network
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
             {
                 inTime.CancelAfter(ProtocolLimits.PongTimeout);
-                await link.OpenAsync(inTime.Token).ConfigureAwait(false);
+                try
+                {
+                    await link.OpenAsync(inTime.Token).ConfigureAwait(false);
+                }
+                catch (OperationCanceledException late) when (!_stop.IsCancellationRequested)
+                {
+                    throw new GatewayRefusalException("no answer within " + ProtocolLimits.PongTimeout.TotalSeconds + " s", late);
+                }
             }
             Heard(_clock.Now);
         }
@@ -111,15 +112,31 @@ namespace Nowpose.Network
             await link.SendAsync(RosbridgeWriter.Advertise(RosTopics.Diagnostics, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
         }
 
-        async Task ReceiveAsync(IWebSocketLink link, CancellationToken cancel)
+        async Task ReceiveAsync(IWebSocketLink link, Backoff backoff, CancellationToken cancel)
         {
             while (true)
             {
-                var received = await link.ReceiveAsync(cancel).ConfigureAwait(false);
+                var received = await NextAsync(link, cancel).ConfigureAwait(false);
                 if (received.IsClosed) return;
+                // Not before: a server that accepts and closes at once would be called again five times a second.
+                _status = LinkStatus.Connected;
+                backoff.Reset();
                 Heard(received.Arrival);
                 if (received.Text == null) _listener.Dropped(received.Dropped);
                 else Take(received);
+            }
+        }
+
+        async Task<ReceivedText> NextAsync(IWebSocketLink link, CancellationToken cancel)
+        {
+            try
+            {
+                return await link.ReceiveAsync(cancel).ConfigureAwait(false);
+            }
+            catch (MessageLimitException broken)
+            {
+                _listener.Dropped(broken.Reason);
+                throw;
             }
         }
 

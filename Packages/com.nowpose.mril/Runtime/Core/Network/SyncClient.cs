@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using System.Net.Sockets;
 using System.Threading;
 using Nowpose.Protocol;
 using Nowpose.Sync;
@@ -13,6 +12,7 @@ namespace Nowpose.Network
         readonly ConnectionSettings _settings;
         readonly IHeadsetClock _clock;
         readonly ClockSynchroniser _synchroniser;
+        readonly SyncFaultCounters _faults;
         readonly TimeSpan _interval;
         readonly CancellationTokenSource _stop = new CancellationTokenSource();
         readonly Thread _thread;
@@ -20,22 +20,22 @@ namespace Nowpose.Network
         volatile LinkStatus _status = LinkStatus.Connecting;
 
         /// <summary>Starts at once.</summary>
-        /// <param name="interval">From one exchange to the next.</param>
         /// <param name="synchroniser">Receives each exchange, on this client's thread.</param>
-        public SyncClient(ConnectionSettings settings, IHeadsetClock clock, ClockSynchroniser synchroniser, TimeSpan interval)
+        /// <param name="faults">Counts what was dropped.</param>
+        /// <param name="interval">From the start of one exchange to the start of the next.</param>
+        public SyncClient(
+            ConnectionSettings settings, IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, TimeSpan interval)
         {
             _settings = settings;
             _clock = clock;
             _synchroniser = synchroniser;
+            _faults = faults;
             _interval = interval;
             _thread = new Thread(Run) { IsBackground = true, Name = "Nowpose clock sync" };
             _thread.Start();
         }
 
         public LinkStatus Status => _status;
-
-        /// <summary>Exchanges that were dropped, by reason. Any thread.</summary>
-        public SyncFaultCounters Faults { get; } = new SyncFaultCounters();
 
         /// <summary>Ends the connection and the thread.</summary>
         public void Dispose()
@@ -57,13 +57,10 @@ namespace Nowpose.Network
                 {
                     Serve(backoff);
                 }
-                catch (Exception failure) when (failure is IOException || failure is SocketException || failure is ObjectDisposedException)
+                // Whatever it is: a thread that dies takes the clock with it for ever. Mono's TLS streams wrap what happened.
+                catch (Exception failure)
                 {
-                    _status = LinkStatus.Waiting("clock sync: " + failure.Message);
-                }
-                catch (OperationCanceledException)
-                {
-                    return;
+                    _status = LinkStatus.Waiting("clock sync", failure);
                 }
             }
             while (!_stop.Token.WaitHandle.WaitOne(backoff.Next()));
@@ -75,8 +72,7 @@ namespace Nowpose.Network
             {
                 _open = stream;
                 _stop.Token.ThrowIfCancellationRequested();
-                stream.ReadTimeout = (int)ProtocolLimits.SyncReplyTimeout.TotalMilliseconds;
-                var connection = new SyncConnection(stream, _clock);
+                var connection = new SyncConnection(stream, _clock, _faults);
                 if (_settings.Token != null) connection.ShowToken(_settings.Token);
                 ExchangeUntilStopped(connection, backoff);
             }
@@ -85,19 +81,24 @@ namespace Nowpose.Network
         void ExchangeUntilStopped(SyncConnection connection, Backoff backoff)
         {
             var dropsInARow = 0;
+            TimeSpan pause;
             do
             {
+                var next = _clock.Now + _interval;
                 var fault = connection.Exchange(out var exchange);
                 if (fault == SyncExchangeFault.None) _synchroniser.Add(exchange, out fault);
-                Faults.Count(fault);
+                _faults.Count(fault);
                 dropsInARow = fault == SyncExchangeFault.None ? 0 : dropsInARow + 1;
                 if (dropsInARow == ProtocolLimits.SyncDropsInARow)
                     throw new GatewayRefusalException(dropsInARow + " unusable replies in a row, the last: " + fault);
-                if (dropsInARow > 0) continue;
-                _status = LinkStatus.Connected;
-                backoff.Reset();
+                if (dropsInARow == 0)
+                {
+                    _status = LinkStatus.Connected;
+                    backoff.Reset();
+                }
+                pause = next - _clock.Now;
             }
-            while (!_stop.Token.WaitHandle.WaitOne(_interval));
+            while (!_stop.Token.WaitHandle.WaitOne(pause > TimeSpan.Zero ? pause : TimeSpan.Zero));
         }
     }
 }

@@ -10,14 +10,16 @@ namespace Nowpose.Network
     {
         readonly Stream _stream;
         readonly IHeadsetClock _clock;
+        readonly SyncFaultCounters _faults;
         readonly byte[] _request = new byte[SyncFrame.Size];
         readonly byte[] _reply = new byte[SyncFrame.Size];
         uint _sequence;
 
-        public SyncConnection(Stream stream, IHeadsetClock clock)
+        public SyncConnection(Stream stream, IHeadsetClock clock, SyncFaultCounters faults)
         {
             _stream = stream;
             _clock = clock;
+            _faults = faults;
         }
 
         /// <exception cref="GatewayRefusalException">The gateway does not accept it.</exception>
@@ -51,18 +53,29 @@ namespace Nowpose.Network
             return SyncExchangeRules.Check(exchange);
         }
 
+        GatewayRefusalException NotAFrame(string message)
+        {
+            _faults.Count(SyncExchangeFault.NotAFrame);
+            return new GatewayRefusalException(message);
+        }
+
         SyncFrame Receive(SyncFrameKind kind)
         {
+            var end = _clock.Now + ProtocolLimits.SyncReplyTimeout;
             for (var got = 0; got < _reply.Length;)
             {
+                // One deadline for the whole frame: a byte now and then is no answer.
+                var left = (end - _clock.Now).TotalMilliseconds;
+                if (left <= 0) throw new IOException("no reply within " + ProtocolLimits.SyncReplyTimeout.TotalSeconds + " s");
+                _stream.ReadTimeout = (int)Math.Ceiling(left);
                 var read = _stream.Read(_reply, got, _reply.Length - got);
                 if (read == 0) throw new EndOfStreamException("the gateway closed the connection");
                 got += read;
             }
             if (!SyncFrame.TryRead(_reply, out var frame, out var fault))
-                throw new GatewayRefusalException("the reply is no sync frame: " + fault);
+                throw NotAFrame("the reply is no sync frame: " + fault);
             if (frame.Kind != kind)
-                throw new GatewayRefusalException("the reply is a frame of kind " + frame.Kind + ", expected " + kind);
+                throw NotAFrame("the reply is a frame of kind " + frame.Kind + ", expected " + kind);
             return frame;
         }
     }

@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using System.Net.WebSockets;
 using System.Text;
 using System.Threading;
@@ -38,7 +37,7 @@ namespace Nowpose.Network
             _clock = clock;
         }
 
-        /// <exception cref="IOException">The message broke a limit that ends the connection.</exception>
+        /// <exception cref="MessageLimitException">The message broke a limit that ends the connection.</exception>
         /// <exception cref="WebSocketException">The connection was lost.</exception>
         public async Task<ReceivedText> ReceiveAsync(CancellationToken cancel)
         {
@@ -66,13 +65,14 @@ namespace Nowpose.Network
                         var next = await _socket.ReceiveAsync(new ArraySegment<byte>(_chunk), inTime.Token).ConfigureAwait(false);
                         Append(next);
                         if (next.EndOfMessage) return next;
-                        if (_length > LongestDiscarded) throw new IOException("a message of more than " + LongestDiscarded + " bytes");
+                        if (_length > LongestDiscarded) throw new MessageLimitException("a message of more than " + LongestDiscarded + " bytes", DropReason.TooLarge);
                     }
                 }
                 catch (Exception failure) when (timeUp.IsCancellationRequested)
                 {
                     // Cancelled, the library aborts the connection and reports either that or the cancellation.
-                    throw new IOException("a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s", failure);
+                    throw new MessageLimitException(
+                        "a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s", DropReason.TooSlow, failure);
                 }
             }
         }

@@ -34,7 +34,13 @@ namespace Nowpose.Protocol
         /// <summary>No pong for this long closes the WebSocket.</summary>
         public static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
-        public static readonly TimeSpan SyncInterval = TimeSpan.FromMilliseconds(200);
+        /// <summary>Usual time from one sync exchange to the next, ms.</summary>
+        public const double SyncIntervalMs = 200;
+
+
+        /// <summary>How long to wait until a connection is open, TLS included.</summary>
+        public static readonly TimeSpan DialTimeout = TimeSpan.FromSeconds(3);
+
         public static readonly TimeSpan SyncReplyTimeout = TimeSpan.FromSeconds(2);
 
         /// <summary>How long the server bears a sync connection on which nothing comes.</summary>

@@ -54,10 +54,14 @@ namespace Nowpose.Session
         public ClockSynchroniser Clock => _synchroniser;
 
         /// <summary>Each message whose samples were used, with its L_app where the clock is known; raised within <see cref="Tick"/>.</summary>
+        /// <remarks>A handler must be quick, must not throw, and must not call back into the session.</remarks>
         public event Action<SampleArrival, TimeSpan?> SampleTaken;
 
         /// <summary>What was dropped, by reason.</summary>
         public DropCounters Drops { get; } = new DropCounters();
+
+        /// <summary>Sync exchanges that were dropped, by reason.</summary>
+        public SyncFaultCounters SyncFaults { get; } = new SyncFaultCounters();
 
         /// <summary>L_visu. May change while the session runs.</summary>
         public VisualisationLatency Visualisation
@@ -70,7 +74,7 @@ namespace Nowpose.Session
         public void Connect()
         {
             if (_syncClient != null) return;
-            _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, _settings.SyncInterval);
+            _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, SyncFaults, _settings.SyncInterval);
             _rosbridgeClient = new RosbridgeClient(() => WebSocketLinks.Create(_settings.Connection, _clock), _clock, this);
         }
 
@@ -78,8 +82,8 @@ namespace Nowpose.Session
         public void Disconnect()
         {
             _rosbridgeClient?.Dispose();
-            _syncClient?.Dispose();
             _rosbridgeClient = null;
+            _syncClient?.Dispose();
             _syncClient = null;
         }
 
@@ -95,7 +99,7 @@ namespace Nowpose.Session
                 var clock = _synchroniser.ModelAt(start);
                 ForgetWhatAnotherClockStamped(clock);
                 while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
-                _frame.Update(start, clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null);
+                _frame.Update(start, clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null, IsTrusted(clock));
                 return _frame;
             }
         }
@@ -124,15 +128,16 @@ namespace Nowpose.Session
                     Clock = clock,
                     Offset = clock.IsKnown ? clock.OffsetAt(now) : (ClockOffset?)null,
                     RoundTripTime = clock.IsKnown ? _synchroniser.RoundTripTime : (TimeSpan?)null,
-                    ClockSteps = _synchroniser.Steps,
+                    ClockSteps = clock.Steps,
                     ApplicationLatency = _latency.Median,
                     ApplicationLatency95 = _latency.Percentile95,
                     NegativeLatencies = _latency.NegativeCount,
                     VisualisationLatency = _visualisation.Length,
+                    EndToEndLatency = _latency.Median is TimeSpan median ? _visualisation.EndToEnd(median) : (TimeSpan?)null,
                     Horizon = _frame.Horizon,
                     Pose = _frame.State,
                     Samples = _samples,
-                    Dropped = Drops.Total + (_syncClient?.Faults.Total ?? 0),
+                    Dropped = Drops.Total + SyncFaults.Total,
                     SyncLink = _syncClient?.Status ?? LinkStatus.Idle,
                     SampleLink = _rosbridgeClient?.Status ?? LinkStatus.Idle,
                     Security = _settings.Connection.Security,
@@ -153,12 +158,15 @@ namespace Nowpose.Session
         // checked: one from the future would hold the display for as long.
         void ForgetWhatAnotherClockStamped(in ClockModel clock)
         {
-            if (_steps == _synchroniser.Steps && _wasKnown == clock.IsKnown) return;
-            _steps = _synchroniser.Steps;
+            if (_steps == clock.Steps && _wasKnown == clock.IsKnown) return;
+            _steps = clock.Steps;
             _wasKnown = clock.IsKnown;
             _tracks.Reset();
             _latency.Reset();
         }
+
+        bool IsTrusted(in ClockModel clock) => clock.State == ClockState.Synchronised
+            || (clock.State == ClockState.Holdover && clock.ErrorBound <= _settings.Clock.GreatestHoldoverError);
 
         void Take(in SampleArrival arrival, in ClockModel clock)
         {
@@ -168,8 +176,9 @@ namespace Nowpose.Session
                 Drops.Count(DropReason.StampInFuture);
                 return;
             }
-            var reason = _tracks.Add(arrival.Message);
+            var reason = _tracks.Add(arrival.Message, out var overtaken);
             Drops.Count(reason);
+            Drops.Count(overtaken);
             if (reason != DropReason.None) return;
             _samples++;
             if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);

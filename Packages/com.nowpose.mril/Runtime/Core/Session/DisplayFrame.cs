@@ -50,28 +50,29 @@ namespace Nowpose.Session
         /// <summary>Pose of the tool centre point, or of the flange where the robot has no tool, in the robot's base frame.</summary>
         public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
 
-        internal void Update(HeadsetTime start, ControlTime? displayTime)
+        /// <param name="displayTime">Null while the clock is unsynchronised.</param>
+        /// <param name="isTimeTrusted">Whether the display time is known well enough to show a pose as the present one.</param>
+        internal void Update(HeadsetTime start, ControlTime? displayTime, bool isTimeTrusted)
         {
             Start = start;
             DisplayTime = displayTime;
-            Horizon = displayTime - _tracks.Newest;
             if (displayTime.HasValue) _tracks.Predict(displayTime.Value);
             else _tracks.Hold();
+            Horizon = displayTime - _tracks.Newest;
             _kinematics.Compute(_tracks.Positions, _linkPoses);
-            State = StateOf(displayTime.HasValue);
+            State = StateOf(isTimeTrusted);
         }
 
-        PoseState StateOf(bool isSynchronised)
+        PoseState StateOf(bool isTimeTrusted)
         {
-            bool any = false, held = false;
+            var held = false;
             var kinds = _tracks.Kinds;
             foreach (var joint in _armJoints)
             {
-                any |= kinds[joint] != PredictionKind.None;
+                if (kinds[joint] == PredictionKind.None) return PoseState.Incomplete;
                 held |= kinds[joint] == PredictionKind.Held;
             }
-            if (!any) return PoseState.NoData;
-            if (!isSynchronised) return PoseState.Unsynchronised;
+            if (!isTimeTrusted) return PoseState.Unsynchronised;
             return held ? PoseState.Held : PoseState.Current;
         }
 

@@ -16,16 +16,21 @@ namespace Nowpose.Session
 
         public JointTrack(IJointPredictor predictor) => _predictor = predictor;
 
-        public bool HasSample => !double.IsNegativeInfinity(_predictor.NewestTime);
+        public bool HasSample => !double.IsNegativeInfinity(NewestTime);
+
+        /// <summary>Seconds since the epoch; negative infinity before the first sample.</summary>
+        public double NewestTime => _predictor.NewestTime;
 
         /// <summary>The newest sample's position.</summary>
         public double Hold => _predictor.Hold;
 
         public JointPrediction At(double time) => _predictor.At(time);
 
-        public SampleOutcome Add(in JointSample sample)
+        /// <param name="overtaken">What became of the sample that had waited for this one; late while there was none, or it still waits.</param>
+        public SampleOutcome Add(in JointSample sample, out SampleOutcome overtaken)
         {
-            if (sample.Order > _predictor.NewestTime) return AddNewer(sample);
+            overtaken = SampleOutcome.Late;
+            if (sample.Order > _predictor.NewestTime) return AddNewer(sample, out overtaken);
             // The same message twice says nothing about clocks.
             if (sample.Order == _predictor.NewestTime && sample.Position == _predictor.Hold) return SampleOutcome.Duplicate;
             if (_hasLate) return StartAnew(sample);
@@ -40,13 +45,11 @@ namespace Nowpose.Session
             _hasLate = false;
         }
 
-        SampleOutcome AddNewer(in JointSample sample)
+        SampleOutcome AddNewer(in JointSample sample, out SampleOutcome overtaken)
         {
-            var overtaken = _hasLate ? _predictor.Add(_late) : SampleOutcome.Accepted;
+            overtaken = _hasLate ? _predictor.Add(_late) : SampleOutcome.Late;
             _hasLate = false;
-            var outcome = _predictor.Add(sample);
-            // What was set aside was reported as late; of no use after all, it is reported now.
-            return overtaken == SampleOutcome.Duplicate || overtaken == SampleOutcome.TooOld ? overtaken : outcome;
+            return _predictor.Add(sample);
         }
 
         SampleOutcome StartAnew(in JointSample sample)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Protocol;
@@ -14,6 +15,7 @@ namespace Nowpose.Session
         readonly double[] _held;
         readonly PredictionKind[] _kinds;
         readonly bool[] _given;
+        readonly (int Joint, int Master)[] _mimics;
         bool _hasEpoch;
         ControlTime _epoch;
 
@@ -27,6 +29,7 @@ namespace Nowpose.Session
             _held = new double[count];
             _kinds = new PredictionKind[count];
             _given = new bool[count];
+            _mimics = MimicsOf(robot);
         }
 
         /// <summary>Positions at the last <see cref="Predict"/>, one per moving joint, rad or m.</summary>
@@ -35,14 +38,18 @@ namespace Nowpose.Session
         /// <summary>The newest samples at the last <see cref="Predict"/>: what a display without compensation shows.</summary>
         public ReadOnlySpan<double> Held => _held;
 
-        /// <summary>How each position was made. A joint without samples since a reset counts as held once it was shown.</summary>
+        /// <summary>
+        /// How each position was made. A joint without samples since a reset counts as held once it was shown; a mimic joint
+        /// without samples of its own is made as its master was.
+        /// </summary>
         public ReadOnlySpan<PredictionKind> Kinds => _kinds;
 
-        /// <summary>Control time of the newest sample of any joint; null while there is none.</summary>
+        /// <summary>Control time of the newest sample of any joint at the last <see cref="Predict"/>; null while there is none.</summary>
         public ControlTime? Newest { get; private set; }
 
+        /// <param name="overtaken">Why an earlier message that had waited for this one was of no use; <see cref="DropReason.None"/> otherwise.</param>
         /// <returns>Why the message was of no use; <see cref="DropReason.None"/> when a joint took its sample.</returns>
-        public DropReason Add(JointStateMessage message)
+        public DropReason Add(JointStateMessage message, out DropReason overtaken)
         {
             if (!_hasEpoch)
             {
@@ -51,14 +58,15 @@ namespace Nowpose.Session
             }
             var time = ClockTicks.Seconds(message.Stamp - _epoch);
             var reason = DropReason.UnknownJoint;
+            overtaken = DropReason.None;
             for (var i = 0; i < message.Names.Length; i++)
             {
                 var joint = _robot.IndexOfMovingJoint(message.Names[i]);
                 if (joint < 0) continue;
-                var each = ReasonOf(_tracks[joint].Add(new JointSample(time, message.Positions[i])));
+                var each = ReasonOf(_tracks[joint].Add(new JointSample(time, message.Positions[i]), out var waited));
                 if (reason != DropReason.None) reason = each;
+                if (overtaken == DropReason.None) overtaken = ReasonOf(waited);
             }
-            if (reason == DropReason.None && !(Newest > message.Stamp)) Newest = message.Stamp;
             return reason;
         }
 
@@ -66,11 +74,14 @@ namespace Nowpose.Session
         public void Predict(ControlTime at)
         {
             var time = ClockTicks.Seconds(at - _epoch);
+            var newest = double.NegativeInfinity;
             for (var i = 0; i < _tracks.Length; i++)
             {
                 var prediction = _tracks[i].At(time);
                 Show(i, prediction.Kind, prediction.Position);
+                newest = Math.Max(newest, _tracks[i].NewestTime);
             }
+            Newest = double.IsNegativeInfinity(newest) ? (ControlTime?)null : _epoch + ClockTicks.Span(newest);
             CompleteMimics();
         }
 
@@ -89,7 +100,6 @@ namespace Nowpose.Session
         {
             foreach (var track in _tracks) track.Reset();
             _hasEpoch = false;
-            Newest = null;
         }
 
         // Without a sample the joint stays where it was: a robot that folds into its zero pose would be worse than a late one.
@@ -108,6 +118,21 @@ namespace Nowpose.Session
         {
             _robot.CompleteMimics(_positions, _given);
             _robot.CompleteMimics(_held, _given);
+            foreach (var (joint, master) in _mimics)
+                if (!_given[joint]) _kinds[joint] = _kinds[master];
+        }
+
+        // Along a chain of mimic joints each master is the end of the chain: the joint that has samples.
+        static (int Joint, int Master)[] MimicsOf(RobotModel robot)
+        {
+            var mimics = new List<(int, int)>();
+            foreach (var joint in robot.MovingJoints)
+            {
+                var master = joint;
+                while (master.Mimic != null) master = robot.MovingJoints[robot.IndexOfMovingJoint(master.Mimic.Master)];
+                if (master != joint) mimics.Add((joint.MovingIndex, master.MovingIndex));
+            }
+            return mimics.ToArray();
         }
 
         static DropReason ReasonOf(SampleOutcome outcome)

@@ -3,10 +3,13 @@ namespace Nowpose.Session
     /// <summary>Whether the displayed pose is the robot's present one. Anything but <see cref="Current"/> must look different.</summary>
     public enum PoseState
     {
-        /// <summary>No sample of the arm has arrived yet; the pose is the robot's zero pose.</summary>
-        NoData,
+        /// <summary>A joint between base and tool has had no sample yet; it stands at zero.</summary>
+        Incomplete,
 
-        /// <summary>The headset clock is unsynchronised: the newest samples are shown as they arrive, uncompensated.</summary>
+        /// <summary>
+        /// The moment of light is not known well enough: the clock is unsynchronised (the newest samples are shown as they
+        /// are), still converging, or in holdover for so long that its error bound exceeds the setting.
+        /// </summary>
         Unsynchronised,
 
         /// <summary>A joint between base and tool is held: its samples are older than the horizon cap, or too few to predict from.</summary>

@@ -15,10 +15,10 @@ namespace Nowpose.Session
         /// <param name="prediction">Null for the defaults.</param>
         /// <param name="clock">Null for the defaults.</param>
         /// <param name="ransac">Constants of the clock estimator; null for the paper's.</param>
-        /// <param name="syncIntervalMs">From one sync exchange to the next, ms; the server allows 100 requests a second.</param>
+        /// <param name="syncIntervalMs">From the start of one sync exchange to the next, ms; the server allows 100 requests a second.</param>
         public SessionSettings(
             ConnectionSettings connection, VisualisationLatency visualisation, PredictionSettings prediction = null,
-            ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = 200)
+            ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = ProtocolLimits.SyncIntervalMs)
         {
             Connection = connection ?? throw new ArgumentNullException(nameof(connection));
             Visualisation = visualisation;

@@ -26,6 +26,10 @@ namespace Nowpose.Session
         public long NegativeLatencies { get; internal set; }
 
         public TimeSpan VisualisationLatency { get; internal set; }
+
+        /// <summary>L of Eq. (1), with the median of L_app.</summary>
+        public TimeSpan? EndToEndLatency { get; internal set; }
+
         public TimeSpan? Horizon { get; internal set; }
         public PoseState Pose { get; internal set; }
 

@@ -95,13 +95,13 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void Tick_BeforeAnythingArrived_SaysNoData()
+        public void Tick_BeforeAnythingArrived_IsIncomplete()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
 
             var frame = session.Tick(HeadsetTime.FromSeconds(0));
 
-            Assert.That(frame.State, Is.EqualTo(PoseState.NoData));
+            Assert.That(frame.State, Is.EqualTo(PoseState.Incomplete));
             Assert.That(frame.DisplayTime, Is.Null);
             Assert.That(frame.ToolPose.X, Is.EqualTo(1).Within(1e-12), "the robot's zero pose");
         }
@@ -148,7 +148,7 @@ namespace Nowpose.Tests
         [TestCase(0.2)]
         [TestCase(-0.2)]
         [TestCase(-0.1)]
-        public void Tick_ControlClockSteps_IsCurrentAgainWithinTwoSeconds(double stepSeconds)
+        public void Tick_ControlClockSteps_FollowsAgainAfterTwoSecondsAndIsCurrentAfterSeven(double stepSeconds)
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
             simulated.Run(10);
@@ -157,12 +157,11 @@ namespace Nowpose.Tests
             simulated.Run(2, (frame, light) => Assert.That(Math.Abs(frame.Joints[Shoulder]), Is.LessThan(1.5), "nothing flies off"));
 
             var errors = new List<double>();
-            simulated.Run(5, (frame, light) =>
-            {
-                errors.Add(frame.Joints[Shoulder] - SimulatedSession.TruthAt(light).Shoulder);
-                Assert.That(frame.State, Is.EqualTo(PoseState.Current));
-            });
+            var states = new List<PoseState>();
+            simulated.Run(5, (frame, light) => errors.Add(frame.Joints[Shoulder] - SimulatedSession.TruthAt(light).Shoulder));
+            simulated.Run(1, (frame, light) => states.Add(frame.State));
             Assert.That(Rms(errors), Is.LessThan(0.01));
+            Assert.That(states, Is.All.EqualTo(PoseState.Current));
             Assert.That(simulated.Session.Clock.Steps, Is.EqualTo(1));
         }
 
@@ -193,6 +192,71 @@ namespace Nowpose.Tests
             Assert.That(session.Drops[DropReason.DuplicateSample], Is.EqualTo(2));
             Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(1), "too old to be of use");
             Assert.That(session.Drops[DropReason.UnknownJoint], Is.EqualTo(1));
+            Assert.That(session.Statistics(default).Samples, Is.EqualTo(6), "1.0 to 1.4 are used, and 0.5 was until it proved useless");
+        }
+
+        [Test]
+        public void Received_UselessLateSample_DoesNotHideTheNextOne()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(6);
+            var taken = new List<ControlTime>();
+            simulated.Session.SampleTaken += (arrival, latency) => taken.Add(arrival.Message.Stamp);
+            var now = HeadsetTime.FromSeconds(simulated.Now);
+            var stamp = simulated.Link.TrueOffset(now).ToControl(now);
+            foreach (var each in new[] { stamp - TimeSpan.FromSeconds(20), stamp })
+                simulated.Session.Received(new JointStateMessage(each, new[] { "shoulder", "elbow" }, new[] { 0.1, 0.1 }), now);
+
+            var frame = simulated.Session.Tick(now);
+
+            Assert.That(taken.Last(), Is.EqualTo(stamp));
+            Assert.That(frame.Horizon.Value, Is.EqualTo(TimeSpan.FromMilliseconds(40)).Within(TimeSpan.FromMilliseconds(1)), "the display latency");
+        }
+
+        [Test]
+        public void Tick_ArmPublishedInTwoHalves_IsIncompleteUntilBothCame()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            var now = HeadsetTime.FromSeconds(0.5);
+            simulated.Session.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "shoulder" }, new[] { 0.5 }), now);
+            var half = simulated.Session.Tick(now).State;
+            simulated.Session.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "elbow" }, new[] { 0.5 }), now);
+
+            var whole = simulated.Session.Tick(now).State;
+
+            Assert.That(half, Is.EqualTo(PoseState.Incomplete));
+            Assert.That(whole, Is.Not.EqualTo(PoseState.Incomplete));
+        }
+
+        [Test]
+        public void Tick_MimicJoint_IsMadeAsItsMasterWas()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            var (grip, follower) = (TestRobot.Model.IndexOfMovingJoint("grip"), TestRobot.Model.IndexOfMovingJoint("grip_mirror"));
+            var before = session.Tick(default).Kinds[follower];
+            session.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "grip" }, new[] { 0.02 }), default);
+
+            var frame = session.Tick(default);
+
+            Assert.That(before, Is.EqualTo(PredictionKind.None));
+            Assert.That(frame.Kinds[follower], Is.EqualTo(frame.Kinds[grip]).And.EqualTo(PredictionKind.Held));
+            Assert.That(frame.Joints[follower], Is.EqualTo(-0.02));
+        }
+
+        [Test]
+        public void Tick_LongHoldover_IsNoLongerCurrentThoughSamplesCome()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
+            simulated.Run(10);
+            simulated.IsSyncUp = false;
+            var soon = PoseState.Incomplete;
+            simulated.Run(10, (frame, light) => soon = frame.State);
+
+            var late = PoseState.Incomplete;
+            simulated.Run(600, (frame, light) => late = frame.State);
+
+            Assert.That(soon, Is.EqualTo(PoseState.Current), "ten seconds cost little");
+            Assert.That(late, Is.EqualTo(PoseState.Unsynchronised));
         }
 
         [Test]
@@ -313,6 +377,6 @@ namespace Nowpose.Tests
         }
 
         static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Received(
-            new JointStateMessage(ControlTime.FromSeconds(controlSeconds), new[] { "shoulder" }, new[] { shoulder }), default);
+            new JointStateMessage(ControlTime.FromSeconds(controlSeconds), new[] { "shoulder", "elbow" }, new[] { shoulder, 0 }), default);
     }
 }

@@ -39,6 +39,9 @@ namespace Nowpose.Tests
         /// <summary>Whether samples and replies leave the control system.</summary>
         public bool IsGatewayUp { get; set; } = true;
 
+        /// <summary>Whether sync exchanges come through.</summary>
+        public bool IsSyncUp { get; set; } = true;
+
         public double Now { get; private set; }
 
         /// <summary>How long each sample took from the robot to the headset, ms.</summary>
@@ -93,7 +96,7 @@ namespace Nowpose.Tests
         void Exchange(HeadsetTime now)
         {
             _nextExchange += 0.2;
-            if (IsGatewayUp && _exchange == null && Link.TryExchange(now, out var exchange)) _exchange = exchange;
+            if (IsGatewayUp && IsSyncUp && _exchange == null && Link.TryExchange(now, out var exchange)) _exchange = exchange;
         }
 
         sealed class NoClock : IHeadsetClock

@@ -6,13 +6,15 @@ namespace Nowpose.Tests
     static class TestRobot
     {
         public static readonly RobotModel Model = UrdfReader.Read(@"<robot name='test'>
-            <link name='base'/><link name='upper'/><link name='lower'/><link name='tool_centre_point'/><link name='finger'/>
+            <link name='base'/><link name='upper'/><link name='lower'/><link name='tool_centre_point'/><link name='finger'/><link name='thumb'/>
             <joint name='shoulder' type='revolute'><parent link='base'/><child link='upper'/><axis xyz='0 0 1'/>
                 <limit lower='-3' upper='3' velocity='2' effort='1'/></joint>
             <joint name='elbow' type='continuous'><parent link='upper'/><child link='lower'/><origin xyz='0.5 0 0'/><axis xyz='0 0 1'/></joint>
             <joint name='tool' type='fixed'><parent link='lower'/><child link='tool_centre_point'/><origin xyz='0.5 0 0'/></joint>
             <joint name='grip' type='prismatic'><parent link='tool_centre_point'/><child link='finger'/><axis xyz='0 1 0'/>
                 <limit lower='0' upper='0.05' velocity='1' effort='1'/></joint>
+            <joint name='grip_mirror' type='prismatic'><parent link='tool_centre_point'/><child link='thumb'/><axis xyz='0 1 0'/>
+                <limit lower='-0.05' upper='0' velocity='1' effort='1'/><mimic joint='grip' multiplier='-1'/></joint>
         </robot>", "test");
     }
 }
