@@ -1,4 +1,3 @@
-using System.CommandLine;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Verbs;
 
@@ -8,12 +7,9 @@ namespace Nowpose.Gateway;
 public static class CommandLine
 {
     /// <summary>Runs one command until it ends or Ctrl-C, and returns the exit status; never throws for what the user gave.</summary>
-    public static Task<int> RunAsync(string[] args) => Invocation.RunAsync(Root().Parse(args), "nowpose-gateway");
-
-    static RootCommand Root() => new("nowpose-gateway: clock sync and joint positions for headsets. Ends with Ctrl-C.")
-    {
-        PlantVerb.Simulate(),
-        PlantVerb.Replay(),
-        ServeVerb.Create(),
-    };
+    public static Task<int> RunAsync(string[] args) => Invocation.RunAsync(
+        Invocation.Root(
+            "nowpose-gateway", "Clock sync and joint positions for headsets. Ends with Ctrl-C.",
+            PlantVerb.Simulate(), PlantVerb.Replay(), ServeVerb.Create()),
+        args);
 }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Help;
 
 namespace Nowpose.Gateway.Options;
 
@@ -8,11 +9,22 @@ public static class Invocation
     /// <summary>Room to write what was measured so far after Ctrl-C.</summary>
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(10);
 
-    /// <param name="program">Named before each complaint.</param>
-    /// <returns>The exit status; never throws for what the user typed or gave.</returns>
-    public static async Task<int> RunAsync(ParseResult parsed, string program)
+    /// <summary>The command above all verbs, called by the program's own name whatever its file is called.</summary>
+    public static Command Root(string program, string description, params Command[] verbs)
     {
-        if (parsed.Errors.Count > 0 && parsed.Action is not System.CommandLine.Help.HelpAction)
+        var root = new Command(program, description) { new HelpOption { Recursive = true }, new VersionOption() };
+        foreach (var verb in verbs) root.Subcommands.Add(verb);
+        return root;
+    }
+
+    /// <param name="root">What <see cref="Root"/> made; its name stands before each complaint.</param>
+    /// <param name="args">As typed.</param>
+    /// <returns>The exit status; never throws for what the user typed or gave.</returns>
+    public static async Task<int> RunAsync(Command root, string[] args)
+    {
+        var parsed = root.Parse(args);
+        var program = root.Name;
+        if (parsed.Errors.Count > 0 && parsed.Action is not HelpAction)
             return Fail(program, ExitStatus.BadInput, Complaint(parsed) + " See --help.");
         try
         {
@@ -33,8 +45,13 @@ public static class Invocation
     }
 
     // What is not known comes after "no command" in the list of errors, but is what went wrong.
-    static string Complaint(ParseResult parsed) =>
-        parsed.UnmatchedTokens.Count > 0 ? $"'{parsed.UnmatchedTokens[0]}' is not known." : parsed.Errors[0].Message;
+    static string Complaint(ParseResult parsed)
+    {
+        if (parsed.UnmatchedTokens.Count == 0) return parsed.Errors[0].Message;
+        var unknown = parsed.UnmatchedTokens[0];
+        var isVerb = parsed.RootCommandResult.Command.Subcommands.Any(verb => verb.Name == unknown);
+        return isVerb ? $"'{unknown}' comes too late: the verb stands first." : $"'{unknown}' is not known.";
+    }
 
     static int Fail(string program, int status, string message)
     {

@@ -24,12 +24,17 @@ public static class NumberOption
         where T : INumber<T>
     {
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
-        var isNumber = T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value);
-        if (!isNumber)
-            result.AddError(Invariant($"{name}: '{text}' is not a number; allowed are {least} to {greatest}{Suffix(unit)}."));
-        else if (!(value >= least && value <= greatest))
-            result.AddError(Invariant($"{name}: {text}{Suffix(unit)} is out of range; allowed are {least} to {greatest}{Suffix(unit)}."));
-        return value;
+        var allowed = Invariant($"allowed are {least} to {greatest}{Suffix(unit)}.");
+        // As a double first: a number that does not fit is out of range, not "no number".
+        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number))
+            result.AddError($"{name}: '{text}' is not a number; {allowed}");
+        else if (!(number >= double.CreateChecked(least) && number <= double.CreateChecked(greatest)))
+            result.AddError($"{name}: {text}{Suffix(unit)} is out of range; {allowed}");
+        else if (T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
+            return value;
+        else
+            result.AddError($"{name}: '{text}' is not a whole number; {allowed}");
+        return least;
     }
 
     static string Suffix(string unit) => unit.Length == 0 ? "" : " " + unit;

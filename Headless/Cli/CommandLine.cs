@@ -1,4 +1,3 @@
-using System.CommandLine;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli;
@@ -9,15 +8,11 @@ public static class CommandLine
     const string DefaultVerb = "demo";
 
     /// <summary>Runs one command and returns the exit status; never throws for what the user typed or gave.</summary>
-    public static Task<int> RunAsync(string[] args) => Invocation.RunAsync(Root().Parse(WithVerb(args)), "nowpose");
-
-    static RootCommand Root() => new("nowpose: shows a moving robot where it is, not where it was. Without a verb: demo.")
-    {
-        Demo.DemoVerb.Create(),
-        Replay.ReplayVerb.Create(),
-        Sync.SyncVerb.Create(),
-        Kinematics.KinematicsVerb.Create(),
-    };
+    public static Task<int> RunAsync(string[] args) => Invocation.RunAsync(
+        Invocation.Root(
+            "nowpose", "Shows a moving robot where it is, not where it was. Without a verb: demo.",
+            Demo.DemoVerb.Create(), Replay.ReplayVerb.Create(), Sync.SyncVerb.Create(), Kinematics.KinematicsVerb.Create()),
+        WithVerb(args));
 
     static string[] WithVerb(string[] args)
     {

@@ -11,6 +11,7 @@ sealed class DelayRelay : IDisposable
     readonly IPEndPoint _target;
     readonly NetworkProfile _network;
     readonly List<RelayedConnection> _connections = [];
+    readonly Thread _accepting;
     int _seed;
 
     /// <param name="seed">Each connection and direction draws from a seed of its own that follows from this one.</param>
@@ -20,7 +21,8 @@ sealed class DelayRelay : IDisposable
         _network = network;
         _seed = seed;
         _listener.Start();
-        new Thread(Accept) { IsBackground = true, Name = "relay accept" }.Start();
+        _accepting = new Thread(Accept) { IsBackground = true, Name = "relay accept" };
+        _accepting.Start();
     }
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
@@ -28,8 +30,9 @@ sealed class DelayRelay : IDisposable
     public void Dispose()
     {
         _listener.Stop();
-        lock (_connections)
-            foreach (var connection in _connections) connection.Dispose();
+        // After this the list does not change any more.
+        _accepting.Join();
+        foreach (var connection in _connections) connection.Dispose();
     }
 
     void Accept()
@@ -46,17 +49,18 @@ sealed class DelayRelay : IDisposable
 
     void Relay(TcpClient headset)
     {
+        var gateway = new TcpClient();
         try
         {
-            var gateway = new TcpClient();
             gateway.Connect(_target);
-            lock (_connections)
-                _connections.Add(new RelayedConnection(headset, gateway, _network.Up(_seed++), _network.Down(_seed++)));
+            headset.NoDelay = gateway.NoDelay = true;
+            _connections.Add(new RelayedConnection(headset, gateway, _network.Up(_seed++), _network.Down(_seed++)));
         }
         catch (SocketException)
         {
             // Nobody behind the relay: the headset sees its connection closed, as with a real router.
             headset.Dispose();
+            gateway.Dispose();
         }
     }
 }

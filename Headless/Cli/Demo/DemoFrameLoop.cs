@@ -36,7 +36,7 @@ sealed class DemoFrameLoop(DemoSettings settings, CompensationSession session, I
         bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
         var model = session.Clock.ModelAt(start);
         var offsetErrorUs = model.IsKnown ? (model.OffsetAt(start) - truth.OffsetAt(start)).TotalMicroseconds : double.NaN;
-        Frames.Add(frame, new DemoFrames.Row(
+        Frames.Add(frame.Joints, frame.HeldJoints, new DemoFrames.Row(
             start - begin, start, truth.ControlAt(start + _visualisation), frame.DisplayTime, model,
             frame.State, offsetErrorUs, ToolPosition.Of(frame.ToolPose), cpu.TotalMicroseconds, bytes));
     }

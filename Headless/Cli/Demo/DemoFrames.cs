@@ -20,11 +20,28 @@ sealed class DemoFrames
 
     public List<Row> Rows { get; }
 
-    public void Add(DisplayFrame frame, in Row row)
+    /// <param name="displayed">Joint positions as displayed.</param>
+    /// <param name="held">Joint positions as a headset without compensation would have shown them.</param>
+    public void Add(ReadOnlySpan<double> displayed, ReadOnlySpan<double> held, in Row row)
     {
         Rows.Add(row);
-        foreach (var joint in frame.Joints) _displayed.Add(joint);
-        foreach (var joint in frame.HeldJoints) _held.Add(joint);
+        foreach (var joint in displayed) _displayed.Add(joint);
+        foreach (var joint in held) _held.Add(joint);
+    }
+
+    /// <summary>Names the first frame that holds something that is no number; null when none does.</summary>
+    public string FirstNotFinite()
+    {
+        for (var frame = 0; frame < Rows.Count; frame++)
+        {
+            var tool = Rows[frame].Tool;
+            if (!double.IsFinite(tool.X + tool.Y + tool.Z)) return $"frame {frame}: the displayed tool is not at a finite position";
+            for (var joint = 0; joint < _joints; joint++)
+                if (!double.IsFinite(_displayed[frame * _joints + joint] + _held[frame * _joints + joint]))
+                    return $"frame {frame}: moving joint {joint} is not at a finite position";
+            if (Rows[frame].Clock.IsKnown && !double.IsFinite(Rows[frame].OffsetErrorUs)) return $"frame {frame}: the clock offset is not finite";
+        }
+        return null;
     }
 
     /// <summary>One joint's displayed position.</summary>

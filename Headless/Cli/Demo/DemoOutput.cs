@@ -2,7 +2,7 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The folder a run writes to; made, and tried, before the run: twenty seconds are too long to learn that a disk is full.</summary>
+/// <summary>The folder a run writes to.</summary>
 sealed class DemoOutput
 {
     DemoOutput(string folder)
@@ -14,13 +14,16 @@ sealed class DemoOutput
     public string ResultPath { get; }
     public string ReportPath { get; }
 
-    /// <exception cref="InputException">The folder cannot be written to.</exception>
+    /// <summary>Makes the folder, and takes an earlier run's files away so that nobody takes them for this one's.</summary>
+    /// <exception cref="InputException">It cannot be written to; better known before the run than twenty seconds later.</exception>
     public static DemoOutput At(string folder)
     {
         try
         {
             var output = new DemoOutput(Directory.CreateDirectory(folder).FullName);
-            using var probe = File.Open(output.ResultPath, FileMode.OpenOrCreate, FileAccess.Write);
+            File.Delete(output.ReportPath);
+            File.WriteAllText(output.ResultPath, "");
+            File.Delete(output.ResultPath);
             return output;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)

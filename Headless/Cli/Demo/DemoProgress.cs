@@ -49,7 +49,6 @@ static class DemoProgress
                     nextWords = done + 0.5;
                     task.Description = Markup.Escape(words());
                 });
-                task.Value = seconds;
             });
     }
 }

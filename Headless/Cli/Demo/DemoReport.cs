@@ -33,7 +33,7 @@ static class DemoReport
     static string[][] Settings(DemoSettings s) =>
     [
         ["Robot", s.Robot.Name],
-        ["Motion", s.Recording == null ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(s.Recording)}, forth and back"],
+        ["Motion", s.MotionName],
         ["Network", s.Network.Name],
         ["Predictor", s.Predictor],
         ["Sampling interval", Ms(s.SamplingMs)],

@@ -1,84 +1,22 @@
-using System.Net;
-using Nowpose.Gateway;
-using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Recordings;
-using Nowpose.Latency;
-using Nowpose.Network;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
 /// <summary>One run of the main job: what was displayed, and the truth to compare it with.</summary>
-sealed class DemoRun
+/// <param name="ApplicationLatencies">L_app of every sample that arrived while the clock was known.</param>
+/// <param name="Statistics">The runtime's own view at the end.</param>
+sealed record DemoRun(
+    DemoSettings Settings, IDemoTruth Truth, DemoFrames Frames, IReadOnlyList<TimeSpan> ApplicationLatencies, SessionStatistics Statistics)
 {
-    /// <summary>The control clock runs this much faster than the headset's, a usual difference of two quartzes.</summary>
-    const double ControlSkew = 37e-6;
-
-    /// <summary>An epoch far from the headset's, as Unix time is.</summary>
-    static readonly ControlTime ControlEpoch = ControlTime.FromSeconds(1_700_000_000);
-
-    DemoRun(DemoTruth truth, DemoFrames frames, IReadOnlyList<TimeSpan> applicationLatencies, SessionStatistics statistics, DemoSettings settings)
+    /// <summary>Why the run proves nothing; null when it does.</summary>
+    public string Failure()
     {
-        Truth = truth;
-        Frames = frames;
-        ApplicationLatencies = applicationLatencies;
-        Statistics = statistics;
-        Settings = settings;
-    }
-
-    public DemoSettings Settings { get; }
-    public DemoTruth Truth { get; }
-    public DemoFrames Frames { get; }
-
-    /// <summary>L_app of every sample that arrived while the clock was known.</summary>
-    public IReadOnlyList<TimeSpan> ApplicationLatencies { get; }
-
-    /// <summary>The runtime's own view at the end.</summary>
-    public SessionStatistics Statistics { get; }
-
-    /// <summary>Starts everything, plays until the time is over or it is cancelled, and ends everything.</summary>
-    public static async Task<DemoRun> PlayAsync(DemoSettings settings, CancellationToken cancel)
-    {
-        var control = new StopwatchControlClock(ControlEpoch, ControlSkew);
-        var motion = Motion(settings);
-        await using var gateway = await GatewayServer.StartAsync(new GatewayOptions { SyncPort = 0, WebSocketPort = 0 }, control, cancellation: cancel);
-        using var source = gateway.Hub.OpenSource();
-        source.TryDescribe(settings.RobotText);
-        using var cell = new SimulatedCell(motion, control, Timing(settings), settings.Seed);
-        cell.PublishInto(gateway.Hub);
-        using var syncRelay = new DelayRelay(gateway.SyncEndPoint, settings.Network, settings.Seed * 1000 + 1);
-        using var webSocketRelay = new DelayRelay(gateway.WebSocketEndPoint, settings.Network, settings.Seed * 1000 + 501);
-        var connection = new ConnectionSettings(IPAddress.Loopback.ToString(), syncRelay.Port, webSocketRelay.Port, headsetName: "demo");
-        // On a thread of its own, as a headset's frame loop is: the pool has two threads here, and the sockets need them.
-        return await Task.Factory.StartNew(
-            () => Play(settings, connection, new DemoTruth(control, cell, motion), cancel),
-            CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
-    }
-
-    static CellTiming Timing(DemoSettings settings) => new(
-        TimeSpan.FromMilliseconds(settings.SamplingMs),
-        TimeSpan.FromMilliseconds(settings.Acquisition.Min), TimeSpan.FromMilliseconds(settings.Acquisition.Max));
-
-    static IMotion Motion(DemoSettings settings) => settings.Recording == null
-        ? new PickAndPlaceMotion(settings.Robot)
-        : new RecordedMotion(MotionRecording.Read(settings.Recording), settings.Robot);
-
-    static DemoRun Play(DemoSettings settings, ConnectionSettings connection, DemoTruth truth, CancellationToken cancel)
-    {
-        var told = new VisualisationLatency(TimeSpan.FromMilliseconds(settings.VisualisationMs + settings.VisualisationErrorMs));
-        var clock = new StopwatchHeadsetClock();
-        // Room for all of them: the runtime's frame is watched for allocations, and this is filled within it.
-        var latencies = new List<TimeSpan>((int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000);
-        using var session = new CompensationSession(
-            new SessionSettings(connection, told, new PredictionSettings(settings.Predictor)), settings.Robot, clock);
-        session.SampleTaken += (_, latency) =>
-        {
-            if (latency.HasValue) latencies.Add(latency.Value);
-        };
-        var loop = new DemoFrameLoop(settings, session, clock, truth);
-        session.Connect();
-        DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
-        return new DemoRun(truth, loop.Frames, latencies, session.Statistics(clock.Now), settings);
+        var broken = Frames.FirstNotFinite();
+        if (broken != null) return broken;
+        if (Statistics.Samples == 0)
+            return $"no sample was used, {Statistics.Dropped} were dropped; joint positions {Statistics.SampleLink}; clock sync {Statistics.SyncLink}";
+        if (Frames.Rows.Any(row => row.Clock.State == ClockState.Synchronised)) return null;
+        return FormattableString.Invariant(
+            $"the clock was still {Statistics.Clock.State.ToString().ToLowerInvariant()} after {Settings.Seconds} s: run longer (--seconds); clock sync {Statistics.SyncLink}");
     }
 }

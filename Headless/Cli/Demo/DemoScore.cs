@@ -8,10 +8,14 @@ sealed class DemoScore
 
     readonly DemoRun _run;
     readonly TimeSpan? _converged;
+    readonly ToolKinematics _kinematics;
+    readonly double[] _joints;
 
     public DemoScore(DemoRun run)
     {
         _run = run;
+        _kinematics = new ToolKinematics(run.Settings.Robot);
+        _joints = new double[run.Settings.Robot.MovingJoints.Count];
         _converged = FirstSynchronised();
         Errors = ScoredFrames().Select(ErrorOf).ToList();
     }
@@ -38,18 +42,19 @@ sealed class DemoScore
     }
 
     IEnumerable<int> ScoredFrames() => Enumerable.Range(0, _run.Frames.Rows.Count)
-        .Where(i => _run.Frames.Rows[i].Elapsed >= WarmUp && _run.Frames.Rows[i].Elapsed >= _converged);
+        .Where(i => IsScored(_run.Frames.Rows[i]));
+
+    // A frame whose light the runtime could not date is none it could have placed.
+    bool IsScored(in DemoFrames.Row row) => row.Elapsed >= WarmUp && row.Elapsed >= _converged && row.AssumedLight.HasValue;
 
     DemoError ErrorOf(int frame)
     {
         var row = _run.Frames.Rows[frame];
-        var joints = new double[_run.Settings.Robot.MovingJoints.Count];
-        var kinematics = new ToolKinematics(_run.Settings.Robot);
-        _run.Truth.JointsAt(row.TrueLight, joints);
-        var truth = kinematics.At(joints);
-        _run.Frames.CopyHeld(frame, joints);
+        _run.Truth.JointsAt(row.TrueLight, _joints);
+        var truth = _kinematics.At(_joints);
+        _run.Frames.CopyHeld(frame, _joints);
         return new DemoError(
-            frame, kinematics.At(joints).DistanceMm(truth), row.Tool.DistanceMm(truth),
+            frame, _kinematics.At(_joints).DistanceMm(truth), row.Tool.DistanceMm(truth),
             (row.AssumedLight.Value - row.TrueLight).TotalMilliseconds, _run.Truth.CycleAt(row.TrueLight));
     }
 

@@ -1,22 +1,33 @@
 using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
 /// <summary>What one demo run is told; checked when it is made of the options.</summary>
-/// <param name="Recording">File that the cell plays forth and back; null for its own cycle.</param>
-/// <param name="VisualisationErrorMs">Added to the true display latency before the runtime is told.</param>
-sealed record DemoSettings(
-    double Seconds,
-    NetworkProfile Network,
-    RobotModel Robot,
-    string RobotText,
-    string Recording,
-    string Predictor,
-    double SamplingMs,
-    MillisecondRange Acquisition,
-    double VisualisationMs,
-    double VisualisationErrorMs,
-    int Seed,
-    string OutputFolder);
+sealed record DemoSettings
+{
+    public double Seconds { get; init; }
+    public NetworkProfile Network { get; init; }
+    public RobotModel Robot { get; init; }
+
+    /// <summary>The robot's URDF, as the gateway publishes it.</summary>
+    public string RobotText { get; init; }
+
+    /// <summary>How the robot truly moves.</summary>
+    public IMotion Motion { get; init; }
+
+    /// <summary>What the report calls the motion.</summary>
+    public string MotionName { get; init; }
+
+    public string Predictor { get; init; }
+    public double SamplingMs { get; init; }
+    public MillisecondRange Acquisition { get; init; }
+    public double VisualisationMs { get; init; }
+
+    /// <summary>Added to the true display latency before the runtime is told.</summary>
+    public double VisualisationErrorMs { get; init; }
+
+    public int Seed { get; init; }
+}

@@ -1,5 +1,7 @@
 using System.CommandLine;
 using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Recordings;
 using Nowpose.Gateway.Robots;
 using Nowpose.Prediction;
 using Nowpose.Simulation;
@@ -10,16 +12,33 @@ namespace Nowpose.Cli.Demo;
 static class DemoVerb
 {
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "How long to run", 20.0, 5, 3600, "s");
-    static readonly Option<string> Network = ChoiceOption.Create("--network", "Simulated network between gateway and headset", "wifi", [.. NetworkProfile.All.Select(p => p.Name)]);
-    static readonly Option<string> Robot = new("--robot") { Description = "youbot, ur5 or a .urdf file", DefaultValueFactory = _ => "youbot" };
-    static readonly Option<string> Recording = new("--recording") { Description = "Motion to play forth and back: .csv or .csv.gz, time in s, then one column per joint" };
-    static readonly Option<string> Predictor = ChoiceOption.Create("--predictor", "How joints are predicted", Predictors.Default, [.. Predictors.Names]);
-    static readonly Option<double> Sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s of the control system", 50.0, 1, 1000, "ms");
-    static readonly Option<MillisecondRange> Acquisition = RangeOption.Create("--acquisition-ms", "What subscription and middleware add to each sample before it is sent", new MillisecondRange(55, 105), 1000);
-    static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "True display latency of the simulated headset", 40.0, 0, 400, "ms");
-    static readonly Option<double> VisualisationError = NumberOption.Create("--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
+    static readonly Option<string> Network = ChoiceOption.Create(
+        "--network", "Simulated network between gateway and headset", "wifi", [.. NetworkProfile.All.Select(profile => profile.Name)]);
+    static readonly Option<string> Robot = new("--robot")
+    {
+        Description = "youbot, ur5 or a .urdf file",
+        DefaultValueFactory = _ => "youbot",
+    };
+    static readonly Option<string> Recording = new("--recording")
+    {
+        Description = "Motion to play forth and back: .csv or .csv.gz, time in s, then one column per joint",
+    };
+    static readonly Option<string> Predictor = ChoiceOption.Create(
+        "--predictor", "How joints are predicted", Predictors.Default, [.. Predictors.Names]);
+    static readonly Option<double> Sampling = NumberOption.Create(
+        "--sampling-ms", "Sampling interval T_s of the control system", 50.0, 1, 1000, "ms");
+    static readonly Option<MillisecondRange> Acquisition = RangeOption.Create(
+        "--acquisition-ms", "What subscription and middleware add to each sample before it is sent", new MillisecondRange(55, 105), 1000);
+    static readonly Option<double> Visualisation = NumberOption.Create(
+        "--visu-ms", "True display latency of the simulated headset", 40.0, 0, 400, "ms");
+    static readonly Option<double> VisualisationError = NumberOption.Create(
+        "--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of everything random", 1, 0, 1_000_000, "");
-    static readonly Option<string> Output = new("--out") { Description = "Folder for report.html and result.json", DefaultValueFactory = _ => "nowpose-demo" };
+    static readonly Option<string> Output = new("--out")
+    {
+        Description = "Folder for report.html and result.json",
+        DefaultValueFactory = _ => "nowpose-demo",
+    };
 
     public static Command Create()
     {
@@ -27,33 +46,45 @@ static class DemoVerb
         {
             Seconds, Network, Robot, Recording, Predictor, Sampling, Acquisition, Visualisation, VisualisationError, Seed, Output,
         };
-        verb.SetAction((parsed, cancel) => RunAsync(Settings(parsed), cancel));
+        verb.SetAction((parsed, cancel) => RunAsync(Settings(parsed), parsed.GetValue(Output), cancel));
         return verb;
     }
 
     static DemoSettings Settings(ParseResult parsed)
     {
-        var robot = parsed.GetValue(Robot);
         var told = parsed.GetValue(Visualisation) + parsed.GetValue(VisualisationError);
         if (told is < 0 or > 500)
-            throw new InputException(FormattableString.Invariant($"--visu-ms plus --visu-error-ms: {told} ms is out of range; allowed are 0 to 500 ms"));
-        return new DemoSettings(
-            parsed.GetValue(Seconds), NetworkProfile.Named(parsed.GetValue(Network)), RobotFiles.Load(robot), RobotFiles.LoadText(robot),
-            parsed.GetValue(Recording), parsed.GetValue(Predictor), parsed.GetValue(Sampling), parsed.GetValue(Acquisition),
-            parsed.GetValue(Visualisation), parsed.GetValue(VisualisationError), parsed.GetValue(Seed), parsed.GetValue(Output));
+            throw new InputException(FormattableString.Invariant(
+                $"--visu-ms plus --visu-error-ms: {told} ms is out of range; allowed are 0 to 500 ms"));
+        var robot = RobotFiles.Load(parsed.GetValue(Robot));
+        var recording = parsed.GetValue(Recording);
+        return new DemoSettings
+        {
+            Seconds = parsed.GetValue(Seconds),
+            Network = NetworkProfile.Named(parsed.GetValue(Network)),
+            Robot = robot,
+            RobotText = RobotFiles.LoadText(parsed.GetValue(Robot)),
+            Motion = recording == null ? new PickAndPlaceMotion(robot) : new RecordedMotion(MotionRecording.Read(recording), robot),
+            MotionName = recording == null ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forth and back",
+            Predictor = parsed.GetValue(Predictor),
+            SamplingMs = parsed.GetValue(Sampling),
+            Acquisition = parsed.GetValue(Acquisition),
+            VisualisationMs = parsed.GetValue(Visualisation),
+            VisualisationErrorMs = parsed.GetValue(VisualisationError),
+            Seed = parsed.GetValue(Seed),
+        };
     }
 
-    static async Task<int> RunAsync(DemoSettings settings, CancellationToken cancel)
+    static async Task<int> RunAsync(DemoSettings settings, string folder, CancellationToken cancel)
     {
-        var output = DemoOutput.At(settings.OutputFolder);
-        var run = await DemoRun.PlayAsync(settings, cancel);
+        var output = DemoOutput.At(folder);
+        var run = await DemoStage.PlayAsync(settings, cancel);
+        // An interrupted run writes what there is; a whole one that measured nothing has failed.
+        if (!cancel.IsCancellationRequested && run.Failure() is string failure) throw new DemoFailedException(failure);
         var score = new DemoScore(run);
         var result = score.Result();
         output.Write(score, run, result);
         DemoTable.Print(settings, score, result, output);
-        if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;
-        if (score.Errors.Count > 0) return ExitStatus.Done;
-        Console.Error.WriteLine($"nowpose: nothing could be scored: clock sync {run.Statistics.SyncLink}; joint positions {run.Statistics.SampleLink}");
-        return ExitStatus.Failed;
+        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 }

@@ -15,7 +15,6 @@ sealed class RelayedConnection : IDisposable
     {
         _headset = headset;
         _gateway = gateway;
-        _headset.NoDelay = _gateway.NoDelay = true;
         Start(headset, gateway, up, "relay up");
         Start(gateway, headset, down, "relay down");
     }
@@ -29,8 +28,8 @@ sealed class RelayedConnection : IDisposable
     void Start(TcpClient from, TcpClient to, PathDelay delay, string name)
     {
         var underway = new BlockingCollection<Piece>();
-        new Thread(() => Guarded(() => Read(from, delay, underway), underway.CompleteAdding)) { IsBackground = true, Name = name + " read" }.Start();
-        new Thread(() => Guarded(() => Write(to, underway), Dispose)) { IsBackground = true, Name = name + " write" }.Start();
+        Run(name + " read", () => Read(from, delay, underway), underway.CompleteAdding);
+        Run(name + " write", () => Write(to, underway), Dispose);
     }
 
     static void Read(TcpClient from, PathDelay delay, BlockingCollection<Piece> underway)
@@ -53,6 +52,9 @@ sealed class RelayedConnection : IDisposable
             to.GetStream().Write(piece.Bytes);
         }
     }
+
+    static void Run(string name, Action work, Action atTheEnd) =>
+        new Thread(() => Guarded(work, atTheEnd)) { IsBackground = true, Name = name }.Start();
 
     static void Guarded(Action work, Action atTheEnd)
     {

@@ -14,22 +14,24 @@ static class SyncVerb
         var at = new Option<string>("--at") { Description = "File of instants (t_ns on C2, increasing): print what was known at each, instead of after each exchange." };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of CSV." };
         var verb = new Command("sync", "Run the clock estimator over a log of sync exchanges.") { file, estimator, at, json };
-        verb.SetAction(parsed => Run(parsed.GetValue(file), parsed.GetValue(at), parsed.GetValue(json)));
+        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        verb.SetAction((parsed, cancel) => Task.Run(
+            () => Run(parsed.GetValue(file), parsed.GetValue(at), parsed.GetValue(json), cancel), CancellationToken.None));
         return verb;
     }
 
-    static int Run(string file, string at, bool json)
+    static int Run(string file, string at, bool json, CancellationToken cancel)
     {
         var log = SyncLog.Read(file);
         // Both names mean the paper's estimator so far.
         var replay = new SyncReplay(new RansacClockEstimator(RansacSettings.Paper));
         var beliefs = at == null ? replay.AfterEach(log) : replay.At(SyncLog.ReadInstants(at), log);
-        Print(beliefs, at != null, json);
+        Print(beliefs.TakeWhile(_ => !cancel.IsCancellationRequested), at != null, json);
         foreach (var (fault, count) in replay.Dropped)
             Console.Error.WriteLine($"nowpose: {file}: dropped {count} of {log.Count} exchanges: {fault}");
         if (replay.Steps > 0)
             Console.Error.WriteLine($"nowpose: {file}: {replay.Steps} clock step(s) found");
-        return ExitStatus.Done;
+        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 
     // Collected first: the console flushes at every line, which takes longer than the estimator.

@@ -78,6 +78,8 @@ public class DemoVerbTests
 
     [TestCase("--seconds", "1", "--seconds: 1 s is out of range; allowed are 5 to 3600 s")]
     [TestCase("--seconds", "soon", "--seconds: 'soon' is not a number")]
+    [TestCase("--seed", "1.5", "--seed: '1.5' is not a whole number; allowed are 0 to 1000000")]
+    [TestCase("--seed", "99999999999", "--seed: 99999999999 is out of range")]
     [TestCase("--network", "carrier-pigeon", "--network: 'carrier-pigeon' is not known; allowed are lan, wifi, busy-wifi")]
     [TestCase("--acquisition-ms", "105-55", "--acquisition-ms: '105-55' is no range; allowed is MIN-MAX with 0 <= MIN <= MAX <= 1000 ms")]
     [TestCase("--acquisition-ms", "5-x", "--acquisition-ms: '5-x' is no range")]
@@ -88,9 +90,12 @@ public class DemoVerbTests
     [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
     public async Task Demo_BadOption_IsOneLineAndExit2(string option, string value, string named)
     {
+        var before = Directory.Exists("nowpose-demo");
+
         var run = await CliRun.OfAsync("demo", option, value);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(Directory.Exists("nowpose-demo"), Is.EqualTo(before), "nothing is left behind");
         Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);
         Assert.That(run.Errors, Does.Contain(named));
     }

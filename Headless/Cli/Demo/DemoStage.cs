@@ -1,0 +1,60 @@
+using System.Net;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Plants;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Sets everything up for a run, plays it, and takes it down: cell, gateway, network, headset.</summary>
+static class DemoStage
+{
+    /// <summary>The control clock runs this much faster than the headset's, a usual difference of two quartzes.</summary>
+    const double ControlSkew = 37e-6;
+
+    /// <summary>An epoch far from the headset's, as Unix time is.</summary>
+    static readonly ControlTime ControlEpoch = ControlTime.FromSeconds(1_700_000_000);
+
+    /// <summary>Plays until the time is over or it is cancelled.</summary>
+    public static async Task<DemoRun> PlayAsync(DemoSettings settings, CancellationToken cancel)
+    {
+        var control = new StopwatchControlClock(ControlEpoch, ControlSkew);
+        var options = new GatewayOptions { SyncPort = 0, WebSocketPort = 0 };
+        await using var gateway = await GatewayServer.StartAsync(options, control, cancellation: cancel);
+        using var source = gateway.Hub.OpenSource();
+        source.TryDescribe(settings.RobotText);
+        using var cell = new SimulatedCell(settings.Motion, control, Timing(settings), settings.Seed);
+        cell.PublishInto(gateway.Hub);
+        using var syncRelay = new DelayRelay(gateway.SyncEndPoint, settings.Network, settings.Seed * 1000 + 1);
+        using var webSocketRelay = new DelayRelay(gateway.WebSocketEndPoint, settings.Network, settings.Seed * 1000 + 501);
+        var connection = new ConnectionSettings(IPAddress.Loopback.ToString(), syncRelay.Port, webSocketRelay.Port, headsetName: "demo");
+        var truth = new DemoTruth(control, cell, settings.Motion);
+        // On a thread of its own, as a headset's frame loop is: the pool has two threads here, and the sockets need them.
+        return await Task.Factory.StartNew(
+            () => Play(settings, connection, truth, cancel), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+    }
+
+    static CellTiming Timing(DemoSettings settings) => new(
+        TimeSpan.FromMilliseconds(settings.SamplingMs),
+        TimeSpan.FromMilliseconds(settings.Acquisition.Min), TimeSpan.FromMilliseconds(settings.Acquisition.Max));
+
+    static DemoRun Play(DemoSettings settings, ConnectionSettings connection, DemoTruth truth, CancellationToken cancel)
+    {
+        var told = new VisualisationLatency(TimeSpan.FromMilliseconds(settings.VisualisationMs + settings.VisualisationErrorMs));
+        var clock = new StopwatchHeadsetClock();
+        // Room for all of them: the runtime's frame is watched for allocations, and this is filled within it.
+        var latencies = new List<TimeSpan>((int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000);
+        using var session = new CompensationSession(
+            new SessionSettings(connection, told, new PredictionSettings(settings.Predictor)), settings.Robot, clock);
+        session.SampleTaken += (_, latency) =>
+        {
+            if (latency.HasValue) latencies.Add(latency.Value);
+        };
+        var loop = new DemoFrameLoop(settings, session, clock, truth);
+        session.Connect();
+        DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
+        return new DemoRun(settings, truth, loop.Frames, latencies, session.Statistics(clock.Now));
+    }
+}
