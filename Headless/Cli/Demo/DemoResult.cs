@@ -8,7 +8,8 @@ sealed record DemoResult(
     /// <summary>Milliseconds; <see cref="Visu"/> is the simulated headset's true one.</summary>
     public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
 
-    public sealed record ClockErrors(double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS);
+    public sealed record ClockErrors(
+        double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS);
 
     public sealed record ToolErrors(
         double? HoldRms, double? HoldMax, double? Rms, double? P95, double? Max,

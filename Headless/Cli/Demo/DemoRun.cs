@@ -13,10 +13,10 @@ sealed record DemoRun(
     {
         var broken = Frames.FirstNotFinite();
         if (broken != null) return broken;
-        if (Statistics.Samples == 0)
-            return $"no sample was used, {Statistics.Dropped} were dropped; joint positions {Statistics.SampleLink}; clock sync {Statistics.SyncLink}";
+        var links = $"joint positions {Statistics.SampleLink}; clock sync {Statistics.SyncLink}";
+        if (Statistics.Samples == 0) return $"no sample was used, {Statistics.Dropped} were dropped; {links}";
         if (Frames.Rows.Any(row => row.Clock.State == ClockState.Synchronised)) return null;
-        return FormattableString.Invariant(
-            $"the clock was still {Statistics.Clock.State.ToString().ToLowerInvariant()} after {Settings.Seconds} s: run longer (--seconds); clock sync {Statistics.SyncLink}");
+        var state = Statistics.Clock.State.ToString().ToLowerInvariant();
+        return FormattableString.Invariant($"the clock was still {state} after {Settings.Seconds} s: run longer (--seconds); {links}");
     }
 }

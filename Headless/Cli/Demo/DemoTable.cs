@@ -36,9 +36,11 @@ static class DemoTable
         Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
         Row("visualisation latency", Ms(result.LatencyMs.Visu));
         Row("error of the moment of light", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");
-        Row("clock offset error", $"{Us(result.Clock.OffsetErrorUsP50)} median, {Us(result.Clock.OffsetErrorUsP95)} P95, {Us(result.Clock.OffsetErrorUsMax)} greatest");
+        var clock = result.Clock;
+        Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} greatest");
         Row("clock synchronised after", Text(result.Clock.ConvergedS, "0.0", " s"));
-        Row("frame", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B")} allocated");
+        var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
+        Row("frame", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
         return grid;
     }

@@ -42,7 +42,8 @@ static class DemoVerb
 
     public static Command Create()
     {
-        var verb = new Command("demo", "Run the headset runtime against a simulated cell over real sockets, and score what it shows against the truth.")
+        var verb = new Command(
+            "demo", "Run the headset runtime against a simulated cell over real sockets, and score what it shows against the truth.")
         {
             Seconds, Network, Robot, Recording, Predictor, Sampling, Acquisition, Visualisation, VisualisationError, Seed, Output,
         };

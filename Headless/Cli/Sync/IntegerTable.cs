@@ -12,7 +12,8 @@ static class IntegerTable
     public static List<long[]> Read(string path, params string[] header)
     {
         using var text = RecordingText.Open(path);
-        using var csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
+        using var csv = new CsvParser(
+            text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
         try
         {
             return Rows(csv, path, header);
@@ -26,7 +27,8 @@ static class IntegerTable
     static List<long[]> Rows(CsvParser csv, string path, string[] header)
     {
         if (!csv.Read() || !csv.Record.SequenceEqual(header))
-            throw new InputException($"{path}:1: the header is '{(csv.Record == null ? "" : string.Join(',', csv.Record))}'; it must be {string.Join(',', header)}");
+            throw new InputException(
+                $"{path}:1: the header is '{(csv.Record == null ? "" : string.Join(',', csv.Record))}'; it must be {string.Join(',', header)}");
         var rows = new List<long[]>();
         while (csv.Read())
             rows.Add(Row(csv, path, header));

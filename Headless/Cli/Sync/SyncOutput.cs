@@ -12,7 +12,8 @@ static class SyncOutput
         foreach (var belief in beliefs)
         {
             var skew = atInstants ? "" : SyncBelief.Text(belief.SkewPpm) + ",";
-            output.WriteLine($"{belief.Nanoseconds},{SyncBelief.Text(belief.OffsetNanoseconds)},{skew}{SyncBelief.Text(belief.ErrorBoundNanoseconds)},{belief.State}");
+            var (offset, bound) = (SyncBelief.Text(belief.OffsetNanoseconds), SyncBelief.Text(belief.ErrorBoundNanoseconds));
+            output.WriteLine($"{belief.Nanoseconds},{offset},{skew}{bound},{belief.State}");
         }
     }
 

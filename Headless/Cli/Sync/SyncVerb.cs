@@ -9,9 +9,16 @@ static class SyncVerb
 {
     public static Command Create()
     {
-        var file = new Argument<string>("FILE.csv") { Description = "Log of exchanges: t1_ns,t2_ns,t3_ns,t4_ns (t1, t4 on C2; t2, t3 on C1); .csv or .csv.gz." };
-        var estimator = ChoiceOption.Create("--estimator", "Clock estimator; the default is the paper's, ransac, until a better one exists", "default", ["ransac", "default"]);
-        var at = new Option<string>("--at") { Description = "File of instants (t_ns on C2, increasing): print what was known at each, instead of after each exchange." };
+        var file = new Argument<string>("FILE.csv")
+        {
+            Description = "Log of exchanges: t1_ns,t2_ns,t3_ns,t4_ns (t1, t4 on C2; t2, t3 on C1); .csv or .csv.gz.",
+        };
+        var estimator = ChoiceOption.Create(
+            "--estimator", "Clock estimator; the default is the paper's, ransac, until a better one exists", "default", ["ransac", "default"]);
+        var at = new Option<string>("--at")
+        {
+            Description = "File of instants (t_ns on C2, increasing): print what was known at each, instead of after each exchange.",
+        };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of CSV." };
         var verb = new Command("sync", "Run the clock estimator over a log of sync exchanges.") { file, estimator, at, json };
         // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.

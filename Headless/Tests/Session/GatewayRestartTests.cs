@@ -25,7 +25,8 @@ public class GatewayRestartTests
         var (syncPort, webSocketPort) = (gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port);
         var headsetClock = new StopwatchHeadsetClock();
         using var session = new CompensationSession(
-            new SessionSettings(new ConnectionSettings("127.0.0.1", syncPort, webSocketPort), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1", syncPort, webSocketPort), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
             robot, headsetClock);
         session.Connect();
         await Soon.BecomesAsync(() => Tick(session, headsetClock) == PoseState.Current, "current before");

@@ -15,7 +15,8 @@ public class SecondProcessTests
     const string ObserverToken = "observer-3f9d2c";
     const string SourceToken = "source-77aa01";
 
-    const string Sample = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"sec":1700000000,"nanosec":1}},"name":["NAME"],"position":[0.5]}}""";
+    const string Sample = """{"op":"publish","topic":"/joint_states","msg":"""
+        + """{"header":{"stamp":{"sec":1700000000,"nanosec":1}},"name":["NAME"],"position":[0.5]}}""";
 
     GatewayServer _gateway;
     SimulatedCell _cell;
@@ -59,7 +60,8 @@ public class SecondProcessTests
         await StartAsync(CertificateFiles.Generate());
         using var headset = Headset(_gateway.Pin.ToString(), ObserverToken);
 
-        await Soon.BecomesAsync(() => headset.Printed("pose Current | clock Synchronised | sync Connected: connected | positions Connected: connected"), "current: " + headset.All);
+        await Soon.BecomesAsync(
+            () => headset.Printed("pose Current | clock Synchronised | sync Connected: connected | positions Connected: connected"), "current");
     }
 
     [Test]
@@ -69,7 +71,8 @@ public class SecondProcessTests
         var other = CertificatePin.Of(CertificateFiles.Generate());
         using var headset = Headset(other.ToString(), ObserverToken);
 
-        await Soon.BecomesAsync(() => headset.Printed("clock sync: certificate: its pin is") && headset.Printed("joint positions: certificate: its pin is"), "refused");
+        await Soon.BecomesAsync(
+            () => headset.Printed("clock sync: certificate: its pin is") && headset.Printed("joint positions: certificate: its pin is"), "refused");
         Assert.That(headset.All, Does.Contain(_gateway.Pin.ToString()).And.Contain(other.ToString()), "both pins are named");
         Assert.That(headset.All, Does.Not.Contain("Connected").And.Not.Contain(ObserverToken));
     }
@@ -91,7 +94,8 @@ public class SecondProcessTests
         await StartAsync(CertificateFiles.Generate(DateTimeOffset.UtcNow.AddDays(-30), DateTimeOffset.UtcNow.AddDays(-1)));
         using var headset = Headset(_gateway.Pin.ToString(), ObserverToken);
 
-        await Soon.BecomesAsync(() => headset.Printed("clock sync: certificate: expired on") && headset.Printed("joint positions: certificate: expired on"), "refused");
+        await Soon.BecomesAsync(
+            () => headset.Printed("clock sync: certificate: expired on") && headset.Printed("joint positions: certificate: expired on"), "refused");
         Assert.That(headset.All, Does.Not.Contain("Connected"));
     }
 

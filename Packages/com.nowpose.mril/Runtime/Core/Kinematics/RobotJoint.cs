@@ -29,7 +29,10 @@ namespace Nowpose.Kinematics
         /// <summary>The joint's frame in the parent link's, which is also the child link's pose at position 0.</summary>
         public RigidTransform Origin { get; }
 
-        /// <summary>Unit vector in the joint's own frame; positive positions turn about it by the right-hand rule or slide along it. Without meaning on a fixed joint.</summary>
+        /// <summary>
+        /// Unit vector in the joint's own frame; positive positions turn about it by the right-hand rule or slide along
+        /// it. Without meaning on a fixed joint.
+        /// </summary>
         public (double X, double Y, double Z) Axis { get; }
 
         /// <summary><see cref="JointLimits.None"/> on a fixed joint.</summary>

@@ -18,7 +18,9 @@ namespace Nowpose.Kinematics
                 var chain = new Stack<UrdfJoint>();
                 var at = joint;
                 for (; at.Joint.Mimic != null && done.Add(at); at = Master(source, at, byName)) chain.Push(at);
-                if (chain.Contains(at)) throw MimicError(source, at, "following " + UrdfSource.Quote(at.Joint.Mimic.Master) + " leads back to this joint: a loop");
+                if (chain.Contains(at))
+                    throw MimicError(
+                        source, at, "following " + UrdfSource.Quote(at.Joint.Mimic.Master) + " leads back to this joint: a loop");
                 foreach (var follower in chain) steps.Add(Step(follower.Joint, byName));
             }
             return steps.ToArray();

@@ -3,7 +3,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Waits between attempts to connect: 0.2 s doubling to 1.5 s, each varied by ±20 % so that headsets do not return all at once.</summary>
+    /// <summary>
+    /// Waits between attempts to connect: 0.2 s doubling to 1.5 s, each varied by ±20 % so that headsets do not return
+    /// all at once.
+    /// </summary>
     public sealed class Backoff
     {
         readonly Random _random;

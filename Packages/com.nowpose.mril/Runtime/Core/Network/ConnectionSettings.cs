@@ -59,7 +59,8 @@ namespace Nowpose.Network
             if (Token != null)
                 throw new InputException("token: would travel in plain text to " + Host + "; use a pin or a device-trusted certificate");
             if (!insecureLan)
-                throw new InputException("host: " + Host + " is not this machine; give the gateway's pin, or allow plain connections on a trusted network (insecure LAN)");
+                throw new InputException(
+                    "host: " + Host + " is not this machine; give the gateway's pin, or allow plain connections on a trusted network (insecure LAN)");
         }
 
         static int RequirePort(int port, string name)
@@ -71,7 +72,8 @@ namespace Nowpose.Network
         static string RequireName(string name)
         {
             if (string.IsNullOrWhiteSpace(name) || name.Length > ProtocolLimits.NameLength)
-                throw new InputException("headset name: is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + ProtocolLimits.NameLength);
+                throw new InputException(
+                    "headset name: is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + ProtocolLimits.NameLength);
             return name;
         }
 
@@ -83,7 +85,8 @@ namespace Nowpose.Network
                 throw new InputException("token: " + bytes + " bytes long; allowed are 1 to " + ProtocolLimits.TokenBytes + " bytes");
             foreach (var c in token)
                 if (c <= ' ' || c > '~')
-                    throw new InputException("token: holds a character that an HTTP header cannot carry; use letters, digits and punctuation of ASCII");
+                    throw new InputException(
+                        "token: holds a character that an HTTP header cannot carry; use letters, digits and punctuation of ASCII");
             return token;
         }
     }

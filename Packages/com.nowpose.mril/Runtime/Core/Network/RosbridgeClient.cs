@@ -160,7 +160,8 @@ namespace Nowpose.Network
                     await link.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime), cancel).ConfigureAwait(false);
                 var diagnostics = _listener.Diagnostics();
                 if (diagnostics != null)
-                    await link.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
+                    await link.SendAsync(
+                        RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
             }
         }
 

@@ -16,7 +16,10 @@ namespace Nowpose.Network
 
         /// <returns>Why the certificate is refused; null when it is trusted.</returns>
         /// <param name="certificate">What the server showed; may be null.</param>
-        /// <param name="errors">What the platform found. With a pin only the pin and the dates count: the gateway's certificate is usually self-signed.</param>
+        /// <param name="errors">
+        /// What the platform found. With a pin only the pin and the dates count: the gateway's certificate is usually
+        /// self-signed.
+        /// </param>
         /// <param name="now">The device's time of day.</param>
         public string Refusal(X509Certificate certificate, SslPolicyErrors errors, DateTime now)
         {
@@ -24,7 +27,8 @@ namespace Nowpose.Network
             if (_pin == null)
                 return errors == SslPolicyErrors.None ? null : "certificate: not trusted by this device (" + errors + "); install it or use its pin";
             if (!_pin.Matches(certificate))
-                return "certificate: its pin is " + CertificatePin.Of(certificate) + ", expected " + _pin + "; another server, or the gateway got a new key";
+                return "certificate: its pin is " + CertificatePin.Of(certificate) + ", expected " + _pin
+                    + "; another server, or the gateway got a new key";
             return DatesRefusal(certificate, now);
         }
 

@@ -65,7 +65,9 @@ namespace Nowpose.Network
                         var next = await _socket.ReceiveAsync(new ArraySegment<byte>(_chunk), inTime.Token).ConfigureAwait(false);
                         Append(next);
                         if (next.EndOfMessage) return next;
-                        if (_length > LongestDiscarded) throw new MessageLimitException("a message of more than " + LongestDiscarded + " bytes", DropReason.TooLarge);
+                        if (_length > LongestDiscarded)
+                            throw new MessageLimitException(
+                                "a message of more than " + LongestDiscarded + " bytes", DropReason.TooLarge);
                     }
                 }
                 catch (Exception failure) when (timeUp.IsCancellationRequested)

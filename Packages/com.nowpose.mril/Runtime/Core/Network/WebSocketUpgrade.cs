@@ -57,7 +57,9 @@ namespace Nowpose.Network
             var one = new byte[1];
             while (!EndsHead(head))
             {
-                if (head.Length == LongestHead) throw new GatewayRefusalException("the gateway's answer has a head of more than " + LongestHead + " bytes");
+                if (head.Length == LongestHead)
+                    throw new GatewayRefusalException(
+                        "the gateway's answer has a head of more than " + LongestHead + " bytes");
                 if (await stream.ReadAsync(one).ConfigureAwait(false) == 0)
                     throw new EndOfStreamException("the gateway closed the connection during the WebSocket request");
                 head.Append((char)one[0]);

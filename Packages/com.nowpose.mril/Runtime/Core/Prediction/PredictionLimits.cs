@@ -37,7 +37,10 @@ namespace Nowpose.Prediction
         /// <summary>Greatest position shown, rad or m.</summary>
         public double Upper { get; }
 
-        /// <summary>Furthest prediction ahead of the newest sample, s; beyond it the value at the cap is held, as is the oldest sample's before the section.</summary>
+        /// <summary>
+        /// Furthest prediction ahead of the newest sample, s; beyond it the value at the cap is held, as is the oldest
+        /// sample's before the section.
+        /// </summary>
         public double HorizonCap { get; }
 
         /// <summary>

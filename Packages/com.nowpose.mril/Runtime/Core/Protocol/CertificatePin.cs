@@ -23,7 +23,8 @@ namespace Nowpose.Protocol
             var hash = new byte[HashBytes + 1];
             // Longer than the buffer is refused too: one byte of slack tells 33 bytes from 32.
             if (!Convert.TryFromBase64String(base64, hash, out var length) || length != HashBytes)
-                throw new InputException("certificate pin \"" + trimmed + "\": allowed is the base64 of 32 bytes, as the gateway prints it (sha256/…=)");
+                throw new InputException(
+                    "certificate pin \"" + trimmed + "\": allowed is the base64 of 32 bytes, as the gateway prints it (sha256/…=)");
             return new CertificatePin(hash.AsSpan(0, HashBytes).ToArray());
         }
 

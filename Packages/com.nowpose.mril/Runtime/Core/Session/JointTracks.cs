@@ -47,7 +47,9 @@ namespace Nowpose.Session
         /// <summary>Control time of the newest sample of any joint at the last <see cref="Predict"/>; null while there is none.</summary>
         public ControlTime? Newest { get; private set; }
 
-        /// <param name="overtaken">Why an earlier message that had waited for this one was of no use; <see cref="DropReason.None"/> otherwise.</param>
+        /// <param name="overtaken">
+        /// Why an earlier message that had waited for this one was of no use; <see cref="DropReason.None"/> otherwise.
+        /// </param>
         /// <returns>Why the message was of no use; <see cref="DropReason.None"/> when a joint took its sample.</returns>
         public DropReason Add(JointStateMessage message, out DropReason overtaken)
         {

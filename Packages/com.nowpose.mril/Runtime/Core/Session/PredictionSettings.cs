@@ -13,7 +13,9 @@ namespace Nowpose.Session
 
         /// <param name="predictor">One of <see cref="Predictors.Names"/>.</param>
         /// <param name="horizonCapMs">How far ahead of the newest sample is predicted at most; beyond, the value there stays, marked held.</param>
-        /// <param name="maximumGapMs">A longer pause between two samples ends the history: motion before it says nothing about motion after it.</param>
+        /// <param name="maximumGapMs">
+        /// A longer pause between two samples ends the history: motion before it says nothing about motion after it.
+        /// </param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public PredictionSettings(string predictor = Predictors.Default, double horizonCapMs = 300, double maximumGapMs = 500)
         {

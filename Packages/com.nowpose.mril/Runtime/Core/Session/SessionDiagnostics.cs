@@ -20,7 +20,8 @@ namespace Nowpose.Session
             Add("state", statistics.Clock.State.ToString().ToLowerInvariant());
             if (statistics.Offset.HasValue)
             {
-                Add("offset_ns", (statistics.Offset.Value.HeadsetMinusControl.Ticks * (decimal)ClockTicks.NanosecondsPerTick).ToString(CultureInfo.InvariantCulture));
+                var nanoseconds = statistics.Offset.Value.HeadsetMinusControl.Ticks * (decimal)ClockTicks.NanosecondsPerTick;
+                Add("offset_ns", nanoseconds.ToString(CultureInfo.InvariantCulture));
                 Add("skew_ppm", Number(statistics.Clock.Skew * 1e6));
                 Add("error_bound_us", Number(statistics.Clock.ErrorBound.TotalMilliseconds * 1000));
             }

@@ -2,7 +2,10 @@ using System;
 
 namespace Nowpose
 {
-    /// <summary>What is known of Φ(t): a line through <see cref="ReferenceOffset"/> at <see cref="Reference"/> with slope <see cref="Skew"/>.</summary>
+    /// <summary>
+    /// What is known of Φ(t): a line through <see cref="ReferenceOffset"/> at <see cref="Reference"/> with slope
+    /// <see cref="Skew"/>.
+    /// </summary>
     /// <remarks>
     /// Schnierle &amp; Röck 2022, Eq. (3), on the headset clock: Φ(C2) = Φ(ref) + (γ₂−1)·(C2 − ref). Immutable, so any
     /// thread may read it. <c>default</c> is unsynchronised: it converts nothing, ask <see cref="IsKnown"/> first.

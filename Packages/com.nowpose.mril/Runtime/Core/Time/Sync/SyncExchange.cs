@@ -49,7 +49,10 @@ namespace Nowpose.Sync
 
         public bool ServerSynchronised { get; }
 
-        /// <summary>Φ* of this exchange alone, Eq. (5): exact when both ways take equally long, else wrong by at most half <see cref="RoundTripTime"/>.</summary>
+        /// <summary>
+        /// Φ* of this exchange alone, Eq. (5): exact when both ways take equally long, else wrong by at most half
+        /// <see cref="RoundTripTime"/>.
+        /// </summary>
         public ClockOffset Offset
         {
             get

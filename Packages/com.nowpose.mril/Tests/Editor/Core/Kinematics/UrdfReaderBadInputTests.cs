@@ -36,7 +36,8 @@ namespace Nowpose.Tests
         [TestCase("<joint name='j' type='screw'>" + Ends + "</joint>", "joint 'j': type 'screw' is not supported")]
         [TestCase("<joint name='j' type='fixed'><child link='b'/></joint>", "joint 'j': its <parent link=…/> is missing")]
         [TestCase("<joint name='j' type='fixed'><parent link='a'/><child/></joint>", "joint 'j' <child>: its attribute link is missing")]
-        [TestCase("<joint name='j' type='fixed'>\n<parent link='a'/>\n<child link='z'/></joint>", "r.urdf:5: joint 'j' <child>: there is no link 'z'")]
+        [TestCase(
+            "<joint name='j' type='fixed'>\n<parent link='a'/>\n<child link='z'/></joint>", "r.urdf:5: joint 'j' <child>: there is no link 'z'")]
         [TestCase("<joint name='j' type='fixed'>\n<parent link='z'/><child link='a'/></joint>", "r.urdf:4: joint 'j' <parent>: there is no link 'z'")]
         [TestCase("<joint name='j' type='fixed'>" + Ends + "</joint>\n<joint name='j' type='fixed'><parent link='a'/><child link='c'/></joint>", "r.urdf:4: joint 'j': another joint has the same name")]
         public void Read_BadJoint_NamesIt(string joints, string message) => RefusesJoints(joints, message);

@@ -72,11 +72,13 @@ namespace Nowpose.Tests
         {
             var clock = new SetClock();
             var session = new CompensationSession(
-                new SessionSettings(new ConnectionSettings("127.0.0.1", headsetName: "left"), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+                new SessionSettings(
+                    new ConnectionSettings("127.0.0.1", headsetName: "left"), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
                 TestRobot.Model, clock);
             var before = session.Diagnostics();
             session.Clock.Add(new SyncExchange(
-                HeadsetTime.FromSeconds(1), ControlTime.FromSeconds(101.001), ControlTime.FromSeconds(101.001), HeadsetTime.FromSeconds(1.002)), out _);
+                HeadsetTime.FromSeconds(1), ControlTime.FromSeconds(101.001),
+                ControlTime.FromSeconds(101.001), HeadsetTime.FromSeconds(1.002)), out _);
             clock.Now = HeadsetTime.FromSeconds(1.002);
 
             var after = session.Diagnostics();

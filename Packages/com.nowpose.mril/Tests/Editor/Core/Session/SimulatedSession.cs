@@ -9,7 +9,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Tests
 {
-    /// <summary>A whole session in virtual time: a moving robot, a network, two clocks, frames at 60 fps. Nothing waits, everything is seeded.</summary>
+    /// <summary>
+    /// A whole session in virtual time: a moving robot, a network, two clocks, frames at 60 fps. Nothing waits,
+    /// everything is seeded.
+    /// </summary>
     sealed class SimulatedSession
     {
         const double FrameSeconds = 1 / 60.0;

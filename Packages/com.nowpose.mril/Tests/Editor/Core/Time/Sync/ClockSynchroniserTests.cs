@@ -103,7 +103,8 @@ namespace Nowpose.Tests
             run.Run(link, 30, 32);
 
             var doubted = run.Instants.Where(i => i.At > 30.45).ToList();
-            Assert.That(doubted.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True, "two exchanges contradict it by then");
+            var isBounded = doubted.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds);
+            Assert.That(isBounded, Is.True, "two exchanges contradict it by then");
             Assert.That(doubted.First().Model.State, Is.EqualTo(ClockState.Converging));
         }
 

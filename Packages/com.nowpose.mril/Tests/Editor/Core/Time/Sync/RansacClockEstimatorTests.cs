@@ -93,7 +93,8 @@ namespace Nowpose.Tests
                 estimator.Add(new SyncExchange(t1, at, at, t4));
             }
 
-            Assert.That(estimator.Line.Offset.HeadsetMinusControl.TotalMilliseconds, Is.EqualTo(0).Within(0.01), "late replies were taken in; seed 5");
+            var offsetMs = estimator.Line.Offset.HeadsetMinusControl.TotalMilliseconds;
+            Assert.That(offsetMs, Is.EqualTo(0).Within(0.01), "late replies were taken in; seed 5");
         }
 
         [Test]
