@@ -15,8 +15,9 @@ public class GatewayRestartTests
     static readonly TimeSpan ReconnectLimit = TimeSpan.FromSeconds(2);
 
     [TestCase(0)]
+    [TestCase(0.1)]
     [TestCase(-5000)]
-    public async Task Session_GatewayRestarts_ReconnectsWithinTwoSecondsAndSynchronisesAnew(int clockStepSeconds)
+    public async Task Session_GatewayRestarts_ReconnectsWithinTwoSecondsAndSynchronisesAnew(double clockStepSeconds)
     {
         var robot = RobotFiles.Load("youbot");
         var clock = StopwatchControlClock.FromUnixTime();

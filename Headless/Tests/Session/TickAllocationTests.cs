@@ -1,0 +1,45 @@
+using Nowpose.Gateway.Robots;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Session;
+
+public class TickAllocationTests
+{
+    [TestCase("hold")]
+    [TestCase("quadratic")]
+    [TestCase("quadratic-h4")]
+    [TestCase("cubic")]
+    public void Tick_WarmWithSamplesComing_AllocatesNothing(string predictor)
+    {
+        var robot = RobotFiles.Load("youbot");
+        var names = robot.MovingJoints.Select(joint => joint.Name).ToArray();
+        using var session = new CompensationSession(
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40)), new PredictionSettings(predictor)),
+            robot, new StopwatchHeadsetClock());
+        var allocated = 0L;
+        for (var frame = 0; frame < 2000; frame++)
+        {
+            var now = HeadsetTime.FromSeconds(10 + frame / 60.0);
+            var control = new ControlTime(now.SinceEpoch);
+            if (frame % 12 == 0)
+                session.Clock.Add(new SyncExchange(now - TimeSpan.FromMilliseconds(2), control, control, now), out _);
+            if (frame % 3 == 0)
+                session.Received(new JointStateMessage(control - TimeSpan.FromMilliseconds(80), names, Positions(names.Length, frame)), now);
+
+            var before = GC.GetAllocatedBytesForCurrentThread();
+            session.Tick(now);
+            if (frame >= 500) allocated += GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+
+        Assert.That(allocated, Is.EqualTo(0));
+        Assert.That(session.Statistics(HeadsetTime.FromSeconds(44)).Samples, Is.GreaterThan(600));
+    }
+
+    static double[] Positions(int count, int frame) => [.. Enumerable.Range(0, count).Select(joint => 0.005 * Math.Sin(frame * 0.05 + joint))];
+}
