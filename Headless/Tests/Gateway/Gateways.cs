@@ -24,6 +24,10 @@ static class Gateways
     public static JointStateMessage State(double position, params string[] names) =>
         new(Start, names, [.. names.Select(_ => position)]);
 
+    /// <summary>A joint's position as a source publishes it.</summary>
+    public static string StateText(double position, string name = "a") =>
+        RosbridgeWriter.PublishJointState(RosTopics.JointStates, State(position, name), RosTimeForm.Sec);
+
     public static Uri WebSocketUri(this GatewayServer gateway) =>
         new($"{(gateway.Pin == null ? "ws" : "wss")}://{IPAddress.Loopback}:{gateway.WebSocketEndPoint.Port}/");
 }

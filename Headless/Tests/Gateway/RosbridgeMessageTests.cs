@@ -1,0 +1,178 @@
+using System.Net.WebSockets;
+using System.Text;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class RosbridgeMessageTests
+{
+    [Test]
+    public async Task Description_NearlyAMebibyte_Passes()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.RobotDescription);
+        var urdf = new string('u', 1_000_000);
+
+        await robot.SendAsync(RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
+
+        Assert.That((await client.ReceiveAsync()).Data, Is.EqualTo(urdf));
+    }
+
+    [Test]
+    public async Task GetTime_Called_IsControlTime()
+    {
+        var clock = new StopwatchControlClock(ControlTime.FromSeconds(1e9), 1e-3);
+        await using var gateway = await Gateways.StartAsync(clock: clock);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        var before = clock.Now;
+        var time = (await client.RoundTripAsync()).Time.Value;
+
+        Assert.That(time >= before && time <= clock.Now, Is.True);
+    }
+
+    [Test]
+    public async Task Service_Unknown_FailsWithTheCallersId()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync(RosbridgeWriter.CallService("/rosapi/topics", "9"));
+
+        var response = await client.ReceiveAsync();
+        Assert.That((response.Op, response.Result, response.Id), Is.EqualTo((RosbridgeOp.ServiceResponse, false, "9")));
+        Assert.That(gateway.Drops[DropReason.UnknownService], Is.EqualTo(1));
+    }
+
+    [TestCase("""{"op":"dance","id":"1"}""", DropReason.UnknownOp, "Unknown operation: dance")]
+    [TestCase("not json", DropReason.NotJson, "JSON")]
+    [TestCase("""{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"sec":5000,"nanosec":0}},"name":["a"],"position":[NaN]}}""", DropReason.NotFinite, "finite")]
+    [TestCase("""{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"sec":5000,"nanosec":0}},"name":["a","b"],"position":[1]}}""", DropReason.LengthMismatch, "length")]
+    [TestCase("""{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"sec":0,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampZero, "zero")]
+    [TestCase("""{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"sec":5100,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampInFuture, "future")]
+    [TestCase("""{"op":"publish","topic":"/cmd_vel","msg":{}}""", DropReason.UnknownTopic, "/cmd_vel")]
+    [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", DropReason.WrongType, "type")]
+    public async Task Message_AgainstARule_IsDroppedCountedToldAndTheConnectionGoesOn(string text, DropReason reason, string part)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates);
+
+        await client.SendAsync(text);
+
+        await client.ExpectErrorAsync(part);
+        Assert.That(gateway.Drops[reason], Is.EqualTo(1));
+        Assert.That(gateway.Drops.Total, Is.EqualTo(1));
+        await client.SendAsync(Gateways.StateText(1));
+        Assert.That((await client.ReceiveAsync()).JointState, Is.Not.Null);
+    }
+
+    [Test]
+    public async Task Message_Nested10000Deep_IsDroppedAndTheConnectionGoesOn()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync("{\"op\":" + new string('[', 10_000) + new string(']', 10_000) + "}");
+
+        await client.ExpectErrorAsync("nested");
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Message_OfTwoMebibytes_IsDroppedAndTheConnectionGoesOn()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync(new string(' ', 2 * 1024 * 1024));
+
+        await client.ExpectErrorAsync("longer");
+        Assert.That(gateway.Drops[DropReason.TooLarge], Is.EqualTo(1));
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Message_Binary_IsDropped()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.Socket.SendAsync(Encoding.UTF8.GetBytes(Gateways.StateText(1)), WebSocketMessageType.Binary, true, default).Bounded();
+
+        await client.ExpectErrorAsync("text");
+        await client.RoundTripAsync();
+    }
+
+    [TestCase(64, true)]
+    [TestCase(65, false)]
+    public async Task Message_InFragments_UpTo64(int count, bool expected)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates);
+        var text = Gateways.StateText(1);
+
+        for (var i = 0; i < count; i++)
+            await client.SendAsync(i < text.Length && i < count - 1 ? text[i].ToString() : text[i..], i == count - 1);
+
+        if (expected)
+            Assert.That((await client.ReceiveAsync()).JointState, Is.Not.Null);
+        else
+            await client.ExpectErrorAsync("fragments");
+        Assert.That(gateway.Drops[DropReason.TooManyFragments], Is.EqualTo(expected ? 0 : 1));
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Message_LateInEnding_IsDroppedAndTheConnectionGoesOn()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MessageTimeout = TimeSpan.FromMilliseconds(50) });
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync("{\"op\":", false);
+        await Task.Delay(300);
+        await client.SendAsync("\"status\",\"msg\":\"a\"}", true);
+
+        await client.ExpectErrorAsync("in time");
+        Assert.That(gateway.Drops[DropReason.TooSlow], Is.EqualTo(1));
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Message_NeverEnding_ClosesWithTheReason()
+    {
+        var options = Gateways.Options() with { MessageTimeout = TimeSpan.FromMilliseconds(50), DrainTimeout = TimeSpan.FromMilliseconds(100) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync("{\"op\":", false);
+
+        var result = await client.Socket.ReceiveAsync(new byte[100], default).Bounded();
+        Assert.That(result.CloseStatus, Is.EqualTo(WebSocketCloseStatus.MessageTooBig));
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.EndlessMessage] == 1, "counted");
+    }
+
+    [Test]
+    public async Task Message_BeyondWhatIsDrained_Closes()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { DrainBytes = 2_000_000 });
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        try
+        {
+            await client.SendAsync(new string(' ', 8_000_000));
+        }
+        catch (WebSocketException)
+        {
+            // Closed while sending.
+        }
+
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.EndlessMessage] == 1, "counted");
+    }
+}

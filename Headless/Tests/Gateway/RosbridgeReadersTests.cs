@@ -1,0 +1,83 @@
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class RosbridgeReadersTests
+{
+    [Test]
+    public async Task Reader_ThatStops_LosesTheOldestAndDelaysNobody()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
+        using var slow = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));
+        using var quick = await RawRosbridgeClient.ConnectAsync(gateway);
+        await slow.SubscribeAsync(RosTopics.JointStates);
+        await quick.SubscribeAsync(RosTopics.JointStates);
+        using var source = gateway.Hub.OpenSource();
+        var names = Enumerable.Range(0, 256).Select(i => "joint" + i).ToArray();
+
+        // Until what lies between the gateway and the slow client is full, then as much again as its queue holds.
+        var sent = 0;
+        while (gateway.Drops[DropReason.SlowReader] < 100)
+        {
+            source.TryPublish(Gateways.State(++sent, names));
+            Assert.That((await quick.ReceiveAsync()).JointState.Positions[0], Is.EqualTo(sent));
+        }
+
+        var received = new List<double>();
+        do
+            received.Add((await slow.ReceiveAsync()).JointState.Positions[0]);
+        while (received[^1] < sent);
+
+        Assert.That(received, Is.Ordered);
+        Assert.That(received.Count, Is.EqualTo(sent - gateway.Drops[DropReason.SlowReader]));
+        Assert.That(received.TakeLast(16), Is.EqualTo(Enumerable.Range(sent - 15, 16).Select(i => (double)i)));
+    }
+
+    [Test]
+    public async Task Reader_ThatAnswersNoPing_IsClosed()
+    {
+        var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(200) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway); // which answers only while it receives
+
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Silence] == 1, "closed for silence");
+    }
+
+    [Test]
+    public async Task Reader_ThatAnswersPings_StaysConnected()
+    {
+        var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(500) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates);
+
+        var receiving = client.ReceiveAsync();
+        await Task.Delay(3000);
+        using var source = gateway.Hub.OpenSource();
+        source.TryPublish(Gateways.State(1, "a"));
+
+        Assert.That((await receiving).JointState, Is.Not.Null);
+    }
+
+    [Test]
+    public async Task Subscription_Throttled_GetsTheNewestAtItsRate()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates, null, 300);
+        using var source = gateway.Hub.OpenSource();
+        source.TryPublish(Gateways.State(1, "a"));
+        var first = (await client.ReceiveAsync()).JointState.Positions[0];
+        var since = System.Diagnostics.Stopwatch.GetTimestamp();
+
+        for (var i = 2; i <= 20; i++)
+            source.TryPublish(Gateways.State(i, "a"));
+        var second = (await client.ReceiveAsync()).JointState.Positions[0];
+
+        Assert.That((first, second), Is.EqualTo((1.0, 20.0)));
+        Assert.That(System.Diagnostics.Stopwatch.GetElapsedTime(since).TotalMilliseconds, Is.GreaterThan(200));
+        Assert.That(gateway.Drops.Total, Is.Zero);
+    }
+}

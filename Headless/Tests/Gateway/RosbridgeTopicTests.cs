@@ -1,0 +1,151 @@
+using System.Net.WebSockets;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class RosbridgeTopicTests
+{
+    [TestCase("sensor_msgs/JointState", "secs")]
+    [TestCase("sensor_msgs/msg/JointState", "sec")]
+    [TestCase(null, "sec")]
+    public async Task Subscribe_TypeNamed_GetsItsSpellingOfTime(string type, string seconds)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates, type);
+
+        using var source = gateway.Hub.OpenSource();
+        source.TryPublish(Gateways.State(0.5, "a", "b"));
+
+        var text = await client.ReceiveTextAsync();
+        Assert.That(text, Does.Contain($"\"{seconds}\":5000"));
+        Assert.That(RosbridgeReader.TryRead(text, out var message, out _), Is.True);
+        Assert.That(message.JointState.Positions, Is.EqualTo(new[] { 0.5, 0.5 }));
+        Assert.That(message.JointState.Stamp, Is.EqualTo(Gateways.Start));
+    }
+
+    [Test]
+    public async Task RoslibStyleMessages_OfARealClient_AreServed()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var page = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        // As roslib.js writes them, field for field.
+        await page.SendAsync("""{"op":"subscribe","id":"subscribe:/joint_states:1","type":"sensor_msgs/JointState","topic":"/joint_states","compression":"none","throttle_rate":0,"queue_length":0}""");
+        await page.RoundTripAsync();
+        await robot.SendAsync("""{"op":"advertise","id":"advertise:/joint_states:2","type":"sensor_msgs/JointState","topic":"/joint_states","latch":false,"queue_size":100}""");
+        await robot.SendAsync("""{"op":"publish","id":"publish:/joint_states:3","topic":"/joint_states","msg":{"header":{"seq":3,"stamp":{"secs":5000,"nsecs":250000000},"frame_id":""},"name":["a"],"position":[1],"velocity":[],"effort":[NaN]},"latch":false}""");
+
+        var message = await page.ReceiveAsync();
+        Assert.That(message.JointState.Stamp, Is.EqualTo(ControlTime.FromSeconds(5000.25)));
+        await page.SendAsync("""{"op":"unsubscribe","id":"subscribe:/joint_states:1","topic":"/joint_states"}""");
+        await page.SendAsync("""{"op":"call_service","id":"call_service:/rosapi/get_time:4","service":"/rosapi/get_time","args":{}}""");
+        Assert.That(await page.ReceiveTextAsync(), Does.Contain("\"secs\":").And.Contain("call_service:/rosapi/get_time:4"));
+    }
+
+    [Test]
+    public async Task Unsubscribe_ThenPublish_GetsNothing()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates);
+        await client.SendAsync(RosbridgeWriter.Unsubscribe(RosTopics.JointStates));
+        await client.RoundTripAsync();
+
+        using var source = gateway.Hub.OpenSource();
+        source.TryPublish(Gateways.State(0.5, "a"));
+
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Unsubscribe_OneOfTwoIds_GoesOnWithTheOther()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, null, "1"));
+        await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, null, "2"));
+        await client.SendAsync(RosbridgeWriter.Unsubscribe(RosTopics.JointStates, "1"));
+        await client.RoundTripAsync();
+
+        using var source = gateway.Hub.OpenSource();
+        source.TryPublish(Gateways.State(0.5, "a"));
+
+        Assert.That((await client.ReceiveAsync()).JointState, Is.Not.Null);
+        await client.RoundTripAsync(); // and not a second time
+    }
+
+    [Test]
+    public async Task Description_PublishedBefore_IsSentOnSubscribe()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var source = gateway.Hub.OpenSource();
+        source.TryDescribe("<robot name=\"r\"/>");
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, "std_msgs/String"));
+
+        Assert.That((await client.ReceiveAsync()).Data, Is.EqualTo("<robot name=\"r\"/>"));
+    }
+
+    [Test]
+    public async Task Topics_MoreThan32_AreRefused()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        for (var i = 0; i < ProtocolLimits.TopicsPerClient; i++)
+            await client.SubscribeAsync("/topic" + i);
+
+        await client.SendAsync(RosbridgeWriter.Subscribe("/one_more"));
+        await client.ExpectErrorAsync("32");
+
+        await client.SendAsync(RosbridgeWriter.Advertise(RosTopics.JointStates, null));
+        await client.ExpectErrorAsync("32");
+        await client.SubscribeAsync("/topic0"); // not a further one
+        await client.SendAsync(RosbridgeWriter.Unsubscribe("/topic0"));
+        await client.SubscribeAsync("/one_more");
+        Assert.That(gateway.Drops[DropReason.TooManyTopics], Is.EqualTo(2));
+    }
+
+    [Test]
+    public async Task Source_SecondForAJoint_IsRefusedUntilTheFirstGoes()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var first = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var second = await RawRosbridgeClient.ConnectAsync(gateway);
+        await first.SendAsync(Gateways.StateText(1));
+        await first.RoundTripAsync();
+
+        await second.SendAsync(Gateways.StateText(2));
+        await second.ExpectErrorAsync("a belongs to another source");
+        await second.SendAsync(Gateways.StateText(2, "gripper"));
+        await second.RoundTripAsync();
+
+        await first.Socket.CloseAsync(WebSocketCloseStatus.NormalClosure, "", default).Bounded();
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "first gone");
+        await second.SendAsync(Gateways.StateText(2));
+        await second.RoundTripAsync();
+        Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Diagnostics_OfAHeadset_ReachWhoeverListens()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var headset = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var page = await RawRosbridgeClient.ConnectAsync(gateway);
+        await page.SubscribeAsync(RosTopics.Diagnostics);
+        var sent = new DiagnosticsMessage(default, "h1", [new("rtt_ms", "3.5")]);
+
+        await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, sent, RosTimeForm.Sec));
+
+        var received = (await page.ReceiveAsync()).Diagnostics;
+        Assert.That(received.HardwareId, Is.EqualTo("h1"));
+        Assert.That(received.Values, Is.EqualTo(sent.Values));
+        await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, new DiagnosticsMessage(default, "h2", []), RosTimeForm.Sec));
+        await headset.ExpectErrorAsync("role");
+    }
+}
