@@ -114,7 +114,8 @@ public sealed class GatewayServer : IAsyncDisposable
     static void Configure(KestrelServerOptions kestrel, GatewayOptions options)
     {
         kestrel.AddServerHeader = false;
-        kestrel.Limits.RequestHeadersTimeout = options.TokenTimeout;
+        // The one runs from a request's first byte, the other until then.
+        kestrel.Limits.RequestHeadersTimeout = kestrel.Limits.KeepAliveTimeout = options.TokenTimeout;
         // Twice: one that is refused must still get its answer.
         kestrel.Limits.MaxConcurrentConnections = 2L * options.MaxConnections;
         // A slow reader is dealt with by its queue and the pong that does not come.

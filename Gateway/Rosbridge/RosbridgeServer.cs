@@ -82,6 +82,8 @@ sealed class RosbridgeServer(GatewayOptions options, IControlClock clock, Messag
     static Task AnswerAsync(HttpContext context, int status, string text)
     {
         context.Response.StatusCode = status;
+        // Whoever is not let in must not hold one of the places that are.
+        context.Response.Headers.Connection = "close";
         context.Response.ContentType = "text/plain; charset=utf-8";
         return context.Response.WriteAsync(text + "\n");
     }

@@ -18,6 +18,32 @@ public class RosbridgeServerTests
     }
 
     [Test]
+    public async Task Connections_AnsweredInPlainHttp_LeaveTheirPlace()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
+        using var first = await RawWebSocket.ConnectAsync(gateway);
+        using var second = await RawWebSocket.ConnectAsync(gateway);
+
+        Assert.That(await first.RequestAsync(), Does.StartWith("HTTP/1.1 426 "));
+        Assert.That(await second.RequestAsync(), Does.StartWith("HTTP/1.1 426 "));
+        await first.ExpectEndAsync();
+        await second.ExpectEndAsync();
+
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Connection_ThatAsksNothing_IsClosed()
+    {
+        var options = Gateways.Options() with { TokenTimeout = TimeSpan.FromMilliseconds(200) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var silent = await RawWebSocket.ConnectAsync(gateway);
+
+        await silent.ExpectEndAsync();
+    }
+
+    [Test]
     public async Task Compression_AskedFor_IsNotAgreed()
     {
         await using var gateway = await Gateways.StartAsync();

@@ -1,0 +1,84 @@
+using System.Net.Sockets;
+using System.Text;
+using NUnit.Framework;
+using Nowpose.Gateway;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+/// <summary>Bytes and frames on the WebSocket port, also those no WebSocket class would send or show.</summary>
+sealed class RawWebSocket : IDisposable
+{
+    public const int Text = 1;
+    public const int Close = 8;
+    public const int Ping = 9;
+    public const int Pong = 10;
+
+    readonly TcpClient _tcp = new() { NoDelay = true };
+    Stream _stream;
+
+    public static async Task<RawWebSocket> ConnectAsync(GatewayServer gateway)
+    {
+        var raw = new RawWebSocket();
+        await raw._tcp.ConnectAsync(gateway.WebSocketEndPoint).Bounded();
+        raw._stream = raw._tcp.GetStream();
+        return raw;
+    }
+
+    public static async Task<RawWebSocket> OpenAsync(GatewayServer gateway)
+    {
+        var raw = await ConnectAsync(gateway);
+        var upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+            + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n";
+        Assert.That(await raw.RequestAsync(upgrade), Does.StartWith("HTTP/1.1 101 "));
+        return raw;
+    }
+
+    /// <summary>Returns the head of the answer.</summary>
+    public async Task<string> RequestAsync(string headers = "")
+    {
+        await SendAsync(Encoding.ASCII.GetBytes($"GET / HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n"));
+        var head = new StringBuilder();
+        while (!head.ToString().EndsWith("\r\n\r\n", StringComparison.Ordinal))
+            head.Append((char)(await ReadAsync(1))[0]);
+        return head.ToString();
+    }
+
+    /// <summary>A whole message or control frame, masked with zeros: its bytes are as they are (RFC 6455, 5.2).</summary>
+    public Task SendFrameAsync(int opcode, params byte[] payload) =>
+        SendAsync([(byte)(0x80 | opcode), (byte)(0x80 | payload.Length), 0, 0, 0, 0, .. payload]);
+
+    public async Task<(int Opcode, byte[] Payload)> ReceiveFrameAsync()
+    {
+        var header = await ReadAsync(2);
+        Assert.That(header[1], Is.LessThan(126), "short frames are enough here");
+        return (header[0] & 0x0F, await ReadAsync(header[1]));
+    }
+
+    /// <summary>Waits until the gateway has closed the connection, past whatever it still says.</summary>
+    public async Task ExpectEndAsync()
+    {
+        try
+        {
+            await _stream.CopyToAsync(Stream.Null).Bounded();
+        }
+        catch (IOException)
+        {
+            // Closed with bytes unread: a reset.
+        }
+    }
+
+    public void Dispose()
+    {
+        _stream?.Dispose();
+        _tcp.Dispose();
+    }
+
+    Task SendAsync(byte[] bytes) => _stream.WriteAsync(bytes).AsTask().Bounded();
+
+    async Task<byte[]> ReadAsync(int count)
+    {
+        var bytes = new byte[count];
+        await _stream.ReadExactlyAsync(bytes).AsTask().Bounded();
+        return bytes;
+    }
+}
