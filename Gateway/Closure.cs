@@ -17,7 +17,7 @@ public enum Closure
     /// <summary>A browser page of another origin.</summary>
     Origin,
 
-    /// <summary>Bytes that are no sync frame, or one of a kind that has no place there.</summary>
+    /// <summary>Bytes that are no sync frame or one of a kind that has no place there; what no WebSocket may send.</summary>
     MalformedFrame,
 
     /// <summary>More sync requests a second than allowed.</summary>

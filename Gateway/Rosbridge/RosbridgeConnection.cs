@@ -69,11 +69,18 @@ sealed class RosbridgeConnection : IDisposable
         {
             if (_serverStops.IsCancellationRequested)
                 return Closure.Stopped;
-            // Nobody else aborts a socket than the keep-alive that had no pong.
-            return _socket.State == WebSocketState.Aborted && e is not WebSocketException { WebSocketErrorCode: WebSocketError.ConnectionClosedPrematurely }
-                ? Closure.Silence : Closure.ByPeer;
+            return Explain(e);
         }
     }
+
+    Closure Explain(Exception e) => (e as WebSocketException)?.WebSocketErrorCode switch
+    {
+        // Frames and texts against RFC 6455, which the socket itself answers with a close of 1002 or 1007.
+        WebSocketError.Faulted or WebSocketError.InvalidMessageType => Closure.MalformedFrame,
+        WebSocketError.ConnectionClosedPrematurely => Closure.ByPeer,
+        // The keep-alive that had no pong aborts the socket.
+        _ => _socket.State == WebSocketState.Aborted ? Closure.Silence : Closure.ByPeer,
+    };
 
     async Task RepliesAsync()
     {

@@ -9,7 +9,6 @@ namespace Nowpose.Headless.Tests.Gateway;
 sealed class RawWebSocket : IDisposable
 {
     public const int Text = 1;
-    public const int Close = 8;
     public const int Ping = 9;
     public const int Pong = 10;
 

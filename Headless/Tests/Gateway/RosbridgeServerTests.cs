@@ -43,6 +43,20 @@ public class RosbridgeServerTests
         await silent.ExpectEndAsync();
     }
 
+    [TestCase(RawWebSocket.Text, "a byte that is no UTF-8")]
+    [TestCase(3, "an opcode that is reserved")]
+    public async Task Frame_AgainstTheProtocol_ClosesAndIsCountedAsSuch(int opcode, string what)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var raw = await RawWebSocket.OpenAsync(gateway);
+
+        await raw.SendFrameAsync(opcode, 0xFF);
+
+        await raw.ExpectEndAsync();
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "closed");
+        Assert.That(gateway.WebSocketConnections[Closure.MalformedFrame], Is.EqualTo(1), what);
+    }
+
     [Test]
     public async Task Compression_AskedFor_IsNotAgreed()
     {
