@@ -20,6 +20,9 @@ sealed class SyncConnection
     volatile bool _isStopped;
     volatile bool _isOverdue;
 
+    // What the deadline ends.
+    Closure _awaited = Closure.Token;
+
     public SyncConnection(Socket socket, GatewayOptions options, IControlClock clock, Action<SyncConnection, Closure> ended)
     {
         _socket = socket;
@@ -74,12 +77,14 @@ sealed class SyncConnection
         using var deadline = new Timer(_ => Overdue(), null, _options.TokenTimeout, Timeout.InfiniteTimeSpan);
         if (_options.Certificate == null)
             return Exchange(stream, deadline);
+        _awaited = Closure.TlsHandshake;
         using var secure = new SslStream(stream);
         secure.AuthenticateAsServer(new SslServerAuthenticationOptions
         {
             ServerCertificate = _options.Certificate,
             EnabledSslProtocols = SslProtocols.Tls12 | SslProtocols.Tls13,
         });
+        _awaited = Closure.Token;
         return Exchange(secure, deadline);
     }
 
@@ -140,7 +145,7 @@ sealed class SyncConnection
         if (e is AuthenticationException)
             return Closure.TlsHandshake;
         if (_isOverdue)
-            return Closure.Token;
+            return _awaited;
         var socket = e as SocketException ?? e.InnerException as SocketException;
         // A receive that timed out says TimedOut on Windows, WouldBlock on Unix.
         return socket?.SocketErrorCode is SocketError.TimedOut or SocketError.WouldBlock ? Closure.Silence : Closure.ByPeer;

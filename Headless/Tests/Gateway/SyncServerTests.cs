@@ -213,6 +213,19 @@ public class SyncServerTests
     }
 
     [Test]
+    public async Task Tls_HandshakeThatNeverComes_IsCountedAsSuch()
+    {
+        using var certificate = CertificateFiles.Generate();
+        var options = Gateways.Options() with { Certificate = certificate, TokenTimeout = TimeSpan.FromMilliseconds(200) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+
+        Assert.That(await client.ReceiveAsync(), Is.Null);
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0, "closed");
+        Assert.That(gateway.SyncConnections[Closure.TlsHandshake], Is.EqualTo(1));
+    }
+
+    [Test]
     public async Task Gateway_StoppedWithOpenConnections_StartsAgainOnTheSamePorts()
     {
         var first = await Gateways.StartAsync();
