@@ -25,10 +25,19 @@ sealed class RosbridgeConnection : IDisposable
         _serverStops = serverStops;
     }
 
+    /// <summary>Who sends, or did not long ago.</summary>
+    internal int Pumps => _pumps.Count;
+
     /// <summary>Sends when there is room; a client that reads nothing loses the oldest replies.</summary>
     public void Reply(ReadOnlyMemory<byte> message) => _replies.Writer.TryWrite(message);
 
-    public void Start(Subscription subscription) => _pumps.Add(PumpAsync(() => subscription.PumpAsync(SendAsync, _stop.Token)));
+    /// <summary>Sends what a subscription gets. From the thread that handles the messages.</summary>
+    public void Start(Subscription subscription)
+    {
+        // A client may change its subscriptions as long as it is connected. One that failed is waited for, and tells.
+        _pumps.RemoveAll(pump => pump.IsCompletedSuccessfully);
+        _pumps.Add(PumpAsync(() => subscription.PumpAsync(SendAsync, _stop.Token)));
+    }
 
     /// <summary>Serves until either side ends it; says why it ended.</summary>
     public async Task<Closure> RunAsync(RosbridgeSession session)
