@@ -28,4 +28,7 @@ public enum Closure
 
     /// <summary>A message that went on beyond what is read to get past it.</summary>
     EndlessMessage,
+
+    /// <summary>The gateway itself failed; the log says how.</summary>
+    Failure,
 }

@@ -12,7 +12,7 @@ sealed class SyncConnection
     readonly Socket _socket;
     readonly GatewayOptions _options;
     readonly IControlClock _clock;
-    readonly Action<SyncConnection, Closure> _ended;
+    readonly Action<SyncConnection, Closure, Exception> _ended;
     readonly RequestRate _rate;
     readonly Thread _thread;
     readonly byte[] _frame = new byte[SyncFrame.Size];
@@ -23,7 +23,9 @@ sealed class SyncConnection
     // What the deadline ends.
     Closure _awaited = Closure.Token;
 
-    public SyncConnection(Socket socket, GatewayOptions options, IControlClock clock, Action<SyncConnection, Closure> ended)
+    /// <param name="ended">Takes why it ended, and the exception that ended it or null; on the connection's thread.</param>
+    public SyncConnection(
+        Socket socket, GatewayOptions options, IControlClock clock, Action<SyncConnection, Closure, Exception> ended)
     {
         _socket = socket;
         _options = options;
@@ -52,20 +54,21 @@ sealed class SyncConnection
     void Run()
     {
         var why = Closure.ByPeer;
+        var cause = default(Exception);
         try
         {
             why = Serve();
         }
-        catch (Exception e) when (e is IOException or SocketException or ObjectDisposedException or AuthenticationException)
+        catch (Exception e)
         {
+            // All of them: an exception that leaves a thread ends the process, and every other connection.
             why = Explain(e);
+            cause = e;
         }
-        finally
-        {
-            // Counted before the peer can see the end.
-            _ended(this, _isStopped ? Closure.Stopped : why);
-            _socket.Dispose();
-        }
+
+        // Counted before the peer can see the end.
+        _ended(this, _isStopped ? Closure.Stopped : why, cause);
+        _socket.Dispose();
     }
 
     Closure Serve()
@@ -144,6 +147,8 @@ sealed class SyncConnection
     {
         if (e is AuthenticationException)
             return Closure.TlsHandshake;
+        if (e is not (IOException or SocketException or ObjectDisposedException))
+            return Closure.Failure;
         if (_isOverdue)
             return _awaited;
         var socket = e as SocketException ?? e.InnerException as SocketException;

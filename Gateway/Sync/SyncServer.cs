@@ -14,16 +14,20 @@ sealed class SyncServer : IDisposable
     readonly GatewayOptions _options;
     readonly IControlClock _clock;
     readonly Action<string> _log;
+    readonly Action<SyncConnection> _startConnection;
     readonly TcpListener _listener;
     readonly HashSet<SyncConnection> _connections = [];
     readonly Task _accepting;
     bool _isStopped;
 
-    public SyncServer(GatewayOptions options, IControlClock clock, Action<string> log)
+    /// <param name="startConnection">Starts a connection's thread; null as it is.</param>
+    public SyncServer(
+        GatewayOptions options, IControlClock clock, Action<string> log, Action<SyncConnection> startConnection = null)
     {
         _options = options;
         _clock = clock;
         _log = log;
+        _startConnection = startConnection ?? (connection => connection.Start());
         _listener = new TcpListener(options.Bind, options.SyncPort);
         if (options.Bind.Equals(IPAddress.IPv6Any))
             _listener.Server.DualMode = true;
@@ -100,15 +104,24 @@ sealed class SyncServer : IDisposable
                 connection.Stop();
         }
 
-        connection.Start();
+        try
+        {
+            _startConnection(connection);
+        }
+        catch (Exception e) when (e is OutOfMemoryException or ThreadStartException)
+        {
+            // The system has no thread left; it may have one for the next.
+            Ended(connection, Closure.Failure, e);
+            connection.Stop();
+        }
     }
 
-    void Ended(SyncConnection connection, Closure why)
+    void Ended(SyncConnection connection, Closure why, Exception cause)
     {
         lock (_connections)
             _connections.Remove(connection);
         Counters.Leave(why);
         if (why is not (Closure.ByPeer or Closure.Stopped))
-            _log($"sync: closed a connection, {why}");
+            _log($"sync: closed a connection, {why}{(why == Closure.Failure ? $": {cause.GetType().Name}: {cause.Message}" : "")}");
     }
 }

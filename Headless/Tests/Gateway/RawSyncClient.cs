@@ -1,3 +1,4 @@
+using System.Net;
 using System.Net.Sockets;
 using Nowpose.Gateway;
 using Nowpose.Protocol;
@@ -11,10 +12,12 @@ sealed class RawSyncClient : IDisposable
 
     public Stream Stream { get; set; }
 
-    public static async Task<RawSyncClient> ConnectAsync(GatewayServer gateway)
+    public static Task<RawSyncClient> ConnectAsync(GatewayServer gateway) => ConnectAsync(gateway.SyncEndPoint);
+
+    public static async Task<RawSyncClient> ConnectAsync(IPEndPoint server)
     {
         var client = new RawSyncClient();
-        await client._tcp.ConnectAsync(gateway.SyncEndPoint).Bounded();
+        await client._tcp.ConnectAsync(server).Bounded();
         client.Stream = client._tcp.GetStream();
         return client;
     }

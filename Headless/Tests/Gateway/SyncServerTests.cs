@@ -1,8 +1,10 @@
+using System.Collections.Concurrent;
 using System.Net.Security;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Security;
+using Nowpose.Gateway.Sync;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
@@ -226,6 +228,39 @@ public class SyncServerTests
     }
 
     [Test]
+    public async Task Clock_ThatFails_EndsTheConnectionOnly()
+    {
+        await using var gateway = await Gateways.StartAsync(clock: new BrokenClock());
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Null);
+        Assert.That(gateway.SyncConnections[Closure.Failure], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Thread_ThatCannotStart_GivesItsPlaceToTheNext()
+    {
+        var log = new ConcurrentQueue<string>();
+        var attempts = 0;
+        void Start(SyncConnection connection)
+        {
+            if (++attempts == 1)
+                throw new InsufficientMemoryException("no thread");
+            connection.Start();
+        }
+
+        var clock = new StopwatchControlClock(Gateways.Start);
+        using var server = new SyncServer(Gateways.Options() with { MaxConnections = 1 }, clock, log.Enqueue, Start);
+        using var first = await RawSyncClient.ConnectAsync(server.EndPoint);
+        Assert.That(await first.ReceiveAsync(), Is.Null);
+        using var second = await RawSyncClient.ConnectAsync(server.EndPoint);
+
+        Assert.That(await second.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+        Assert.That(server.Counters[Closure.Failure], Is.EqualTo(1));
+        Assert.That(log.Single(), Does.Contain("Failure").And.Contain("no thread"));
+    }
+
+    [Test]
     public async Task Gateway_StoppedWithOpenConnections_StartsAgainOnTheSamePorts()
     {
         var first = await Gateways.StartAsync();
@@ -243,5 +278,10 @@ public class SyncServerTests
         Assert.That(await again.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
         using var socketAgain = await RawRosbridgeClient.ConnectAsync(second);
         await socketAgain.RoundTripAsync();
+    }
+
+    sealed class BrokenClock : IControlClock
+    {
+        public ControlTime Now => throw new NotSupportedException("no clock");
     }
 }
