@@ -21,7 +21,7 @@ namespace Nowpose.Protocol
         /// <summary>Not complete within <see cref="ProtocolLimits.MessageTimeout"/>.</summary>
         TooSlow,
 
-        /// <summary>A field the message needs is not there.</summary>
+        /// <summary>A field the message needs is not there, or is empty.</summary>
         MissingField,
 
         /// <summary>A field has another JSON type than the message type says.</summary>

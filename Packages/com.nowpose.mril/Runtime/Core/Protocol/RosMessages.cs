@@ -57,6 +57,8 @@ namespace Nowpose.Protocol
             });
             if (!isRead || !HaveLength(cursor, names.Count, positions, velocities))
                 return false;
+            if (names.Count == 0)
+                return cursor.Fail(DropReason.MissingField);
             into.JointState = new JointStateMessage(stamp, names.ToArray(), positions.ToArray(), OrNull(velocities));
             return true;
         }

@@ -42,7 +42,7 @@ namespace Nowpose.Tests
         [Test]
         public void TryRead_Ros1Time_IsTheSameStamp()
         {
-            var text = State("[]", "[]").Replace("\"sec\"", "\"secs\"").Replace("\"nanosec\"", "\"nsecs\"");
+            var text = State("[\"a\"]", "[1]").Replace("\"sec\"", "\"secs\"").Replace("\"nanosec\"", "\"nsecs\"");
 
             Assert.That(Read(text).JointState.Stamp, Is.EqualTo(ControlTime.FromNanoseconds(12_345_678_900)));
         }
@@ -180,6 +180,9 @@ namespace Nowpose.Tests
         public void TryRead_NameTwice_IsRefused() => Refuse(State("[\"a\",\"b\",\"a\"]", "[1,2,3]"), DropReason.DuplicateName);
 
         [Test]
+        public void TryRead_NoJoint_IsRefused() => Refuse(State("[]", "[]"), DropReason.MissingField);
+
+        [Test]
         public void TryRead_EmptyName_IsRefused() => Refuse(State("[\"\"]", "[1]"), DropReason.MissingField);
 
         [TestCase("{\"sec\":0,\"nanosec\":0}", DropReason.StampZero)]
@@ -202,7 +205,7 @@ namespace Nowpose.Tests
         [TestCase("{\"sec\":0,\"nanosec\":100}", 100)]
         public void TryRead_StampAtTheEdge_IsRead(string stamp, long expectedNs)
         {
-            var state = Read(Publish("{\"header\":{\"stamp\":" + stamp + "},\"name\":[],\"position\":[]}")).JointState;
+            var state = Read(Publish("{\"header\":{\"stamp\":" + stamp + "},\"name\":[\"a\"],\"position\":[1]}")).JointState;
 
             Assert.That(state.Stamp.Nanoseconds, Is.EqualTo(expectedNs));
         }
@@ -257,7 +260,7 @@ namespace Nowpose.Tests
         {
             // The message and its msg are two levels themselves.
             var nested = new string('[', inside) + new string(']', inside);
-            var text = State("[]", "[]", ",\"effort\":" + nested);
+            var text = State("[\"a\"]", "[1]", ",\"effort\":" + nested);
 
             if (expected) Read(text);
             else Refuse(text, DropReason.TooDeep);
@@ -294,7 +297,7 @@ namespace Nowpose.Tests
         {
             string Make(string fill) => field == "data"
                 ? Publish("{\"data\":\"" + fill + "\"}", topic)
-                : State("[]", "[]", ",\"fill\":\"" + fill + "\"");
+                : State("[\"a\"]", "[1]", ",\"fill\":\"" + fill + "\"");
 
             var room = bytes - System.Text.Encoding.UTF8.GetByteCount(Make(""));
             var width = System.Text.Encoding.UTF8.GetByteCount(character);

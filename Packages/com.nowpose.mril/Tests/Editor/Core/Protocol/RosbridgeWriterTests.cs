@@ -169,12 +169,12 @@ namespace Nowpose.Tests
 
         static JointStateMessage RandomState(Random random)
         {
-            var count = random.Next(0, 9);
+            var count = random.Next(1, 9);
             var names = Enumerable.Range(0, count).Select(i => "joint \"" + i + "\" \u00e9").ToArray();
             var positions = names.Select(_ => Number(random)).ToArray();
             var velocities = names.Select(_ => random.Next(4) == 0 ? double.NaN : Number(random)).ToArray();
             var stamp = ControlTime.FromNanoseconds(100L * random.Next(1, int.MaxValue) * random.Next(1, 1_000_000));
-            return new JointStateMessage(stamp, names, positions, count == 0 || random.Next(2) == 0 ? null : velocities);
+            return new JointStateMessage(stamp, names, positions, random.Next(2) == 0 ? null : velocities);
         }
 
         static double Number(Random random) => (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-12, 13));
