@@ -11,11 +11,11 @@ public sealed class PickAndPlaceMotion : IMotion
     readonly bool[] _given;
 
     /// <param name="robot">The youBot gets waypoints of its own; any other a cycle derived from its limits.</param>
-    /// <exception cref="InputException">The robot has no moving joint, or cannot reach a waypoint.</exception>
+    /// <exception cref="InputException">The robot has no moving joint or too many, or cannot reach a waypoint.</exception>
     public PickAndPlaceMotion(RobotModel robot)
     {
         _robot = robot;
-        JointNames = [.. robot.MovingJoints.Select(joint => joint.Name)];
+        JointNames = PlantJoints.NamesOf(robot);
         _given = [.. robot.MovingJoints.Select(joint => joint.Mimic == null)];
         var waypoints = YoubotWaypoints.Fits(robot) ? YoubotWaypoints.Of(robot) : DerivedWaypoints.Of(robot);
         CheckReach(waypoints);

@@ -14,12 +14,12 @@ public sealed class RecordedMotion : IMotion
 
     /// <summary>Columns move the joints of their names; when not all of them are joints of the robot, its joints in order.</summary>
     /// <remarks>Joints without a column stand still at 0 or the limit next to it; mimic joints follow theirs.</remarks>
-    /// <exception cref="InputException">The recording has more columns than the robot joints.</exception>
+    /// <exception cref="InputException">The recording has more columns than the robot joints, or the robot too many.</exception>
     public RecordedMotion(MotionRecording recording, RobotModel robot)
     {
         _recording = recording;
         _robot = robot;
-        JointNames = [.. robot.MovingJoints.Select(joint => joint.Name)];
+        JointNames = PlantJoints.NamesOf(robot);
         _joints = ByName(recording, robot) ?? InOrder(recording, robot);
         _rest = [.. robot.MovingJoints.Select(joint => joint.Limits.Clamp(0))];
         _given = [.. robot.MovingJoints.Select(joint => joint.Mimic == null || _joints.Contains(joint.MovingIndex))];
