@@ -15,6 +15,7 @@ sealed class MotionRecordingReader : IDisposable
     readonly List<double> _positions = [];
     string[] _header;
     double _start;
+    decimal? _exactStart;
     int _row;
 
     public MotionRecordingReader(string path, TextReader text)
@@ -83,12 +84,22 @@ sealed class MotionRecordingReader : IDisposable
         if (_csv.Count != _header.Length)
             throw Wrong($"{_csv.Count} fields; the header has {_header.Length}");
         var time = Number(0);
-        if (_times.Count == 0) _start = time;
-        var elapsed = time - _start;
+        var exact = Exact(time);
+        if (_times.Count == 0) (_start, _exactStart) = (time, exact);
+        // A double that holds a date resolves 0.24 µs: the difference is taken before anything is rounded to it.
+        var elapsed = (double?)(exact - _exactStart) ?? time - _start;
         if (_times.Count > 0 && !(elapsed > _times[^1]))
             throw Wrong($"field {_header[0]}: {Shown(_csv[0])} s is not after the row before; time must increase strictly");
         _times.Add(elapsed);
         for (var i = 1; i < _header.Length; i++) _positions.Add(Number(i));
+    }
+
+    /// <summary>The row's time as it is written; null where a decimal does not hold it.</summary>
+    decimal? Exact(double rounded)
+    {
+        var isRead = decimal.TryParse(_csv[0], NumberStyles.Float, CultureInfo.InvariantCulture, out var value);
+        // What is too small for a decimal becomes 0 without a word.
+        return isRead && Math.Abs((double)value - rounded) <= 1e-15 * Math.Abs(rounded) ? value : null;
     }
 
     double Number(int column)

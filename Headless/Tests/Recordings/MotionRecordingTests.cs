@@ -111,6 +111,30 @@ public class MotionRecordingTests
         Assert.That(At(recording, 0.1875)[0], Is.EqualTo(2));
     }
 
+    [Test]
+    public void At_DateStampsAMillisecondApart_AreExact()
+    {
+        var rows = Enumerable.Range(0, 1000).Select(i => $"1700000010.{i:D3},{(i == 500 ? 1 : 0)}");
+        var recording = MotionRecording.Read(Write("t,a\n" + string.Join("\n", rows)));
+
+        Assert.That(recording.Start, Is.EqualTo(1.70000001e9));
+        Assert.That(recording.Duration, Is.EqualTo(0.999).Within(1e-12));
+        // The flank of the one row that stands out is 1 per ms: 1e-12 s are 1e-9 on it.
+        Assert.That(At(recording, 0.5)[0], Is.EqualTo(1).Within(1e-9));
+        Assert.That(At(recording, 0.4995)[0], Is.EqualTo(0.5).Within(1e-9));
+        Assert.That(At(recording, 0.5005)[0], Is.EqualTo(0.5).Within(1e-9));
+    }
+
+    [TestCase("0", "1e-40")]
+    [TestCase("-1e40", "1e40")]
+    [TestCase("1e-30", "1e300")]
+    public void Read_TimesNoDecimalHolds_AreReadAsDoubles(string first, string second)
+    {
+        var duration = double.Parse(second, CultureInfo.InvariantCulture) - double.Parse(first, CultureInfo.InvariantCulture);
+
+        Assert.That(MotionRecording.Read(Write($"t,a\n{first},0\n{second},1\n")).Duration, Is.EqualTo(duration));
+    }
+
     [TestCase("", "is empty")]
     [TestCase("\n\n", "is empty")]
     [TestCase("0,1\n1,2\n", ":1: first column is '0'")]
