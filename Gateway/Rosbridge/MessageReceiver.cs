@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Net.WebSockets;
 using System.Text;
 using Nowpose.Protocol;
@@ -6,19 +5,19 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Puts messages together and gets past those that break a limit, as far as that is bounded itself.</summary>
-sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, GatewayOptions options)
+sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, GatewayOptions options, TimeProvider time)
 {
     const int FirstBytes = 4096;
 
     byte[] _buffer = new byte[FirstBytes];
     long _length;
-    long _startedAt;
+    long? _startedAt;
     Task<ValueWebSocketReceiveResult> _receiving;
 
     public async Task<Received> NextAsync()
     {
         _length = 0;
-        _startedAt = 0;
+        _startedAt = null;
         while (true)
         {
             _receiving = socket.ReceiveAsync(Room(), CancellationToken.None).AsTask();
@@ -27,8 +26,7 @@ sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, Gatewa
             var result = await _receiving;
             if (result.MessageType == WebSocketMessageType.Close)
                 return Received.Ended(Closure.ByPeer);
-            if (_startedAt == 0)
-                _startedAt = Stopwatch.GetTimestamp();
+            _startedAt ??= time.GetTimestamp();
             _length += result.Count;
             if (result.EndOfMessage)
                 return Finish(result.MessageType);
@@ -37,10 +35,11 @@ sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, Gatewa
 
     /// <summary>Reads what still comes after <see cref="NextAsync"/> said the end, until the peer's close or the time is up.</summary>
     /// <remarks>Closing with bytes unread would reset the connection, and the peer might never see why it was closed.</remarks>
-    public async Task DrainAsync(TimeSpan time)
+    public async Task DrainAsync(TimeSpan atMost)
     {
-        var timeUp = Task.Delay(time);
-        while (await Task.WhenAny(_receiving, timeUp) == _receiving && (await _receiving).MessageType != WebSocketMessageType.Close)
+        var timeUp = Task.Delay(atMost, time);
+        while (await Task.WhenAny(_receiving, timeUp) == _receiving
+            && (await _receiving).MessageType != WebSocketMessageType.Close)
             _receiving = socket.ReceiveAsync(_buffer.AsMemory(), CancellationToken.None).AsTask();
     }
 
@@ -57,13 +56,13 @@ sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, Gatewa
     // Waiting for a message to begin has no end; one that began must end.
     async Task<bool> IsInTimeAsync(Task receiving)
     {
-        if (_startedAt == 0 || receiving.IsCompleted)
+        if (_startedAt is not { } startedAt || receiving.IsCompleted)
             return true;
-        var left = options.MessageTimeout + options.DrainTimeout - Stopwatch.GetElapsedTime(_startedAt);
+        var left = options.MessageTimeout + options.DrainTimeout - time.GetElapsedTime(startedAt);
         if (left <= TimeSpan.Zero)
             return false;
         using var waited = new CancellationTokenSource();
-        var first = await Task.WhenAny(receiving, Task.Delay(left, waited.Token));
+        var first = await Task.WhenAny(receiving, Task.Delay(left, time, waited.Token));
         await waited.CancelAsync();
         return first == receiving;
     }
@@ -83,7 +82,7 @@ sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, Gatewa
             return DropReason.TooLarge;
         if (count > ProtocolLimits.FragmentsPerMessage)
             return DropReason.TooManyFragments;
-        if (Stopwatch.GetElapsedTime(_startedAt) > options.MessageTimeout)
+        if (time.GetElapsedTime(_startedAt.Value) > options.MessageTimeout)
             return DropReason.TooSlow;
         return type == WebSocketMessageType.Text ? DropReason.None : DropReason.NotJson;
     }

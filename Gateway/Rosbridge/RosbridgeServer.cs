@@ -65,7 +65,8 @@ sealed class RosbridgeServer(GatewayOptions options, IControlClock clock, Messag
             KeepAliveInterval = options.PingInterval,
             KeepAliveTimeout = options.PongTimeout,
         });
-        using var connection = new RosbridgeConnection(socket, new MessageReceiver(socket, fragments, options), _stop.Token);
+        var receiver = new MessageReceiver(socket, fragments, options, TimeProvider.System);
+        using var connection = new RosbridgeConnection(socket, receiver, _stop.Token);
         using var session = new RosbridgeSession(hub, clock, role, Drops, options.QueueLength, connection.Reply, connection.Start);
         return await connection.RunAsync(session);
     }

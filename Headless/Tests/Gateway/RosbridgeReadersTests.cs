@@ -1,3 +1,4 @@
+using System.Text;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Protocol;
@@ -48,17 +49,24 @@ public class RosbridgeReadersTests
     [Test]
     public async Task Reader_ThatAnswersPings_StaysConnected()
     {
-        var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(500) };
+        var options = Gateways.Options() with
+        {
+            PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromSeconds(1),
+        };
         await using var gateway = await Gateways.StartAsync(options);
-        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
-        await client.SubscribeAsync(RosTopics.JointStates);
+        using var raw = await RawWebSocket.OpenAsync(gateway);
 
-        var receiving = client.ReceiveAsync();
-        await Task.Delay(3000);
-        using var source = gateway.Hub.OpenSource();
-        source.TryPublish(Gateways.State(1, "a"));
+        // Longer than a connection without pongs lives.
+        for (var i = 0; i < 15; i++)
+        {
+            var (opcode, payload) = await raw.ReceiveFrameAsync();
+            Assert.That(opcode, Is.EqualTo(RawWebSocket.Ping));
+            await raw.SendFrameAsync(RawWebSocket.Pong, payload);
+        }
 
-        Assert.That((await receiving).JointState, Is.Not.Null);
+        await raw.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes("""{"op":"dance"}"""));
+        await Soon.BecomesAsync(() => gateway.Drops[DropReason.UnknownOp] == 1, "read");
+        Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(1));
     }
 
     [Test]
