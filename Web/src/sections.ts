@@ -1,4 +1,5 @@
-import { type ClockData, type ErrorData, type FieldData, hasPoints, type JointData, type LatencyData, type Signal } from './data';
+import { type ClockData, type ErrorData, type FieldData, hasPoints, type JointData, type LatencyData, type Signal,
+  type Value } from './data';
 import { beyond, fieldPlot, pathsOf } from './fieldPlot';
 import { figure, type FigureOptions, notMeasured } from './figures';
 import { histogram } from './histogram';
@@ -77,14 +78,31 @@ export function clockSection(clock: ClockData | null | undefined): HTMLElement {
     trace('error', LOOKS.compensated, clock?.t, clock?.error_us),
   ].flat();
   if (offset.length + error.length === 0) return notMeasured(options);
+  const extent = errorExtent(clock!);
+  const widest = greatestSize(error.flatMap(t => t.v));
+  const note = widest > extent ? ` The error is shown up to ${format(extent, 'µs')}; it or its bound reaches ${format(widest, 'µs')}.` : '';
   const plots = [];
   if (offset.length > 0) plots.push(timePlot({
     description: `Clock offset relative to the first estimate, over time. ${inWords(offset, 'µs')}`,
     height: 200, yLabel: 'offset (µs)', unit: 'µs', traces: offset }));
   if (error.length > 0) plots.push(timePlot({
-    description: `Error of the clock offset with its bound, over time. ${inWords(error, 'µs')}`,
-    height: 220, yLabel: 'offset error (µs)', unit: 'µs', traces: error, band: error.some(t => t.mirror) ? '--band' : undefined }));
-  return figure(options, plots, numbersOf('Clock', 'µs', [...offset, ...error]));
+    description: `Error of the clock offset with its bound, over time. ${inWords(error, 'µs')}${note}`,
+    height: 260, yLabel: 'offset error (µs)', unit: 'µs', traces: error, yExtent: extent,
+    band: error.some(t => t.mirror) ? '--band' : undefined }));
+  return figure({ ...options, claim: options.claim + note }, plots, numbersOf('Clock', 'µs', [...offset, ...error]));
+}
+
+/**
+ * The bound, and the error of the first exchanges, are many times the error of a clock that has settled, and would leave
+ * that one a flat line. At least the millisecond the paper reports.
+ */
+function errorExtent({ t, error_us: error }: ClockData): number {
+  const settled = t[0] + Math.min(10, (t[t.length - 1] - t[0]) / 2);
+  return Math.max(1000, 1.5 * greatestSize(error?.filter((_, i) => t[i] >= settled) ?? []));
+}
+
+function greatestSize(values: Value[]): number {
+  return values.reduce<number>((greatest, v) => Math.max(greatest, Math.abs(v ?? 0)), 0);
 }
 
 export function latencySection(latency: LatencyData | null | undefined): HTMLElement {

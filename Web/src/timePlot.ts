@@ -16,6 +16,8 @@ export interface TimePlotOptions {
   band?: Ink;
   /** The vertical axis begins at 0. */
   fromZero?: boolean;
+  /** The vertical axis is this long both ways, whatever runs out of it. */
+  yExtent?: number;
 }
 
 /** Signals over time. Each has instants of its own; the cursor shows each one's value there. */
@@ -35,7 +37,7 @@ export function timePlot(options: TimePlotOptions): { chart: Chart; legend: Lege
     data,
     series: [{}, ...traces.map(series)],
     bands: options.band ? bandsOf(traces, options.band) : undefined,
-    scales: { y: { range: { min: { pad: 0.08, soft: 0, mode: options.fromZero ? 1 : 0 }, max: { pad: 0.08 } } } },
+    scales: { y: { range: yRange(options) } },
     onCursor: (u, inside) => {
       if (!inside) return legend.show('');
       const time = u.posToVal(u.cursor.left!, 'x');
@@ -43,6 +45,11 @@ export function timePlot(options: TimePlotOptions): { chart: Chart; legend: Lege
     },
   });
   return { chart, legend };
+}
+
+function yRange({ fromZero, yExtent }: TimePlotOptions): uPlot.Scale.Range {
+  if (yExtent) return [-yExtent, yExtent];
+  return { min: { pad: 0.08, soft: 0, mode: fromZero ? 1 : 0 }, max: { pad: 0.08 } };
 }
 
 function series(trace: Trace): uPlot.Series {

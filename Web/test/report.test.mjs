@@ -41,6 +41,20 @@ const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
   return false;
 }, [index, ink]);
 
+/** Median height of a plot's signal, from 0 at the bottom of what is plotted to 1 at its top. */
+const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
+  const plot = document.querySelectorAll('.plot')[index], canvas = plot.querySelector('canvas');
+  const over = plot.querySelector('.u-over').getBoundingClientRect(), top = over.top - canvas.getBoundingClientRect().top;
+  const want = getComputedStyle(document.documentElement).getPropertyValue(ink).trim().match(/\w\w/g).map(h => parseInt(h, 16));
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const rows = [];
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] < 200 || !want.every((w, c) => Math.abs(data[i + c] - w) < 12)) continue;
+    rows.push(Math.floor(i / 4 / canvas.width) + 0.5 - top);
+  }
+  return 1 - rows[rows.length >> 1] / over.height;
+}, [index, ink]);
+
 const settled = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
 const shot = (page, index) => page.evaluate(i => document.querySelectorAll('.plot canvas')[i].toDataURL(), index);
 
@@ -121,6 +135,22 @@ describe('a complete report', () => {
     assert.deepEqual(sources.map(s => s[1].replace('Schnierle & Röck 2022, ', '')), ['Sect. 3', 'Fig. 16', 'Fig. 18', 'Fig. 8', 'Eq. 2']);
     assert.ok(sources.every(s => s[0] === 'https://doi.org/10.1007/s11740-022-01175-2'));
   });
+});
+
+describe('the range of a plot', () => {
+  const seconds = Array.from({ length: 200 }, (_, i) => i / 5);
+  const clock = (first, error, bound) => ({
+    t: seconds, offset_us: seconds.map(() => 0), error_us: seconds.map(t => (t < 2 ? first : error)), bound_us: seconds.map(() => bound),
+  });
+
+  for (const [first, error, bound, height] of [[150, 150, 6000, 0.575], [-5000, 150, 6000, 0.575], [0, 3000, 9000, 0.833]]) {
+    it(`is the settled clock error's (${first}, then ${error} µs within ${bound} µs)`, async () => {
+      const page = await browser.open({ clock: clock(first, error, bound) });
+
+      assert.ok(Math.abs(await heightOf(page, 1, '--compensated') - height) < 0.02, `at ${await heightOf(page, 1, '--compensated')}`);
+      assert.match(plain(await text(page, '#clock .claim'))[0], new RegExp(`reaches ${bound} µs\\.`));
+    });
+  }
 });
 
 describe('using a plot', () => {
