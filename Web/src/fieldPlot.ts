@@ -16,7 +16,7 @@ interface Path {
 /** Latency against speed with curves of equal error e = v·L, and where the run was with and without compensation. */
 export function fieldPlot(field: FieldData, description: string): { chart: Chart; legend: Legend } {
   const paths = pathsOf(field);
-  const latency = extent(paths, 'latency_ms'), speed = extent(paths, 'speed');
+  const { latency, speed } = extents(paths);
 
   const legend = new Legend([
     ...paths.map(path => ({
@@ -48,18 +48,24 @@ export function pathsOf(field: FieldData): Path[] {
   return [...path('uncompensated', LOOKS.holdPoints, field.hold), ...path('compensated', LOOKS.compensatedPoints, field.compensated)];
 }
 
-/** Covers 99 of 100 points: where the robot hardly moves, a latency found from its error can be anything. */
-function extent(paths: Path[], axis: keyof OperatingPath): number {
-  const greatest = paths.map(path => {
-    const sorted = Float64Array.from(path.points[axis]).sort();
-    return sorted[Math.ceil(0.99 * sorted.length) - 1];
-  });
-  return 1.1 * Math.max(...greatest) || 1;
+/**
+ * Where the robot hardly moves, a latency found from its error can be anything: the plot is as wide as 95 of 100 points of
+ * the first path need, which is the uncompensated one where there is one.
+ */
+function extents(paths: Path[]): { latency: number; speed: number } {
+  return {
+    latency: 1.1 * quantile(paths[0].points.latency_ms, 0.95) || 1,
+    speed: 1.1 * Math.max(...paths.map(path => quantile(path.points.speed, 0.99))) || 1,
+  };
+}
+
+function quantile(values: number[], share: number): number {
+  return Float64Array.from(values).sort()[Math.ceil(share * values.length) - 1];
 }
 
 /** How many points lie outside what is shown at first. */
 export function beyond(field: FieldData): number {
-  const paths = pathsOf(field), latency = extent(paths, 'latency_ms'), speed = extent(paths, 'speed');
+  const paths = pathsOf(field), { latency, speed } = extents(paths);
   return paths.reduce((sum, { points }) =>
     sum + points.latency_ms.filter((l, i) => l > latency || points.speed[i] > speed).length, 0);
 }

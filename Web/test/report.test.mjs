@@ -151,6 +151,21 @@ describe('the range of a plot', () => {
       assert.match(plain(await text(page, '#clock .claim'))[0], new RegExp(`reaches ${bound} µs\\.`));
     });
   }
+
+  it('is where the uncompensated operating points lie', async () => {
+    const points = Array.from({ length: 100 }, (_, i) => i);
+    const speed = points.map(i => 10 + 3 * i);
+    const hold = { latency_ms: points.map(i => (i < 96 ? 100 + i : 2100)), speed };
+    const compensated = { latency_ms: points.map(i => (i < 70 ? 5 : 3000)), speed };
+    const page = await browser.open({ field: { hold, compensated, iso_mm: [10] } });
+    const box = await page.locator('#field .u-over').boundingBox();
+
+    await page.locator('#field .u-over').hover({ position: { x: box.width - 1, y: box.height / 2 } });
+
+    const [, latency] = plain(await text(page, '#field .position'))[0].match(/^([\d.]+) ms/);
+    assert.ok(latency > 200 && latency < 220, `${latency} ms`);
+    assert.match(plain(await text(page, '#field .claim'))[0], / 34 of the points lie beyond the plot\./);
+  });
 });
 
 describe('using a plot', () => {
