@@ -103,11 +103,17 @@ function paintCurve(u: uPlot, error: number): void {
 
 /** Uncompensated points are hollow squares, compensated ones filled: they differ in shape as well as in colour. */
 function paintPoints(u: uPlot, path: Path): void {
-  const { ctx } = u, size = 4 * devicePixelRatio;
+  const { ctx, bbox } = u, size = 4 * devicePixelRatio;
   const { latency_ms, speed } = path.points;
   const squares = new Path2D();
+  // One square a pixel: an hour's points lie in thousands on each other.
+  const stride = Math.ceil(bbox.width) + 1, taken = new Uint8Array(stride * (Math.ceil(bbox.height) + 1));
   for (let i = 0; i < latency_ms.length; i++) {
-    squares.rect(u.valToPos(latency_ms[i], 'x', true) - size / 2, u.valToPos(speed[i], 'y', true) - size / 2, size, size);
+    const x = Math.round(u.valToPos(latency_ms[i], 'x', true) - bbox.left);
+    const y = Math.round(u.valToPos(speed[i], 'y', true) - bbox.top);
+    if (x < 0 || y < 0 || x > bbox.width || y > bbox.height || taken[y * stride + x]) continue;
+    taken[y * stride + x] = 1;
+    squares.rect(bbox.left + x - size / 2, bbox.top + y - size / 2, size, size);
   }
   ctx.globalAlpha = 0.7;
   if (path.look.mark === 'hollow') {
