@@ -69,8 +69,9 @@ public sealed class MessageHub
     {
         lock (_lock)
         {
-            foreach (var key in _owners.Where(entry => entry.Value == source && (topic == null || entry.Key.Topic == topic)).Select(entry => entry.Key).ToList())
-                _owners.Remove(key);
+            var owned = _owners.Where(entry => entry.Value == source && (topic == null || entry.Key.Topic == topic));
+            foreach (var entry in owned.ToList())
+                _owners.Remove(entry.Key);
         }
     }
 

@@ -49,9 +49,10 @@ public sealed class PickAndPlaceMotion : IMotion
             foreach (var joint in _robot.MovingJoints)
             {
                 var position = waypoints[i][joint.MovingIndex];
-                if (!joint.Limits.Contains(position))
-                    throw new InputException(FormattableString.Invariant(
-                        $"robot {_robot.Name}: waypoint {i + 1} puts {joint.Name} at {position}; its limits are {joint.Limits.Lower} to {joint.Limits.Upper}"));
+                var limits = joint.Limits;
+                if (!limits.Contains(position))
+                    throw new InputException($"robot {_robot.Name}: waypoint {i + 1} puts {joint.Name} "
+                        + FormattableString.Invariant($"at {position}; its limits are {limits.Lower} to {limits.Upper}"));
             }
         }
     }

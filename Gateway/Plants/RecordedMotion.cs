@@ -50,7 +50,8 @@ public sealed class RecordedMotion : IMotion
         var joints = robot.MovingJoints.Where(joint => joint.Mimic == null).Select(joint => joint.MovingIndex).ToArray();
         if (recording.Names.Count > joints.Length)
             throw new InputException(
-                $"the recording has {recording.Names.Count} columns ({string.Join(", ", recording.Names)}), robot {robot.Name} has {joints.Length} joints that move by themselves; choose a robot with as many");
+                $"the recording has {recording.Names.Count} columns ({string.Join(", ", recording.Names)}), "
+                + $"robot {robot.Name} has {joints.Length} joints that move by themselves; choose a robot with as many");
         return joints[..recording.Names.Count];
     }
 }

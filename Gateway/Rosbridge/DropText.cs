@@ -8,7 +8,8 @@ static class DropText
     public static string Of(DropReason reason) => reason switch
     {
         DropReason.NotJson => "not one JSON object as text",
-        DropReason.TooLarge => $"longer than {ProtocolLimits.MessageBytes} bytes ({ProtocolLimits.DescriptionBytes} for {RosTopics.RobotDescription})",
+        DropReason.TooLarge =>
+            $"longer than {ProtocolLimits.MessageBytes} bytes ({ProtocolLimits.DescriptionBytes} for {RosTopics.RobotDescription})",
         DropReason.TooDeep => $"nested deeper than {ProtocolLimits.Nesting} levels",
         DropReason.TooManyFragments => $"more than {ProtocolLimits.FragmentsPerMessage} fragments",
         DropReason.TooSlow => "not complete in time",

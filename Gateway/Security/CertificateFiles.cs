@@ -37,7 +37,8 @@ public static class CertificateFiles
         var now = DateTime.Now;
         if (now < certificate.NotBefore || now > certificate.NotAfter)
             throw new InputException(
-                $"{path}: valid from {certificate.NotBefore:yyyy-MM-dd} to {certificate.NotAfter:yyyy-MM-dd}, not today; renew it or delete it to have a new one made");
+                $"{path}: valid from {certificate.NotBefore:yyyy-MM-dd} to {certificate.NotAfter:yyyy-MM-dd}, not today; "
+                + "renew it or delete it to have a new one made");
         return certificate;
     }
 

@@ -35,7 +35,10 @@ sealed class ServerArguments
         HelpName = "FILE",
     };
 
-    readonly Option<string> _key = new("--certificate-key") { Description = "The .pem file of the private key, when it is one of its own", HelpName = "FILE" };
+    readonly Option<string> _key = new("--certificate-key")
+    {
+        Description = "The .pem file of the private key, when it is one of its own", HelpName = "FILE",
+    };
 
     readonly Option<string> _tokens = new("--tokens")
     {
@@ -43,7 +46,10 @@ sealed class ServerArguments
         HelpName = "FILE",
     };
 
-    readonly Option<bool> _insecureLan = new("--insecure-lan") { Description = "Allow plain connections from other machines: on a trusted network only" };
+    readonly Option<bool> _insecureLan = new("--insecure-lan")
+    {
+        Description = "Allow plain connections from other machines: on a trusted network only",
+    };
 
     readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Connections to each of the two ports", 64, 1, 10_000, "");
 

@@ -44,7 +44,8 @@ public class CertificateFilesTests
     public void LoadOrGenerate_Expired_SaysSince()
     {
         var path = Path.Combine(_folder, "old.pfx");
-        using var old = CertificateFiles.Generate(new DateTimeOffset(2020, 1, 1, 0, 0, 0, TimeSpan.Zero), new DateTimeOffset(2021, 1, 2, 12, 0, 0, TimeSpan.Zero));
+        using var old = CertificateFiles.Generate(
+            new DateTimeOffset(2020, 1, 1, 0, 0, 0, TimeSpan.Zero), new DateTimeOffset(2021, 1, 2, 12, 0, 0, TimeSpan.Zero));
         File.WriteAllBytes(path, old.Export(X509ContentType.Pfx));
 
         var error = Assert.Throws<InputException>(() => CertificateFiles.LoadOrGenerate(path, null));

@@ -39,7 +39,13 @@ public class FragmentCounterTests
         Assert.That(counted, Is.EqualTo(expected), $"seed {Seed}");
     }
 
-    static int LengthOf(Random random) => random.Next(4) switch { 0 => 0, 1 => random.Next(126), 2 => random.Next(126, 2000), _ => random.Next(65536, 70_000) };
+    static int LengthOf(Random random) => random.Next(4) switch
+    {
+        0 => 0,
+        1 => random.Next(126),
+        2 => random.Next(126, 2000),
+        _ => random.Next(65536, 70_000),
+    };
 
     // RFC 6455, 5.2, as a client writes it: masked. The content does not matter, and is not zero.
     static void Frame(List<byte> into, Random random, int first, int length)

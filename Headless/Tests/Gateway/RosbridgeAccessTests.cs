@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.WebSockets;
 using System.Security.Authentication;
+using System.Security.Cryptography.X509Certificates;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Security;
@@ -151,7 +152,7 @@ public class RosbridgeAccessTests
         var isExpired = false;
         socket.Options.RemoteCertificateValidationCallback = (_, _, chain, errors) =>
         {
-            isExpired = chain.ChainStatus.Any(status => status.Status.HasFlag(System.Security.Cryptography.X509Certificates.X509ChainStatusFlags.NotTimeValid));
+            isExpired = chain.ChainStatus.Any(status => status.Status.HasFlag(X509ChainStatusFlags.NotTimeValid));
             return errors == System.Net.Security.SslPolicyErrors.None;
         };
 

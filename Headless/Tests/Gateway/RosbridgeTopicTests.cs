@@ -34,10 +34,14 @@ public class RosbridgeTopicTests
         using var page = await RawRosbridgeClient.ConnectAsync(gateway);
 
         // As roslib.js writes them, field for field.
-        await page.SendAsync("""{"op":"subscribe","id":"subscribe:/joint_states:1","type":"sensor_msgs/JointState","topic":"/joint_states","compression":"none","throttle_rate":0,"queue_length":0}""");
+        await page.SendAsync("""{"op":"subscribe","id":"subscribe:/joint_states:1","type":"sensor_msgs/JointState","""
+            + """ "topic":"/joint_states","compression":"none","throttle_rate":0,"queue_length":0}""");
         await page.RoundTripAsync();
-        await robot.SendAsync("""{"op":"advertise","id":"advertise:/joint_states:2","type":"sensor_msgs/JointState","topic":"/joint_states","latch":false,"queue_size":100}""");
-        await robot.SendAsync("""{"op":"publish","id":"publish:/joint_states:3","topic":"/joint_states","msg":{"header":{"seq":3,"stamp":{"secs":5000,"nsecs":250000000},"frame_id":""},"name":["a"],"position":[1],"velocity":[],"effort":[NaN]},"latch":false}""");
+        await robot.SendAsync("""{"op":"advertise","id":"advertise:/joint_states:2","type":"sensor_msgs/JointState","""
+            + """ "topic":"/joint_states","latch":false,"queue_size":100}""");
+        await robot.SendAsync("""{"op":"publish","id":"publish:/joint_states:3","topic":"/joint_states","msg":{"header":"""
+            + """{"seq":3,"stamp":{"secs":5000,"nsecs":250000000},"frame_id":""},"name":["a"],"position":[1],"velocity":[],"""
+            + """ "effort":[NaN]},"latch":false}""");
 
         var message = await page.ReceiveAsync();
         Assert.That(message.JointState.Stamp, Is.EqualTo(ControlTime.FromSeconds(5000.25)));
@@ -145,7 +149,8 @@ public class RosbridgeTopicTests
         var received = (await page.ReceiveAsync()).Diagnostics;
         Assert.That(received.HardwareId, Is.EqualTo("h1"));
         Assert.That(received.Values, Is.EqualTo(sent.Values));
-        await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, new DiagnosticsMessage(default, "h2", []), RosTimeForm.Sec));
+        var another = new DiagnosticsMessage(default, "h2", []);
+        await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, another, RosTimeForm.Sec));
         await headset.ExpectErrorAsync("role");
     }
 }

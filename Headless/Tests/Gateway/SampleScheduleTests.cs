@@ -25,7 +25,8 @@ public class SampleScheduleTests
     {
         var samples = First(100, 50, 0, 0);
 
-        Assert.That(samples.Select(sample => sample.Taken), Is.EqualTo(Enumerable.Range(0, 100).Select(k => ControlTime.FromSeconds(100.05) + Ms(50 * k))));
+        var expected = Enumerable.Range(0, 100).Select(k => ControlTime.FromSeconds(100.05) + Ms(50 * k));
+        Assert.That(samples.Select(sample => sample.Taken), Is.EqualTo(expected));
         Assert.That(samples.Select(sample => sample.Sent), Is.EqualTo(samples.Select(sample => sample.Taken)));
     }
 

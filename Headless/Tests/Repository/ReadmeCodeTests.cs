@@ -11,7 +11,8 @@ public class ReadmeCodeTests
     {
         var root = RepositoryFiles.Root;
         var readme = File.ReadAllText(Path.Combine(root, Package, "README.md"));
-        var source = File.ReadAllLines(Path.Combine(root, Package, "Tests/Editor/Core/Session/ReadmeExample.cs")).Select(line => line.Trim()).ToHashSet();
+        var example = Path.Combine(root, Package, "Tests/Editor/Core/Session/ReadmeExample.cs");
+        var source = File.ReadAllLines(example).Select(line => line.Trim()).ToHashSet();
 
         var code = readme.Split("```csharp")[1].Split("```")[0].Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0).ToList();
 
