@@ -13,6 +13,7 @@ sealed class Subscription : IDisposable
     readonly Channel<HubMessage> _queue;
     readonly IDisposable _subscriber;
     readonly SubscriptionTerms _terms;
+    readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
     public Subscription(MessageHub hub, string topic, SubscriptionTerms terms, int standardQueue, DropCounters drops)
     {
@@ -31,14 +32,24 @@ sealed class Subscription : IDisposable
             var began = Stopwatch.GetTimestamp();
             await send(message.Utf8(_terms.Form));
             var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
-            if (rest > TimeSpan.Zero)
-                await Task.Delay(rest, stop);
+            if (rest > TimeSpan.Zero && await IsOverWithinAsync(rest, stop))
+                return;
         }
+    }
+
+    // A client may ask for a message a month: unsubscribed, nobody waits for the next one.
+    async Task<bool> IsOverWithinAsync(TimeSpan rest, CancellationToken stop)
+    {
+        using var waited = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        var first = await Task.WhenAny(_ended.Task, Task.Delay(rest, waited.Token));
+        await waited.CancelAsync();
+        return first == _ended.Task || stop.IsCancellationRequested;
     }
 
     public void Dispose()
     {
         _subscriber.Dispose();
+        _ended.TrySetResult();
         _queue.Writer.TryComplete();
     }
 

@@ -11,6 +11,8 @@ namespace Nowpose.Gateway.Sync;
 /// </remarks>
 sealed class SyncServer : IDisposable
 {
+    static readonly TimeSpan PauseAfterAFailedAccept = TimeSpan.FromMilliseconds(50);
+
     readonly GatewayOptions _options;
     readonly IControlClock _clock;
     readonly Action<string> _log;
@@ -83,6 +85,8 @@ sealed class SyncServer : IDisposable
                 // Stopped, or a peer that went before it was accepted.
                 if (Volatile.Read(ref _isStopped))
                     return;
+                // Out of handles, say: not at full speed until there are some again.
+                await Task.Delay(PauseAfterAFailedAccept);
             }
         }
     }
