@@ -53,7 +53,8 @@ sealed class ServerArguments
 
     readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Connections to each of the two ports", 64, 1, 10_000, "");
 
-    readonly Option<double> _skew = NumberOption.Create("--skew-ppm", "Rate error of the control clock", 0.0, -10_000, 10_000, "ppm");
+    readonly Option<double> _skew = NumberOption.Create(
+        "--skew-ppm", "Rate error of the control clock; beyond this range headsets would take it for steps", 0.0, -500, 500, "ppm");
 
     readonly Option<double?> _clockStart = new("--clock-start-s")
     {

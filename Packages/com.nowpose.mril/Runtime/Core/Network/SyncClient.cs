@@ -86,7 +86,8 @@ namespace Nowpose.Network
             {
                 var next = _clock.Now + _interval;
                 var fault = connection.Exchange(out var exchange);
-                if (fault == SyncExchangeFault.None) _synchroniser.Add(exchange, out fault);
+                if (fault == SyncExchangeFault.None && _synchroniser.Add(exchange, out fault) == SyncVerdict.SetAside)
+                    _faults.Count(SyncExchangeFault.Contradiction);
                 _faults.Count(fault);
                 dropsInARow = fault == SyncExchangeFault.None ? 0 : dropsInARow + 1;
                 if (dropsInARow == ProtocolLimits.SyncDropsInARow)

@@ -6,10 +6,10 @@ namespace Nowpose.Sync
     public readonly struct ClockLine
     {
         /// <summary>
-        /// Two rates differ by no more: quartzes are good to 100 ppm each, and a clock that is slewed to a reference runs up
-        /// to 500 ppm fast or slow.
+        /// Two rates differ by no more: quartzes are good to 100 ppm each, and one that is slewed to a reference runs up to
+        /// 500 ppm fast or slow beside.
         /// </summary>
-        internal const double GreatestSkew = 500e-6;
+        internal const double GreatestSkew = 700e-6;
 
         public ClockLine(HeadsetTime reference, ClockOffset offset, double skew, TimeSpan offsetError, double skewError, int exchanges)
         {

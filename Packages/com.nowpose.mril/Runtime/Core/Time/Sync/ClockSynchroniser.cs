@@ -43,7 +43,7 @@ namespace Nowpose.Sync
                 var verdict = _detector.Judge(exchange, _estimator.Line, _envelope);
                 if (verdict == SyncVerdict.Consistent) Use(exchange);
                 else if (verdict == SyncVerdict.Step) StartAnew();
-                else if (_detector.Suspects.Count >= SuspectsToDoubt) Doubt(exchange);
+                else if (_detector.Suspects.Count >= SuspectsToDoubt || _estimator.Line.Exchanges == 0) Doubt(exchange);
                 if (verdict != SyncVerdict.SetAside) Publish(exchange, verdict == SyncVerdict.Step);
                 return verdict;
             }
@@ -52,8 +52,9 @@ namespace Nowpose.Sync
         /// <summary>What is known at a headset time, with the bound and the state as they are by then. Allocates nothing.</summary>
         /// <remarks>
         /// The error bound is what the recent exchanges prove (at best half the least round trip: an asymmetry can hide no
-        /// more), the server's own bound, and what three standard errors of the skew and its drift can have added since
-        /// the newest exchange. It counts on the server to say its clock's resolution.
+        /// more), the server's own bound, and what doubts of the skew can have added since the newest exchange. It counts on
+        /// the server to say its clock's resolution. A step of less than the least round trip and the step margin can be
+        /// missed; then, for 25 exchanges, the bound does not cover it.
         /// </remarks>
         public ClockModel ModelAt(HeadsetTime now)
         {
@@ -62,7 +63,9 @@ namespace Nowpose.Sync
             if (line.Exchanges == 0) return default;
 
             var age = Math.Max(0, ClockTicks.Seconds(now - line.Reference));
-            var grown = ClockTicks.Span((3 * line.SkewError + _settings.Drift) * age);
+            // More than any clock's skew is error by definition: a line through two late replies can be that steep.
+            var excess = Math.Max(0, Math.Abs(line.Skew) - ClockLine.GreatestSkew);
+            var grown = ClockTicks.Span((3 * line.SkewError + _settings.SkewDoubt + excess) * age);
             var state = belief.State == ClockState.Synchronised && now - line.Reference > _settings.HoldoverAfter
                 ? ClockState.Holdover : belief.State;
             return new ClockModel(line.Reference, line.Offset, line.Skew, belief.Bound + grown, state, belief.Steps);
@@ -94,7 +97,8 @@ namespace Nowpose.Sync
         {
             var model = ModelAt(exchange.T4);
             var contradiction = (exchange.Offset - model.OffsetAt(exchange.T4)).Duration() + exchange.RoundTripTime.Duration();
-            _belief = new Belief(_belief.Line, ClockState.Converging, _belief.Bound + contradiction, _belief.RoundTripTime, _belief.Steps);
+            var bound = contradiction > _belief.Bound ? contradiction : _belief.Bound;
+            _belief = new Belief(_belief.Line, ClockState.Converging, bound, _belief.RoundTripTime, _belief.Steps);
         }
 
         void Publish(in SyncExchange exchange, bool stepped)

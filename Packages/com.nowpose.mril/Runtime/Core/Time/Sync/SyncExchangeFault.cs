@@ -26,6 +26,9 @@ namespace Nowpose.Sync
         /// <summary>Not a frame of the protocol: wrong magic, version or kind. Ends the connection.</summary>
         NotAFrame,
 
+        /// <summary>Contradicts the recent exchanges: the first signs of a clock step, or a server that is not of one mind. Set aside.</summary>
+        Contradiction,
+
         /// <summary>t4 is not after the previous exchange's: a log out of order, or a repeated line.</summary>
         NotNewer,
     }

@@ -9,7 +9,7 @@ namespace Nowpose.Sync
         /// <summary>Used.</summary>
         Consistent,
 
-        /// <summary>Contradicts the line; kept aside until it is clear whether a clock stepped.</summary>
+        /// <summary>Contradicts the recent exchanges; kept aside until it is clear whether a clock stepped.</summary>
         SetAside,
 
         /// <summary>A clock stepped: the estimator starts anew from the exchanges set aside.</summary>
