@@ -6,7 +6,7 @@ namespace Nowpose.Prediction
         /// <summary>No sample yet: the position is a placeholder (0) and must not be shown as a pose.</summary>
         None,
 
-        /// <summary>A value that stands still: the newest sample's, or the prediction's at the horizon cap.</summary>
+        /// <summary>A value that stands still: the newest sample's, or the section's at the horizon cap or at its oldest sample.</summary>
         Held,
 
         /// <summary>From the section's polynomial, at or before the newest sample.</summary>

@@ -38,8 +38,8 @@ namespace Nowpose.Prediction
         public double Upper { get; }
 
         /// <summary>
-        /// Furthest prediction ahead of the newest sample, s; beyond it the value at the cap is held, as is the oldest
-        /// sample's before the section.
+        /// Furthest prediction ahead of the newest sample, s. Beyond it the section's value at the cap is held, and before
+        /// its oldest sample the section's value there. Infinite, neither end of a section bounds it.
         /// </summary>
         public double HorizonCap { get; }
 

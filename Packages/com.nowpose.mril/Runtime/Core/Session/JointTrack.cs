@@ -31,8 +31,8 @@ namespace Nowpose.Session
         {
             overtaken = SampleOutcome.Late;
             if (sample.Order > _predictor.NewestTime) return AddNewer(sample, out overtaken);
-            // The same message twice says nothing about clocks.
-            if (sample.Order == _predictor.NewestTime && sample.Position == _predictor.Hold) return SampleOutcome.Duplicate;
+            // The same message twice, or a source that stamps more coarsely than it samples: neither is about time going back.
+            if (sample.Order == _predictor.NewestTime) return SampleOutcome.Duplicate;
             if (_hasLate) return StartAnew(sample);
             _late = sample;
             _hasLate = true;

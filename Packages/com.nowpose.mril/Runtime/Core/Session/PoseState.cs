@@ -12,10 +12,16 @@ namespace Nowpose.Session
         /// </summary>
         Unsynchronised,
 
-        /// <summary>A joint between base and tool is held: its samples are older than the horizon cap, or too few to predict from.</summary>
+        /// <summary>
+        /// A joint between base and tool is held: its samples are older than the horizon cap, stamped later than the light, or
+        /// too few to predict from.
+        /// </summary>
         Held,
 
-        /// <summary>Every joint between base and tool is predicted to, or interpolated at, the moment of light.</summary>
+        /// <summary>
+        /// Every joint between base and tool is predicted to, or interpolated at, the moment of light. When the control clock
+        /// has just stepped, it takes two sync exchanges until that is doubted.
+        /// </summary>
         Current,
     }
 }

@@ -262,6 +262,27 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Received_StampsCoarserThanTheSamples_StayCurrent()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(6);
+            var states = new List<PoseState>();
+            simulated.IsSamplingByTest = true;
+            for (var ms = 0; ms < 2000; ms++)
+            {
+                var now = HeadsetTime.FromSeconds(simulated.Now);
+                var (shoulder, elbow) = SimulatedSession.TruthAt(simulated.Now);
+                var coarse = HeadsetTime.FromSeconds(Math.Floor(simulated.Now / 0.004) * 0.004);
+                simulated.Session.Received(
+                    new JointStateMessage(
+                        simulated.Link.TrueOffset(coarse).ToControl(coarse), new[] { "shoulder", "elbow" }, new[] { shoulder, elbow }), now);
+                simulated.Run(0.001, (frame, light) => states.Add(frame.State));
+            }
+
+            Assert.That(states.Skip(10), Is.All.EqualTo(PoseState.Current), "three of four samples repeat a stamp");
+        }
+
+        [Test]
         public void Received_OneSampleOvertaken_GoesToItsPlace()
         {
             double At(params double[] order)

@@ -45,6 +45,9 @@ namespace Nowpose.Tests
         /// <summary>Whether sync exchanges come through.</summary>
         public bool IsSyncUp { get; set; } = true;
 
+        /// <summary>Whether a test sends the samples itself.</summary>
+        public bool IsSamplingByTest { get; set; }
+
         public double Now { get; private set; }
 
         /// <summary>How long each sample took from the robot to the headset, ms.</summary>
@@ -85,7 +88,7 @@ namespace Nowpose.Tests
         void Sample(HeadsetTime now)
         {
             _nextSample += SampleSeconds;
-            if (!IsGatewayUp) return;
+            if (!IsGatewayUp || IsSamplingByTest) return;
             var (shoulder, elbow) = TruthAt(now.SinceEpoch.TotalSeconds);
             var message = new JointStateMessage(Link.TrueOffset(now).ToControl(now), new[] { "elbow", "shoulder" }, new[] { elbow, shoulder });
             var acquisition = TimeSpan.FromMilliseconds(55 + 50 * _random.NextDouble());
