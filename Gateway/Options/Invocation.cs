@@ -28,7 +28,8 @@ public static class Invocation
             return Fail(program, ExitStatus.BadInput, Complaint(parsed) + " See --help.");
         try
         {
-            return await parsed.InvokeAsync(new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = TimeToEnd });
+            var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = TimeToEnd };
+            return await parsed.InvokeAsync(configuration);
         }
         catch (InputException bad)
         {
