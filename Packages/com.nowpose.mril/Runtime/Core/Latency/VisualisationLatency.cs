@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 
 namespace Nowpose.Latency
 {
@@ -7,16 +6,13 @@ namespace Nowpose.Latency
     /// <remarks>Calibrated, and valid while the render time stays in the constant-latency range. <c>default</c> is zero.</remarks>
     public readonly struct VisualisationLatency
     {
-        static readonly TimeSpan Greatest = TimeSpan.FromMilliseconds(500);
+        const double GreatestMs = 500;
 
         /// <param name="length">0 to 500 ms.</param>
         /// <exception cref="InputException">Out of range.</exception>
         public VisualisationLatency(TimeSpan length)
         {
-            if (length < TimeSpan.Zero || length > Greatest)
-                throw new InputException(string.Format(
-                    CultureInfo.InvariantCulture, "visualisation latency: {0} ms is out of range; allowed are 0 to {1} ms",
-                    length.TotalMilliseconds, Greatest.TotalMilliseconds));
+            SettingRange.Require(length.TotalMilliseconds, 0, GreatestMs, "visualisation latency", "ms");
             Length = length;
         }
 

@@ -1,6 +1,5 @@
 using System;
 using System.Net;
-using System.Text;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -25,8 +24,8 @@ namespace Nowpose.Network
             if (Uri.CheckHostName(host) == UriHostNameType.Unknown)
                 throw new InputException("host: '" + host + "' is neither a host name nor an address");
             Host = host;
-            SyncPort = RequirePort(syncPort, "sync port");
-            WebSocketPort = RequirePort(webSocketPort, "WebSocket port");
+            SyncPort = SettingRange.RequireCount(syncPort, 1, IPEndPoint.MaxPort, "sync port");
+            WebSocketPort = SettingRange.RequireCount(webSocketPort, 1, IPEndPoint.MaxPort, "WebSocket port");
             Pin = pin;
             Security = pin != null ? TransportSecurity.Pinned : deviceTrust ? TransportSecurity.DeviceTrust : TransportSecurity.Plain;
             Token = RequireToken(token);
@@ -63,12 +62,6 @@ namespace Nowpose.Network
                     "host: " + Host + " is not this machine; give the gateway's pin, or allow plain connections on a trusted network (insecure LAN)");
         }
 
-        static int RequirePort(int port, string name)
-        {
-            if (port < 1 || port > 65535) throw new InputException(name + ": " + port + " is out of range; allowed are 1 to 65535");
-            return port;
-        }
-
         static string RequireName(string name)
         {
             if (string.IsNullOrWhiteSpace(name) || name.Length > ProtocolLimits.NameLength)
@@ -80,9 +73,7 @@ namespace Nowpose.Network
         static string RequireToken(string token)
         {
             if (token == null) return null;
-            var bytes = Encoding.UTF8.GetByteCount(token);
-            if (bytes < 1 || bytes > ProtocolLimits.TokenBytes)
-                throw new InputException("token: " + bytes + " bytes long; allowed are 1 to " + ProtocolLimits.TokenBytes + " bytes");
+            SyncToken.RequireLength(token);
             foreach (var c in token)
                 if (c <= ' ' || c > '~')
                     throw new InputException(

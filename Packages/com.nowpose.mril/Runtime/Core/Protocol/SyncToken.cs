@@ -17,7 +17,7 @@ namespace Nowpose.Protocol
         /// <exception cref="InputException">The token is empty or longer than the protocol allows.</exception>
         public static byte[] Write(string token)
         {
-            var length = Check(token);
+            var length = RequireLength(token);
             var bytes = new byte[SyncFrame.Size + LengthSize + length];
             SyncFrame.Token().Write(bytes);
             BinaryPrimitives.WriteUInt16LittleEndian(bytes.AsSpan(SyncFrame.Size), (ushort)length);
@@ -47,7 +47,9 @@ namespace Nowpose.Protocol
             }
         }
 
-        static int Check(string token)
+        /// <returns>Bytes of UTF-8.</returns>
+        /// <exception cref="InputException">The token is empty or longer than the protocol allows.</exception>
+        internal static int RequireLength(string token)
         {
             var length = string.IsNullOrEmpty(token) ? 0 : Encoding.UTF8.GetByteCount(token);
             if (length == 0 || length > ProtocolLimits.TokenBytes)

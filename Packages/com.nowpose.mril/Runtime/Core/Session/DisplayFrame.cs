@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 
@@ -8,7 +9,6 @@ namespace Nowpose.Session
     public sealed class DisplayFrame
     {
         readonly JointTracks _tracks;
-        readonly RobotModel _robot;
         readonly ForwardKinematics _kinematics;
         readonly RigidTransform[] _linkPoses;
         readonly int _toolLink;
@@ -16,7 +16,6 @@ namespace Nowpose.Session
 
         internal DisplayFrame(RobotModel robot, JointTracks tracks)
         {
-            _robot = robot;
             _tracks = tracks;
             _kinematics = new ForwardKinematics(robot);
             _linkPoses = new RigidTransform[robot.Links.Count];
@@ -79,7 +78,7 @@ namespace Nowpose.Session
         // A gripper that reports only when it moves must not make the arm look stale.
         static int[] ArmJointsOf(RobotModel robot, int toolLink)
         {
-            var joints = new System.Collections.Generic.List<int>();
+            var joints = new List<int>();
             for (var link = toolLink; link > 0; link = robot.Links[link].ParentIndex)
                 if (robot.Links[link].ParentJoint.MovingIndex >= 0) joints.Add(robot.Links[link].ParentJoint.MovingIndex);
             return joints.ToArray();

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 
@@ -20,8 +19,8 @@ namespace Nowpose.Session
         public PredictionSettings(string predictor = Predictors.Default, double horizonCapMs = 300, double maximumGapMs = 500)
         {
             Predictor = predictor;
-            HorizonCap = RequireMs(horizonCapMs, 0, 5000, "horizon cap");
-            MaximumGap = RequireMs(maximumGapMs, 1, 60_000, "maximum gap");
+            HorizonCap = SettingRange.RequireMs(horizonCapMs, 0, 5000, "horizon cap");
+            MaximumGap = SettingRange.RequireMs(maximumGapMs, 1, 60_000, "maximum gap");
             Create(JointLimits.None);
         }
 
@@ -32,12 +31,5 @@ namespace Nowpose.Session
         /// <summary>A predictor for one joint, bounded by its limits.</summary>
         public IJointPredictor Create(JointLimits limits) => Predictors.Create(Predictor, new PredictionLimits(
             limits.Lower, limits.Upper, ClockTicks.Seconds(HorizonCap), ClockTicks.Seconds(MaximumGap)));
-
-        static TimeSpan RequireMs(double ms, double least, double greatest, string name)
-        {
-            if (ms >= least && ms <= greatest) return ClockTicks.Span(ms / 1000);
-            throw new InputException(string.Format(
-                CultureInfo.InvariantCulture, "{0}: {1} ms is out of range; allowed are {2} to {3} ms", name, ms, least, greatest));
-        }
     }
 }

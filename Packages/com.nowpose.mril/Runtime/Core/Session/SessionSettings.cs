@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -25,10 +24,8 @@ namespace Nowpose.Session
             Prediction = prediction ?? PredictionSettings.Default;
             Clock = clock ?? ClockSettings.Default;
             Ransac = ransac ?? RansacSettings.Paper;
-            if (!(syncIntervalMs >= 1000.0 / ProtocolLimits.SyncRequestsPerSecond * 2 && syncIntervalMs <= 10_000))
-                throw new InputException(string.Format(
-                    CultureInfo.InvariantCulture, "sync interval: {0} ms is out of range; allowed are 20 to 10000 ms", syncIntervalMs));
-            SyncInterval = ClockTicks.Span(syncIntervalMs / 1000);
+            // Half of what the server bears.
+            SyncInterval = SettingRange.RequireMs(syncIntervalMs, 2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond, 10_000, "sync interval");
         }
 
         public ConnectionSettings Connection { get; }

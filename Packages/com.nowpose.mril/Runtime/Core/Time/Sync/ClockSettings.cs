@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 
 namespace Nowpose.Sync
 {
@@ -23,31 +22,23 @@ namespace Nowpose.Sync
             double stepMarginMs = 0.5, double startAnewAfterSeconds = 60, double greatestHoldoverErrorMs = 10,
             double skewDoubtPpm = 400)
         {
-            ExchangesToSynchronise = (int)Require(exchangesToSynchronise, 1, 10_000, "exchanges to synchronise", "");
-            ErrorToSynchronise = ClockTicks.Span(Require(errorToSynchroniseMs, 0.001, 1000, "error to synchronise", " ms") / 1000);
-            HoldoverAfter = ClockTicks.Span(Require(holdoverAfterSeconds, 0.1, 3600, "holdover after", " s"));
-            StepMargin = ClockTicks.Span(Require(stepMarginMs, 0.01, 10_000, "step margin", " ms") / 1000);
-            StartAnewAfter = ClockTicks.Span(Require(startAnewAfterSeconds, 1, 86_400, "start anew after", " s"));
-            GreatestHoldoverError = ClockTicks.Span(Require(greatestHoldoverErrorMs, 0, 1000, "greatest holdover error", " ms") / 1000);
-            SkewDoubt = Require(skewDoubtPpm, 0, 10_000, "skew doubt", " ppm") * 1e-6;
+            ExchangesToSynchronise = SettingRange.RequireCount(exchangesToSynchronise, 1, 10_000, "exchanges to synchronise");
+            ErrorToSynchronise = SettingRange.RequireMs(errorToSynchroniseMs, 0.001, 1000, "error to synchronise");
+            HoldoverAfter = SettingRange.RequireSeconds(holdoverAfterSeconds, 0.1, 3600, "holdover after");
+            StepMargin = SettingRange.RequireMs(stepMarginMs, 0.01, 10_000, "step margin");
+            StartAnewAfter = SettingRange.RequireSeconds(startAnewAfterSeconds, 1, 86_400, "start anew after");
+            GreatestHoldoverError = SettingRange.RequireMs(greatestHoldoverErrorMs, 0, 1000, "greatest holdover error");
+            SkewDoubt = SettingRange.Require(skewDoubtPpm, 0, 10_000, "skew doubt", "ppm") * 1e-6;
         }
 
         public int ExchangesToSynchronise { get; }
         public TimeSpan ErrorToSynchronise { get; }
         public TimeSpan HoldoverAfter { get; }
         public TimeSpan StepMargin { get; }
-
         public TimeSpan StartAnewAfter { get; }
         public TimeSpan GreatestHoldoverError { get; }
 
         /// <summary>Dimensionless, seconds of error a second.</summary>
         public double SkewDoubt { get; }
-
-        static double Require(double value, double least, double greatest, string name, string unit)
-        {
-            if (value >= least && value <= greatest) return value;
-            throw new InputException(string.Format(
-                CultureInfo.InvariantCulture, "{0}: {1}{4} is out of range; allowed are {2} to {3}{4}", name, value, least, greatest, unit));
-        }
     }
 }

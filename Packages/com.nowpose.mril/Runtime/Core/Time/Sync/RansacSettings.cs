@@ -14,11 +14,12 @@ namespace Nowpose.Sync
         /// <param name="seed">Seed of the random choice of hypotheses: the same log gives the same result.</param>
         public RansacSettings(int history = 100, int hypotheses = 20, double inlierBoundMs = 1, int movingAverage = 20, int seed = 1)
         {
-            History = Require(history, 3, 10_000, nameof(history));
-            Hypotheses = Require(hypotheses, 1, 10_000, nameof(hypotheses));
-            MovingAverage = Require(movingAverage, 1, 10_000, nameof(movingAverage));
+            History = SettingRange.RequireCount(history, 3, 10_000, nameof(history));
+            Hypotheses = SettingRange.RequireCount(hypotheses, 1, 10_000, nameof(hypotheses));
+            MovingAverage = SettingRange.RequireCount(movingAverage, 1, 10_000, nameof(movingAverage));
             if (!(inlierBoundMs > 0 && inlierBoundMs <= 1000))
-                throw new InputException("inlier bound: " + inlierBoundMs + " ms is out of range; allowed are more than 0 to 1000 ms");
+                throw new InputException(FormattableString.Invariant(
+                    $"inlier bound: {inlierBoundMs} ms is out of range; allowed are more than 0 to 1000 ms"));
             InlierBound = TimeSpan.FromTicks((long)(inlierBoundMs * TimeSpan.TicksPerMillisecond));
             Seed = seed;
         }
@@ -28,12 +29,5 @@ namespace Nowpose.Sync
         public TimeSpan InlierBound { get; }
         public int MovingAverage { get; }
         public int Seed { get; }
-
-        static int Require(int value, int least, int greatest, string name)
-        {
-            if (value < least || value > greatest)
-                throw new InputException(name + ": " + value + " is out of range; allowed are " + least + " to " + greatest);
-            return value;
-        }
     }
 }
