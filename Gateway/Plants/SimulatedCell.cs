@@ -7,9 +7,6 @@ namespace Nowpose.Gateway.Plants;
 /// <summary>A robot cell that publishes its joint positions, and knows where its robot truly is.</summary>
 public sealed class SimulatedCell : IDisposable
 {
-    // A sleep of this length ends before it is over on every system; the rest is spun away.
-    static readonly TimeSpan SpinLength = TimeSpan.FromMilliseconds(1.5);
-
     readonly IMotion _motion;
     readonly IControlClock _clock;
     readonly SampleSchedule _schedule;
@@ -76,20 +73,7 @@ public sealed class SimulatedCell : IDisposable
     }
 
     // False when stopped.
-    bool WaitUntil(ControlTime time)
-    {
-        for (var left = time - _clock.Now; left > TimeSpan.Zero; left = time - _clock.Now)
-        {
-            if (left > SpinLength)
-                _stop.Wait(left - SpinLength);
-            else
-                Thread.SpinWait(20);
-            if (_stop.IsSet)
-                return false;
-        }
-
-        return !_stop.IsSet;
-    }
+    bool WaitUntil(ControlTime time) => PreciseWait.While(() => time - _clock.Now, _stop);
 
     void StopThread()
     {

@@ -9,10 +9,18 @@ public static class RobotFiles
 
     /// <param name="nameOrPath">"youbot", "ur5" or the path of a .urdf file.</param>
     /// <exception cref="InputException">There is no such robot, or its URDF cannot be read or computed.</exception>
-    public static RobotModel Load(string nameOrPath) => UrdfReader.Read(LoadText(nameOrPath), nameOrPath);
+    public static RobotModel Load(string nameOrPath) => Load(nameOrPath, out _);
+
+    /// <param name="urdf">The robot's text, as it is sent to a headset.</param>
+    /// <inheritdoc cref="Load(string)"/>
+    public static RobotModel Load(string nameOrPath, out string urdf)
+    {
+        urdf = LoadText(nameOrPath);
+        return UrdfReader.Read(urdf, nameOrPath);
+    }
 
     /// <summary>The URDF itself, as it is sent to a headset; not checked.</summary>
-    /// <inheritdoc cref="Load"/>
+    /// <inheritdoc cref="Load(string)"/>
     public static string LoadText(string nameOrPath)
     {
         if (Included.Contains(nameOrPath))

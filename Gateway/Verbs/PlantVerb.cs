@@ -28,11 +28,11 @@ static class PlantVerb
         server.AddTo(command);
         command.SetAction(async (parsed, stop) =>
         {
-            var motion = motionOf(parsed, RobotFiles.Load(plant.Robot(parsed)));
+            var motion = motionOf(parsed, RobotFiles.Load(plant.Robot(parsed), out var urdf));
             var clock = server.Clock(parsed);
             await using var gateway = await GatewayServer.StartAsync(server.Options(parsed), clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
-            source.TryDescribe(RobotFiles.LoadText(plant.Robot(parsed)));
+            source.TryDescribe(urdf);
             using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed));
             cell.PublishInto(gateway.Hub);
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), motion);

@@ -35,7 +35,7 @@ static class ServeVerb
     // Read as well, so that a file no headset could use is refused here.
     static string Describe(string robot)
     {
-        RobotFiles.Load(robot);
-        return RobotFiles.LoadText(robot);
+        RobotFiles.Load(robot, out var urdf);
+        return urdf;
     }
 }

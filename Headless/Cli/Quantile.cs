@@ -11,10 +11,6 @@ static class Quantile
     {
         var sorted = values.ToArray();
         Array.Sort(sorted);
-        return OfSorted(sorted, fraction);
+        return SortedArrayStatistics.QuantileCustom(sorted, fraction, QuantileDefinition.R7);
     }
-
-    /// <param name="sorted">Rising.</param>
-    public static double OfSorted(double[] sorted, double fraction) =>
-        SortedArrayStatistics.QuantileCustom(sorted, fraction, QuantileDefinition.R7);
 }

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Clock;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;

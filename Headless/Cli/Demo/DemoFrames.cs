@@ -47,6 +47,9 @@ sealed class DemoFrames
     /// <summary>One joint's displayed position.</summary>
     public double Displayed(int frame, int joint) => _displayed[frame * _joints + joint];
 
+    /// <summary>One joint's position as a headset without compensation would have shown it.</summary>
+    public double Held(int frame, int joint) => _held[frame * _joints + joint];
+
     /// <summary>All joints as a headset without compensation would have shown them.</summary>
     public void CopyHeld(int frame, Span<double> into) =>
         System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_held).Slice(frame * _joints, _joints).CopyTo(into);

@@ -30,16 +30,9 @@ sealed class DemoJointSeries(DemoRun run, ControlTime start)
     // The held value changes when a sample arrives: its first frame is when the sample would have been seen.
     object Received(int joint, List<int> shown, List<double> times)
     {
-        var held = shown.Select(frame => HeldAt(frame)[joint]).ToList();
+        var held = shown.Select(frame => run.Frames.Held(frame, joint)).ToList();
         var changes = Enumerable.Range(0, times.Count).Where(i => i == 0 || i == times.Count - 1 || held[i] != held[i - 1]).ToList();
         return new { T = changes.Select(i => times[i]), V = changes.Select(i => Round(held[i])) };
-    }
-
-    double[] HeldAt(int frame)
-    {
-        var joints = new double[_joints];
-        run.Frames.CopyHeld(frame, joints);
-        return joints;
     }
 
     double[] JointsAt(ControlTime t)

@@ -50,8 +50,7 @@ sealed class DemoScore
     DemoError ErrorOf(int frame)
     {
         var row = _run.Frames.Rows[frame];
-        _run.Truth.JointsAt(row.TrueLight, _joints);
-        var truth = _kinematics.At(_joints);
+        var truth = _kinematics.TrueAt(_run.Truth, row.TrueLight);
         _run.Frames.CopyHeld(frame, _joints);
         return new DemoError(
             frame, _kinematics.At(_joints).DistanceMm(truth), row.Tool.DistanceMm(truth),

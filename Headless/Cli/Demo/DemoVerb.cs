@@ -57,14 +57,14 @@ static class DemoVerb
         if (told is < 0 or > 500)
             throw new InputException(FormattableString.Invariant(
                 $"--visu-ms plus --visu-error-ms: {told} ms is out of range; allowed are 0 to 500 ms"));
-        var robot = RobotFiles.Load(parsed.GetValue(Robot));
+        var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
         return new DemoSettings
         {
             Seconds = parsed.GetValue(Seconds),
             Network = NetworkProfile.Named(parsed.GetValue(Network)),
             Robot = robot,
-            RobotText = RobotFiles.LoadText(parsed.GetValue(Robot)),
+            RobotText = urdf,
             Motion = recording == null ? new PickAndPlaceMotion(robot) : new RecordedMotion(MotionRecording.Read(recording), robot),
             MotionName = recording == null ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forth and back",
             Predictor = parsed.GetValue(Predictor),

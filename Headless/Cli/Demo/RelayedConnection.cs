@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using System.Diagnostics;
 using System.Net.Sockets;
+using Nowpose.Gateway.Clock;
 using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;

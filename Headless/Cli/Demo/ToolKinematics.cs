@@ -7,11 +7,19 @@ sealed class ToolKinematics(RobotModel robot)
 {
     readonly ForwardKinematics _kinematics = new(robot);
     readonly RigidTransform[] _poses = new RigidTransform[robot.Links.Count];
+    readonly double[] _joints = new double[robot.MovingJoints.Count];
     readonly int _tool = robot.IndexOfLink(robot.ToolLink.Name);
 
     public ToolPosition At(ReadOnlySpan<double> positions)
     {
         _kinematics.Compute(positions, _poses);
         return ToolPosition.Of(_poses[_tool]);
+    }
+
+    /// <summary>Where the real robot's tool is at a control time.</summary>
+    public ToolPosition TrueAt(IDemoTruth truth, ControlTime t)
+    {
+        truth.JointsAt(t, _joints);
+        return At(_joints);
     }
 }

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using System.Text.Encodings.Web;
 using System.Text.Json;
 using Nowpose.Kinematics;
 
@@ -9,20 +8,15 @@ namespace Nowpose.Cli.Kinematics;
 /// <summary>Prints link poses, given as row-major 4×4 matrices in the model's order of links.</summary>
 static class PoseOutput
 {
-    public static string Json(RobotModel model, double[][] poses)
+    public static string Json(RobotModel model, double[][] poses) => JsonText.Of(isIndented: false, json =>
     {
-        using var bytes = new MemoryStream();
-        using (var json = new Utf8JsonWriter(bytes, new JsonWriterOptions { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
-        {
-            json.WriteStartObject();
-            json.WriteString("root", model.Root.Name);
-            json.WriteStartObject("links");
-            for (var i = 0; i < poses.Length; i++) WritePose(json, model.Links[i].Name, poses[i]);
-            json.WriteEndObject();
-            json.WriteEndObject();
-        }
-        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
-    }
+        json.WriteStartObject();
+        json.WriteString("root", model.Root.Name);
+        json.WriteStartObject("links");
+        for (var i = 0; i < poses.Length; i++) WritePose(json, model.Links[i].Name, poses[i]);
+        json.WriteEndObject();
+        json.WriteEndObject();
+    }) + "\n";
 
     public static string Matrices(RobotModel model, double[][] poses)
     {

@@ -1,5 +1,3 @@
-using System.Text;
-using System.Text.Encodings.Web;
 using System.Text.Json;
 
 namespace Nowpose.Cli.Replay;
@@ -7,13 +5,7 @@ namespace Nowpose.Cli.Replay;
 /// <summary>A replay's result as JSON, numbers with all the digits they have.</summary>
 static class ReplayJson
 {
-    public static string Of(ReplayResult result)
-    {
-        using var bytes = new MemoryStream();
-        var options = new JsonWriterOptions { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-        using (var json = new Utf8JsonWriter(bytes, options)) Write(json, result);
-        return Encoding.UTF8.GetString(bytes.ToArray());
-    }
+    public static string Of(ReplayResult result) => JsonText.Of(isIndented: true, json => Write(json, result));
 
     static void Write(Utf8JsonWriter json, ReplayResult result)
     {

@@ -1,4 +1,3 @@
-using System.Text;
 using System.Text.Json;
 
 namespace Nowpose.Cli.Sync;
@@ -17,13 +16,8 @@ static class SyncOutput
         }
     }
 
-    public static void WriteJson(IEnumerable<SyncBelief> beliefs, bool atInstants, TextWriter output)
-    {
-        using var bytes = new MemoryStream();
-        using (var json = new Utf8JsonWriter(bytes, new JsonWriterOptions { Indented = true, NewLine = "\n" }))
-            WriteArray(json, beliefs, atInstants);
-        output.WriteLine(Encoding.UTF8.GetString(bytes.ToArray()));
-    }
+    public static void WriteJson(IEnumerable<SyncBelief> beliefs, bool atInstants, TextWriter output) =>
+        output.WriteLine(JsonText.Of(isIndented: true, json => WriteArray(json, beliefs, atInstants)));
 
     static void WriteArray(Utf8JsonWriter json, IEnumerable<SyncBelief> beliefs, bool atInstants)
     {
