@@ -20,4 +20,14 @@ public sealed class VersionTests
 
         Assert.That(match.Groups[1].Value, Is.EqualTo(Version));
     }
+
+    [Test]
+    public void Workflow_UnityJob_UsesTheProjectsEditor()
+    {
+        var editor = Regex.Match(RepositoryFiles.Read("ProjectSettings/ProjectVersion.txt"), @"m_EditorVersion: (\S+)").Groups[1].Value;
+
+        var image = Regex.Match(RepositoryFiles.Read(".github/workflows/tests.yml"), @"unityci/editor:ubuntu-([^-]+)-base").Groups[1].Value;
+
+        Assert.That(image, Is.EqualTo(editor).And.Not.Empty);
+    }
 }
