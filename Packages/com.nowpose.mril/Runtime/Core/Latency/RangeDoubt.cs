@@ -1,0 +1,21 @@
+namespace Nowpose.Latency
+{
+    /// <summary>Why a <see cref="RangeState"/> is unknown.</summary>
+    public enum RangeDoubt
+    {
+        /// <summary>It is known.</summary>
+        None,
+
+        /// <summary>The settings have no limit.</summary>
+        NoLimit,
+
+        /// <summary>Nothing measures the render time.</summary>
+        NoRenderTime,
+
+        /// <summary>Too few frames were measured with the present source.</summary>
+        TooFewFrames,
+
+        /// <summary>The limit was found with another source of the render time, so it means nothing for this one.</summary>
+        OtherSource,
+    }
+}

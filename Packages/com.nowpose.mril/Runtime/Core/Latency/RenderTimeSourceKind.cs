@@ -1,0 +1,18 @@
+namespace Nowpose.Latency
+{
+    /// <summary>What a render time was measured with. Times of different sources must not be compared.</summary>
+    public enum RenderTimeSourceKind
+    {
+        /// <summary>Nothing measures.</summary>
+        None,
+
+        /// <summary>Time the GPU worked on the frame, as the driver reports it.</summary>
+        GpuTime,
+
+        /// <summary>From the trigger of the render job until the program learns that the GPU has finished it.</summary>
+        GpuCompletion,
+
+        /// <summary>Time the processor spent on the camera: unverified, for it does not see how long the GPU takes.</summary>
+        CameraCpu,
+    }
+}

@@ -1,0 +1,213 @@
+using System;
+using System.Linq;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class ConstantLatencyMonitorTests
+    {
+        const double Limit = SimulatedDisplay.TrueLimitMs;
+        const RenderTimeSourceKind Source = RenderTimeSourceKind.GpuTime;
+        static readonly int[] Seeds = Enumerable.Range(1, 20).ToArray();
+
+        static ConstantLatencyMonitor Monitor(double limitMs = Limit) =>
+            new ConstantLatencyMonitor(new ConstantLatencyRange(limitMs, Source));
+
+        static void Add(ConstantLatencyMonitor monitor, double renderMs, int frames = 1, RenderTimeSourceKind source = Source)
+        {
+            for (var i = 0; i < frames; i++) monitor.Add(TimeSpan.FromTicks((long)(renderMs * TimeSpan.TicksPerMillisecond)), source);
+        }
+
+        // Changes of state per minute: of the monitor, and of a rule that believes each single frame.
+        static (double Monitor, double SingleFrame) FlipsPerMinute(double renderMs, int seed, double minutes)
+        {
+            var monitor = Monitor();
+            var display = new SimulatedDisplay(seed);
+            var (flips, singleFlips, wasOutside, wasSingle) = (0, 0, false, false);
+            for (var frame = 0; frame < minutes * 3600; frame++)
+            {
+                var render = display.Next(SimulatedDisplay.LoadOf(renderMs)).RenderMs;
+                Add(monitor, render);
+                var (isOutside, isSingle) = (monitor.State == RangeState.Outside, render > Limit);
+                if (isOutside != wasOutside) flips++;
+                if (isSingle != wasSingle) singleFlips++;
+                (wasOutside, wasSingle) = (isOutside, isSingle);
+            }
+            return (flips / minutes, singleFlips / minutes);
+        }
+
+        [Test]
+        public void Add_LoadTooHighAtOnce_IsFoundWithinTenFrames([Values(15.9, 17.6, 30)] double renderMs)
+        {
+            foreach (var seed in Seeds)
+            {
+                var monitor = Monitor();
+                var display = new SimulatedDisplay(seed);
+                for (var frame = 0; frame < 200; frame++) Add(monitor, display.Next(0.7).RenderMs);
+                var before = monitor.State;
+                var frames = 0;
+                for (; monitor.State != RangeState.Outside && frames < 100; frames++)
+                    Add(monitor, display.Next(SimulatedDisplay.LoadOf(renderMs)).RenderMs);
+
+                Assert.That(before, Is.EqualTo(RangeState.Inside), "seed " + seed);
+                Assert.That(frames, Is.InRange(2, renderMs > 17 ? 10 : 25), "seed " + seed + "; near the limit single frames are below it");
+            }
+        }
+
+        [Test]
+        public void Add_LoadWellInside_RaisesAlmostNoFalseAlarms()
+        {
+            var alarms = Seeds.Select(seed => FlipsPerMinute(0.9 * Limit, seed, 3)).ToArray();
+
+            Assert.That(alarms.Average(a => a.Monitor), Is.LessThanOrEqualTo(0.1));
+            Assert.That(alarms.Average(a => a.SingleFrame), Is.GreaterThan(30), "slow frames are there to be overlooked");
+        }
+
+        [Test]
+        public void Add_LoadAtTheLimit_ChangesItsMindAtMostTwiceAMinute()
+        {
+            var flips = Seeds.Select(seed => FlipsPerMinute(Limit, seed, 3)).ToArray();
+
+            Assert.That(flips.Average(f => f.Monitor), Is.LessThanOrEqualTo(2));
+            Assert.That(flips.Average(f => f.SingleFrame), Is.GreaterThan(1500), "every other frame is too slow");
+        }
+
+        [Test]
+        public void Add_LoadThatComesAndGoes_AgreesWithTheLatencyOfTheDisplay()
+        {
+            var monitor = Monitor();
+            var display = new SimulatedDisplay(1);
+            var (longer, wrong) = (0, 0);
+            const int frames = 36_000;
+            for (var frame = 0; frame < frames; frame++)
+            {
+                var (render, visualisation) = display.Next(frame / 300 % 2 == 0 ? 0.7 : 1.6);
+                Add(monitor, render);
+                var isLonger = visualisation > SimulatedDisplay.RefreshMs * 1.01;
+                if (isLonger) longer++;
+                if (isLonger != (monitor.State == RangeState.Outside)) wrong++;
+            }
+
+            Assert.That(longer, Is.EqualTo(frames / 2).Within(frames / 20), "the effect");
+            Assert.That(wrong, Is.LessThan(0.15 * frames), "38 of 300 frames to come back, 8 to go, and the single slow ones");
+        }
+
+        [Test]
+        public void Add_FewerThanEightFrames_SaysTooFew()
+        {
+            var monitor = Monitor();
+            Add(monitor, 20, 7);
+            var (early, doubt) = (monitor.State, monitor.Doubt);
+            Add(monitor, 20);
+
+            Assert.That(early, Is.EqualTo(RangeState.Unknown));
+            Assert.That(doubt, Is.EqualTo(RangeDoubt.TooFewFrames));
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Outside));
+            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.None));
+        }
+
+        [TestCase(9.3, 37, true, TestName = "Add_ClearlyInsideForThirtyFrames_IsInsideAgain")]
+        [TestCase(9.3, 36, false, TestName = "Add_ClearlyInsideForTwentyNineFrames_IsStillOutside")]
+        [TestCase(9.5, 2000, false, TestName = "Add_JustInsideForLong_IsStillOutside")]
+        public void Add_AfterTheLoadFell(double renderMs, int frames, bool isInside)
+        {
+            var monitor = Monitor(10);
+            Add(monitor, 20, 100);
+
+            Add(monitor, renderMs, frames);
+
+            Assert.That(monitor.State, Is.EqualTo(isInside ? RangeState.Inside : RangeState.Outside), "7 frames until the median falls");
+        }
+
+        [Test]
+        public void Add_ClearFramesInterrupted_AreCountedAnew()
+        {
+            var monitor = Monitor(10);
+            Add(monitor, 20, 100);
+            Add(monitor, 9, 20);
+            Add(monitor, 9.5, 8);
+            Add(monitor, 9, 36);
+            var before = monitor.State;
+
+            Add(monitor, 9);
+
+            Assert.That(before, Is.EqualTo(RangeState.Outside));
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
+        }
+
+        [Test]
+        public void Add_AnotherSourceThanTheLimits_IsUnknownAndSaysWhy()
+        {
+            var monitor = Monitor();
+            Add(monitor, 20, 100);
+
+            Add(monitor, 20, 100, RenderTimeSourceKind.GpuCompletion);
+
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
+            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.OtherSource));
+            Assert.That(monitor.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+            Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(20).Within(1e-3));
+        }
+
+        [Test]
+        public void Add_BackToTheLimitsSource_StartsAnew()
+        {
+            var monitor = Monitor();
+            Add(monitor, 20, 100);
+            Add(monitor, 20, 1, RenderTimeSourceKind.CameraCpu);
+            Add(monitor, 10, 7);
+            var early = monitor.State;
+
+            Add(monitor, 10);
+
+            Assert.That(early, Is.EqualTo(RangeState.Unknown));
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
+        }
+
+        [Test]
+        public void Add_SourceFellSilent_KnowsNothingAnyMore()
+        {
+            var monitor = Monitor();
+            Add(monitor, 10, 100);
+
+            Add(monitor, 10, 1, RenderTimeSourceKind.None);
+
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
+            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.NoRenderTime));
+            Assert.That(monitor.RenderTime, Is.Null);
+        }
+
+        [TestCase(0)]
+        [TestCase(-3)]
+        public void Add_NoMeasurement_IsIgnored(double renderMs)
+        {
+            var monitor = Monitor();
+
+            Add(monitor, renderMs, 100);
+
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
+            Assert.That(monitor.RenderTime, Is.Null);
+        }
+
+        [Test]
+        public void State_NoRangeKnown_StaysUnknownWhateverTheLoad()
+        {
+            var monitor = new ConstantLatencyMonitor(null);
+
+            Add(monitor, 100, 100);
+
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
+            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.NoLimit));
+            Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(100).Within(1e-3));
+        }
+
+        [TestCase(0, RenderTimeSourceKind.GpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
+        [TestCase(double.NaN, RenderTimeSourceKind.GpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
+        [TestCase(15, RenderTimeSourceKind.None, "render time limit: say which source of the render time it was found with; it holds for no other")]
+        public void ConstantLatencyRange_BadSetting_SaysWhatIsWrong(double limitMs, RenderTimeSourceKind source, string message)
+        {
+            Assert.That(Assert.Throws<InputException>(() => new ConstantLatencyRange(limitMs, source)).Message, Is.EqualTo(message));
+        }
+    }
+}
