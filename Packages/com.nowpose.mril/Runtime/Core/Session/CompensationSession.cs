@@ -25,6 +25,7 @@ namespace Nowpose.Session
         readonly ClockSynchroniser _synchroniser;
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
+        readonly ConstantLatencyMonitor _monitor;
         readonly ApplicationLatency _latency = new ApplicationLatency();
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
         readonly object _gate = new object();
@@ -44,6 +45,7 @@ namespace Nowpose.Session
             Robot = robot;
             _visualisation = settings.Visualisation;
             _synchroniser = new ClockSynchroniser(new RansacClockEstimator(settings.Ransac), settings.Clock);
+            _monitor = new ConstantLatencyMonitor(settings.Range);
             _tracks = new JointTracks(robot, settings.Prediction);
             _frame = new DisplayFrame(robot, _tracks);
         }
@@ -99,9 +101,18 @@ namespace Nowpose.Session
                 var clock = _synchroniser.ModelAt(start);
                 ForgetWhatAnotherClockStamped(clock);
                 while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
-                _frame.Update(start, clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null, IsTrusted(clock));
+                var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;
+                _frame.Update(start, light, IsTrusted(clock), _monitor.State);
                 return _frame;
             }
+        }
+
+        /// <summary>How long the render job of a frame took: tells whether L_visu is the calibrated one. Once a frame; any thread.</summary>
+        /// <param name="renderTime">Δt_render. Zero or less is no measurement and is ignored.</param>
+        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when nothing measures any more.</param>
+        public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
+        {
+            lock (_gate) _monitor.Add(renderTime, source);
         }
 
         /// <summary>A message, queued for the next frame. Any thread.</summary>
@@ -135,6 +146,10 @@ namespace Nowpose.Session
                     VisualisationLatency = _visualisation.Length,
                     EndToEndLatency = _latency.Median is TimeSpan median ? _visualisation.EndToEnd(median) : (TimeSpan?)null,
                     Horizon = _frame.Horizon,
+                    RenderTime = _monitor.RenderTime,
+                    RenderTimeSource = _monitor.Source,
+                    Range = _monitor.State,
+                    RangeDoubt = _monitor.Doubt,
                     Pose = _frame.State,
                     Samples = _samples,
                     Dropped = Drops.Total + SyncFaults.Total,

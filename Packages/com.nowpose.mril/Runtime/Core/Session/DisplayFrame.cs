@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Latency;
 using Nowpose.Prediction;
 
 namespace Nowpose.Session
@@ -34,6 +35,9 @@ namespace Nowpose.Session
 
         public PoseState State { get; private set; }
 
+        /// <summary>Whether the render time of the frames before lets the moment of light be known.</summary>
+        public RangeState Range { get; private set; }
+
         /// <summary>Displayed joint positions, one per moving joint of the robot in its order, rad or m, mimic joints completed.</summary>
         public ReadOnlySpan<double> Joints => _tracks.Positions;
 
@@ -51,9 +55,10 @@ namespace Nowpose.Session
 
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
         /// <param name="isTimeTrusted">Whether the display time is known well enough to show a pose as the present one.</param>
-        internal void Update(HeadsetTime start, ControlTime? displayTime, bool isTimeTrusted)
+        internal void Update(HeadsetTime start, ControlTime? displayTime, bool isTimeTrusted, RangeState range)
         {
             Start = start;
+            Range = range;
             DisplayTime = displayTime;
             if (displayTime.HasValue) _tracks.Predict(displayTime.Value);
             else _tracks.Hold();
@@ -72,7 +77,8 @@ namespace Nowpose.Session
                 held |= kinds[joint] == PredictionKind.Held;
             }
             if (!isTimeTrusted) return PoseState.Unsynchronised;
-            return held ? PoseState.Held : PoseState.Current;
+            if (held) return PoseState.Held;
+            return Range == RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
         }
 
         // A gripper that reports only when it moves must not make the arm look stale.

@@ -19,6 +19,12 @@ namespace Nowpose.Session
         Held,
 
         /// <summary>
+        /// The render time is outside the constant-latency range, so that the light appears later than calibrated, by nobody
+        /// knows how much. The pose is made as a current one is.
+        /// </summary>
+        OutsideRange,
+
+        /// <summary>
         /// Every joint between base and tool is predicted to, or interpolated at, the moment of light. When the control clock
         /// has just stepped, it takes two sync exchanges until that is doubted.
         /// </summary>

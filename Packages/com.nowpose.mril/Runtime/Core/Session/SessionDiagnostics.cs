@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using Nowpose.Latency;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
@@ -29,6 +30,8 @@ namespace Nowpose.Session
             AddMs("l_app_ms", statistics.ApplicationLatency);
             AddMs("l_visu_ms", statistics.VisualisationLatency);
             AddMs("horizon_ms", statistics.Horizon);
+            AddMs("render_ms", statistics.RenderTime);
+            if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());
             Add("samples", statistics.Samples.ToString(CultureInfo.InvariantCulture));
             Add("dropped", statistics.Dropped.ToString(CultureInfo.InvariantCulture));
             return new DiagnosticsMessage(now, headsetName, values);

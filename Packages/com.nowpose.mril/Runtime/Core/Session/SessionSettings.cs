@@ -15,10 +15,13 @@ namespace Nowpose.Session
         /// <param name="clock">Null for the defaults.</param>
         /// <param name="ransac">Constants of the clock estimator; null for the paper's.</param>
         /// <param name="syncIntervalMs">From the start of one sync exchange to the next, ms; the server allows 100 requests a second.</param>
+        /// <param name="range">The constant-latency range of this device; null when none was found yet.</param>
         public SessionSettings(
             ConnectionSettings connection, VisualisationLatency visualisation, PredictionSettings prediction = null,
-            ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = ProtocolLimits.SyncIntervalMs)
+            ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = ProtocolLimits.SyncIntervalMs,
+            ConstantLatencyRange range = null)
         {
+            Range = range;
             Connection = connection ?? throw new ArgumentNullException(nameof(connection));
             Visualisation = visualisation;
             Prediction = prediction ?? PredictionSettings.Default;
@@ -34,5 +37,8 @@ namespace Nowpose.Session
         public ClockSettings Clock { get; }
         public RansacSettings Ransac { get; }
         public TimeSpan SyncInterval { get; }
+
+        /// <summary>Null when none is known.</summary>
+        public ConstantLatencyRange Range { get; }
     }
 }

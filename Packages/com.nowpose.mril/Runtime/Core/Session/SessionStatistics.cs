@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Latency;
 using Nowpose.Network;
 
 namespace Nowpose.Session
@@ -31,6 +32,18 @@ namespace Nowpose.Session
         public TimeSpan? EndToEndLatency { get; internal set; }
 
         public TimeSpan? Horizon { get; internal set; }
+
+        /// <summary>Median of Δt_render over the newest 15 frames.</summary>
+        public TimeSpan? RenderTime { get; internal set; }
+
+        public RenderTimeSourceKind RenderTimeSource { get; internal set; }
+
+        /// <summary>Whether the visualisation latency is the calibrated one.</summary>
+        public RangeState Range { get; internal set; }
+
+        /// <summary>Why <see cref="Range"/> is unknown.</summary>
+        public RangeDoubt RangeDoubt { get; internal set; }
+
         public PoseState Pose { get; internal set; }
 
         /// <summary>Messages whose samples were used.</summary>

@@ -394,11 +394,6 @@ namespace Nowpose.Tests
                 Is.EqualTo("sync interval: 5 ms is out of range; allowed are 20 to 10000 ms"));
         }
 
-        sealed class SetClock : IHeadsetClock
-        {
-            public HeadsetTime Now { get; set; }
-        }
-
         static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Received(
             new JointStateMessage(ControlTime.FromSeconds(controlSeconds), new[] { "shoulder", "elbow" }, new[] { shoulder, 0 }), default);
     }

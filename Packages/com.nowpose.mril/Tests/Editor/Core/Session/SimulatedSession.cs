@@ -26,13 +26,14 @@ namespace Nowpose.Tests
         double _nextFrame, _nextSample, _nextExchange;
         HeadsetTime _lastArrival;
 
-        public SimulatedSession(NetworkProfile network, int seed, string predictor = "quadratic")
+        public SimulatedSession(NetworkProfile network, int seed, string predictor = "quadratic", ConstantLatencyRange range = null)
         {
             Link = new SimulatedLink(network, seed, skewPpm: 45, driftPpm: 2);
             _sampleDelay = network.Down(seed + 1000);
             _random = new Random(seed);
             Session = new CompensationSession(
-                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor)),
+                new SessionSettings(
+                    new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor), range: range),
                 TestRobot.Model, new NoClock());
         }
 

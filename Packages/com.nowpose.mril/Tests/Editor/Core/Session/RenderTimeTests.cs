@@ -1,0 +1,107 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class RenderTimeTests
+    {
+        const int Seed = 7;
+        static readonly ConstantLatencyRange Range = new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime);
+
+        static SimulatedSession Session(ConstantLatencyRange range) => new SimulatedSession(NetworkProfile.Lan, Seed, range: range);
+
+        static List<PoseState> Run(SimulatedSession simulated, double renderMs, RenderTimeSourceKind source)
+        {
+            var states = new List<PoseState>();
+            simulated.Run(1, (frame, light) =>
+            {
+                states.Add(frame.State);
+                simulated.Session.Rendered(TimeSpan.FromMilliseconds(renderMs), source);
+            });
+            return states;
+        }
+
+        [Test]
+        public void Rendered_BeyondTheLimit_ThePoseIsNoLongerCurrentUntilTheLoadFalls()
+        {
+            var simulated = Session(Range);
+            simulated.Run(10);
+
+            var low = Run(simulated, 10, RenderTimeSourceKind.GpuTime);
+            var high = Run(simulated, 20, RenderTimeSourceKind.GpuTime);
+            var range = simulated.Session.Tick(HeadsetTime.FromSeconds(simulated.Now)).Range;
+            var fallen = Run(simulated, 10, RenderTimeSourceKind.GpuTime);
+
+            Assert.That(low, Is.All.EqualTo(PoseState.Current));
+            Assert.That(high.Skip(10), Is.All.EqualTo(PoseState.OutsideRange));
+            Assert.That(range, Is.EqualTo(RangeState.Outside));
+            Assert.That(fallen.Skip(40), Is.All.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void Rendered_LimitOfAnotherSource_DoubtsNoPose()
+        {
+            var simulated = Session(Range);
+            simulated.Run(10);
+
+            var states = Run(simulated, 20, RenderTimeSourceKind.GpuCompletion);
+
+            Assert.That(states, Is.All.EqualTo(PoseState.Current));
+            Assert.That(simulated.Session.Statistics(default).RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource));
+        }
+
+        [Test]
+        public void Rendered_OutsideWhileUnsynchronisedOrHeld_TheGraverStateIsShown()
+        {
+            var simulated = Session(Range);
+            var incomplete = Run(simulated, 20, RenderTimeSourceKind.GpuTime).First();
+            simulated.Run(10);
+            simulated.IsGatewayUp = false;
+            simulated.Run(1);
+
+            var gone = Run(simulated, 20, RenderTimeSourceKind.GpuTime);
+
+            Assert.That(incomplete, Is.EqualTo(PoseState.Incomplete));
+            Assert.That(gone, Is.All.EqualTo(PoseState.Held));
+        }
+
+        [Test]
+        public void Statistics_RenderTimes_NameSourceAndRange()
+        {
+            var simulated = Session(Range);
+            var before = simulated.Session.Statistics(default);
+            Run(simulated, 9.5, RenderTimeSourceKind.GpuTime);
+
+            var after = simulated.Session.Statistics(default);
+
+            Assert.That(before.RenderTime, Is.Null);
+            Assert.That(before.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.None));
+            Assert.That(before.RangeDoubt, Is.EqualTo(RangeDoubt.NoRenderTime));
+            Assert.That(after.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9.5).Within(0.01));
+            Assert.That(after.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.GpuTime));
+            Assert.That(after.Range, Is.EqualTo(RangeState.Inside));
+        }
+
+        [TestCase(9.5, "inside")]
+        [TestCase(16, "outside")]
+        public void Diagnostics_RenderTimes_AreSaid(double renderMs, string range)
+        {
+            var session = new CompensationSession(
+                new SessionSettings(new ConnectionSettings("127.0.0.1"), default, range: Range), TestRobot.Model, new SetClock());
+            var before = session.Diagnostics().Values.Select(v => v.Key).ToList();
+            for (var i = 0; i < 20; i++) session.Rendered(TimeSpan.FromMilliseconds(renderMs), RenderTimeSourceKind.GpuTime);
+
+            var values = session.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
+
+            Assert.That(before, Has.No.Member("render_ms").And.No.Member("range"), "unknown is left out");
+            Assert.That(values["render_ms"], Is.EqualTo(renderMs == 16 ? "16" : "9.5"));
+            Assert.That(values["range"], Is.EqualTo(range));
+        }
+    }
+}
