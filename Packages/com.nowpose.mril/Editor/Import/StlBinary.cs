@@ -1,0 +1,57 @@
+using System;
+using System.Buffers.Binary;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Binary STL: 80 bytes of anything, the number of triangles, 50 bytes for each, all little-endian.</summary>
+    static class StlBinary
+    {
+        const int Header = 80;
+        const int Start = 84;
+        const int Stride = 50;
+
+        // What stands before the corners is the facet's normal, which exporters leave zero or wrong: it is not read.
+        const int Normal = 12;
+
+        /// <summary>Whether the length fits the number of triangles or, where the file is cut short, bytes stand in it that no text has.</summary>
+        public static bool Recognises(byte[] content)
+        {
+            if (content.Length >= Start && content.Length == LengthFor(Count(content))) return true;
+            return !StlText.Begins(content) || Array.IndexOf(content, (byte)0, 0, Math.Min(content.Length, Start)) >= 0;
+        }
+
+        public static StlTriangles Read(byte[] content, string sourceName)
+        {
+            if (content.Length < Start)
+                throw new InputException(sourceName + ", byte " + content.Length + ": the file ends within its header of "
+                    + Start + " bytes; it is no STL file, or cut short");
+            var count = Count(content);
+            if (count > StlReader.MostTriangles) throw StlReader.TooMany(sourceName + ", byte " + Header, count);
+            if (content.Length != LengthFor(count))
+                throw new InputException(sourceName + ", byte " + Header + ": " + count + " triangles take " + LengthFor(count)
+                    + " bytes, the file has " + content.Length + (content.Length < LengthFor(count) ? "; it is cut short" : ""));
+
+            var triangles = new StlTriangles();
+            var corners = new float[9];
+            for (var at = Start; at < content.Length; at += Stride)
+            {
+                for (var i = 0; i < corners.Length; i++) corners[i] = Number(content, at + Normal + 4 * i, sourceName);
+                triangles.Add(corners);
+            }
+            return triangles;
+        }
+
+        static uint Count(byte[] content) => BinaryPrimitives.ReadUInt32LittleEndian(content.AsSpan(Header));
+
+        static long LengthFor(uint count) => Start + (long)Stride * count;
+
+        static float Number(byte[] content, int at, string sourceName)
+        {
+            var number = BitConverter.Int32BitsToSingle(BinaryPrimitives.ReadInt32LittleEndian(content.AsSpan(at)));
+            if (float.IsNaN(number) || float.IsInfinity(number))
+                throw new InputException(sourceName + ", byte " + at + ": triangle " + ((at - Start) / Stride + 1)
+                    + " has a corner that is not a finite number");
+            return number;
+        }
+    }
+}

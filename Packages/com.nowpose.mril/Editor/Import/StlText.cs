@@ -1,0 +1,112 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Text;
+
+namespace Nowpose.Editor
+{
+    /// <summary>ASCII STL: one or more of solid … facet … vertex … endsolid, a line each.</summary>
+    sealed class StlText
+    {
+        const int LongestQuote = 40;
+
+        readonly string _sourceName;
+        readonly StlTriangles _triangles = new StlTriangles();
+        readonly float[] _corners = new float[9];
+        int _line;
+        int _facets;
+        int _read;
+        bool _inSolid;
+        bool _inFacet;
+
+        StlText(string sourceName) => _sourceName = sourceName;
+
+        /// <summary>Whether the first word is "solid"; binary files may begin with it as well.</summary>
+        public static bool Begins(byte[] content)
+        {
+            var first = Encoding.ASCII.GetString(content, 0, Math.Min(content.Length, 64)).TrimStart('?', ' ', '\t', '\r', '\n');
+            return first.StartsWith("solid", StringComparison.OrdinalIgnoreCase);
+        }
+
+        public static StlTriangles Read(byte[] content, string sourceName)
+        {
+            var text = new StlText(sourceName);
+            using (var reader = new StreamReader(new MemoryStream(content), Encoding.UTF8))
+                for (var line = reader.ReadLine(); line != null; line = reader.ReadLine()) text.Take(line);
+            text.End();
+            return text._triangles;
+        }
+
+        void Take(string line)
+        {
+            _line++;
+            var words = line.Split((char[])null, StringSplitOptions.RemoveEmptyEntries);
+            if (words.Length == 0) return;
+            switch (words[0].ToLowerInvariant())
+            {
+                case "solid": Require(!_inSolid, "a solid within a solid"); _inSolid = true; break;
+                case "endsolid": Require(_inSolid && !_inFacet, "endsolid without its solid, or within a facet"); _inSolid = false; break;
+                case "facet": BeginFacet(); break;
+                case "endfacet": EndFacet(); break;
+                case "vertex": Vertex(words); break;
+                case "outer":
+                case "endloop": Require(_inFacet, "a loop outside of a facet"); break;
+                default: throw Error("'" + Shortened(words[0]) + "' is no word of the format");
+            }
+        }
+
+        void BeginFacet()
+        {
+            Require(_inSolid && !_inFacet, "a facet outside of a solid, or within another facet");
+            if (++_facets > StlReader.MostTriangles) throw StlReader.TooMany(Here, _facets);
+            _inFacet = true;
+            _read = 0;
+        }
+
+        void EndFacet()
+        {
+            Require(_inFacet, "endfacet without its facet");
+            Require(_read == 3, "the facet has " + _read + " corners, it needs 3");
+            _inFacet = false;
+            _triangles.Add(_corners);
+        }
+
+        void Vertex(string[] words)
+        {
+            Require(_inFacet, "a vertex outside of a facet");
+            Require(_read < 3, "a fourth corner; a facet has 3");
+            Require(words.Length == 4, "a vertex has " + (words.Length - 1) + " numbers, it needs 3");
+            for (var i = 0; i < 3; i++) _corners[3 * _read + i] = Number(words[i + 1]);
+            _read++;
+        }
+
+        void End()
+        {
+            if (_inSolid) throw Error("the file ends without endsolid; it is cut short");
+        }
+
+        float Number(string word)
+        {
+            if (!float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out var number)
+                || float.IsNaN(number) || float.IsInfinity(number))
+                throw Error("'" + Shortened(word) + "' is not a finite number");
+            return number;
+        }
+
+        void Require(bool holds, string otherwise)
+        {
+            if (!holds) throw Error(otherwise);
+        }
+
+        string Here => _sourceName + ":" + _line;
+
+        InputException Error(string message) => new InputException(Here + ": " + message);
+
+        static string Shortened(string word)
+        {
+            var text = new StringBuilder(word, 0, Math.Min(word.Length, LongestQuote), LongestQuote + 1);
+            for (var i = 0; i < text.Length; i++) if (char.IsControl(text[i])) text[i] = ' ';
+            return text.Append(word.Length > LongestQuote ? "…" : "").ToString();
+        }
+    }
+}

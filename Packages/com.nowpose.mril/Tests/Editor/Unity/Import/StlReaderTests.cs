@@ -1,0 +1,199 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Nowpose.Editor;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class StlReaderTests
+    {
+        static readonly float[] Lower = { 0, 0, 0, 1, 0, 0, 1, 2, 0 };
+        static readonly float[] Upper = { 0, 0, 0, 1, 2, 0, 0, 2, 0.5f };
+
+        [Test]
+        public void Read_Text_HasTheCornersInOrder()
+        {
+            var triangles = ReadText(Solid(Facet(Lower), Facet(Upper)));
+
+            Assert.That(triangles.Coordinates, Is.EqualTo(Lower.Concat(Upper)));
+        }
+
+        [Test]
+        public void Read_Binary_HasTheCornersInOrder()
+        {
+            var triangles = StlReader.Read(Binary("exported", Lower, Upper), "a.stl");
+
+            Assert.That(triangles.Coordinates, Is.EqualTo(Lower.Concat(Upper)));
+        }
+
+        [Test]
+        public void Read_BinaryThatBeginsWithSolid_IsReadAsBinary()
+        {
+            var triangles = StlReader.Read(Binary("solid exported by some tool", Lower, Upper), "a.stl");
+
+            Assert.That(triangles.Count, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Read_TextInOtherCaseWithBlanksAndWindowsLineEnds_IsReadAsText()
+        {
+            var text = "\r\n  SOLID one two\r\n\r\n" + Facet(Lower).ToUpperInvariant().Replace("\n", "\r\n") + "ENDSOLID one two\r\n";
+
+            Assert.That(ReadText(text).Coordinates, Is.EqualTo(Lower));
+        }
+
+        [Test]
+        public void Read_TextWithByteOrderMarkAndNumbersInExponents_IsReadAsText()
+        {
+            var text = "\uFEFFsolid\n" + Facet("1.5e-3", "-2E+1", "0", "1", "0", "0", "0", "1", "0") + "endsolid\n";
+
+            Assert.That(ReadText(text).Coordinates.Take(2), Is.EqualTo(new[] { 0.0015f, -20f }));
+        }
+
+        [Test]
+        public void Read_TwoSolids_AreOneMesh()
+        {
+            Assert.That(ReadText(Solid(Facet(Lower)) + Solid(Facet(Upper))).Count, Is.EqualTo(2));
+        }
+
+        [TestCase(0f, 0f, 0f, 0f, 0f, 0f, 1f, 1f, 1f, TestName = "Read_TwoCornersInOnePlace_LeavesTheTriangleOut")]
+        [TestCase(0f, 0f, 0f, 1f, 1f, 1f, 3f, 3f, 3f, TestName = "Read_CornersOnOneLine_LeavesTheTriangleOut")]
+        [TestCase(100f, 0f, 0f, 200f, 0f, 0f, 150f, 1e-6f, 0f, TestName = "Read_TriangleThinnerThanRounding_LeavesItOut")]
+        public void Read_NoArea_LeavesTheTriangleOut(params float[] corners)
+        {
+            var triangles = ReadText(Solid(Facet(Lower), Facet(corners)));
+
+            Assert.That(triangles.Count, Is.EqualTo(1));
+            Assert.That(triangles.Degenerate, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Read_SmallTriangleFarFromTheOrigin_Stays()
+        {
+            var corners = new[] { 1000f, 1000f, 1000f, 1000.1f, 1000f, 1000f, 1000f, 1000.1f, 1000f };
+
+            Assert.That(ReadText(Solid(Facet(corners))).Count, Is.EqualTo(1));
+        }
+
+        [TestCase("", "a.stl, byte 0: the file ends within its header")]
+        [TestCase("soli", "a.stl, byte 4: the file ends within its header")]
+        [TestCase("solid empty\nendsolid\n", "a.stl: there is no triangle in it")]
+        [TestCase("solid a\n", "a.stl:1: the file ends without endsolid; it is cut short")]
+        [TestCase("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "a.stl:4: the file ends without endsolid; it is cut short")]
+        [TestCase("solid a\nfacet\nvertex 0 0\n", "a.stl:3: a vertex has 2 numbers, it needs 3")]
+        [TestCase("solid a\nfacet\nvertex 0 0 nan\n", "a.stl:3: 'nan' is not a finite number")]
+        [TestCase("solid a\nfacet\nvertex 0 0 1e99\n", "a.stl:3: '1e99' is not a finite number")]
+        [TestCase("solid a\nfacet\nvertex 0 0 1,5\n", "a.stl:3: '1,5' is not a finite number")]
+        [TestCase("solid a\nvertex 0 0 0\n", "a.stl:2: a vertex outside of a facet")]
+        [TestCase("solid a\nfacet\nfacet\n", "a.stl:3: a facet outside of a solid, or within another facet")]
+        [TestCase("solid a\nfacet\nendsolid\n", "a.stl:3: endsolid without its solid, or within a facet")]
+        [TestCase("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n", "a.stl:5: the facet has 2 corners, it needs 3")]
+        [TestCase("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n", "a.stl:6: a fourth corner; a facet has 3")]
+        [TestCase("solid a\nendfacet\n", "a.stl:2: endfacet without its facet")]
+        [TestCase("solid a\nouter loop\n", "a.stl:2: a loop outside of a facet")]
+        [TestCase("solid a\nsolid b\n", "a.stl:2: a solid within a solid")]
+        [TestCase("solid a\n\nbox 1 2 3\n", "a.stl:3: 'box' is no word of the format")]
+        public void Read_BadText_SaysWhere(string text, string message) => Refuses(Encoding.UTF8.GetBytes(text), message);
+
+        [Test]
+        public void Read_OnlyTrianglesWithoutArea_SaysHowMany() => Refuses(
+            Binary("", new float[9], new float[9]), "a.stl: none of its 2 triangles has an area");
+
+        [Test]
+        public void Read_LongWordWithControlCharacters_StaysOneShortLine()
+        {
+            var error = Assert.Throws<InputException>(() => ReadText("solid a\n\u0001\u0002" + new string('x', 5000) + "\n"));
+
+            Assert.That(error.Message.Length, Is.LessThan(120));
+            Assert.That(error.Message.Any(char.IsControl), Is.False);
+        }
+
+        [TestCase("exported")]
+        [TestCase("solid exported")]
+        public void Read_BinaryCutShort_SaysWhatIsMissing(string header)
+        {
+            var content = Binary(header, Lower, Upper);
+
+            Refuses(content.Take(content.Length - 1).ToArray(), "a.stl, byte 80: 2 triangles take 184 bytes, the file has 183; it is cut short");
+        }
+
+        [Test]
+        public void Read_BinaryWithTooFewTrianglesInItsHeader_SaysBothLengths()
+        {
+            var content = Binary("exported", Lower, Upper);
+            content[80] = 1;
+
+            Refuses(content, "a.stl, byte 80: 1 triangles take 134 bytes, the file has 184");
+        }
+
+        [Test]
+        public void Read_BinaryWithHugeCount_IsRefusedWithoutReserving()
+        {
+            var content = Binary("exported", Lower);
+            content[80] = content[81] = content[82] = content[83] = 0xFF;
+
+            Refuses(content, "a.stl, byte 80: 4294967295 triangles or more, at most 1000000 are read");
+        }
+
+        [TestCase(float.NaN)]
+        [TestCase(float.PositiveInfinity)]
+        public void Read_BinaryWithNoNumber_SaysWhichByteAndTriangle(float bad)
+        {
+            var corners = (float[])Upper.Clone();
+            corners[4] = bad;
+
+            // 84 bytes of header, 50 of the first triangle, 12 of the normal, 16 of the four numbers before it.
+            Refuses(Binary("exported", Lower, corners), "a.stl, byte 162: triangle 2 has a corner that is not a finite number");
+        }
+
+        [Test]
+        public void ReadFile_LargerThanTheLimit_IsRefusedUnread()
+        {
+            var path = Path.GetTempFileName();
+            try
+            {
+                using (var file = File.OpenWrite(path)) file.SetLength(StlReader.LargestFile + 1);
+
+                var error = Assert.Throws<InputException>(() => StlReader.ReadFile(path, "a.stl"));
+
+                Assert.That(error.Message, Does.StartWith("a.stl: 314572801 bytes, at most 314572800 are read"));
+            }
+            finally
+            {
+                File.Delete(path);
+            }
+        }
+
+        static void Refuses(byte[] content, string message)
+        {
+            var error = Assert.Throws<InputException>(() => StlReader.Read(content, "a.stl"));
+
+            Assert.That(error.Message, Does.StartWith(message));
+        }
+
+        static StlTriangles ReadText(string text) => StlReader.Read(Encoding.UTF8.GetBytes(text), "a.stl");
+
+        static string Solid(params string[] facets) => "solid a\n" + string.Concat(facets) + "endsolid a\n";
+
+        static string Facet(params float[] corners) => Facet(corners.Select(c => c.ToString("R", System.Globalization.CultureInfo.InvariantCulture)).ToArray());
+
+        static string Facet(params string[] c) => "facet normal 0 0 1\nouter loop\n"
+            + string.Concat(Enumerable.Range(0, 3).Select(i => "vertex " + string.Join(" ", c.Skip(3 * i).Take(3)) + "\n")) + "endloop\nendfacet\n";
+
+        static byte[] Binary(string header, params float[][] triangles)
+        {
+            var content = new List<byte>(Encoding.ASCII.GetBytes(header.PadRight(80)));
+            content.AddRange(BitConverter.GetBytes(triangles.Length));
+            foreach (var corners in triangles)
+            {
+                content.AddRange(new byte[12]);
+                foreach (var number in corners) content.AddRange(BitConverter.GetBytes(number));
+                content.AddRange(new byte[2]);
+            }
+            return content.ToArray();
+        }
+    }
+}
