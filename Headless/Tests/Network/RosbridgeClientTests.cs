@@ -218,9 +218,27 @@ public class RosbridgeClientTests
     {
         await _server.AcceptAsync();
 
-        var ending = Task.Run(_client.Dispose);
+        _client.Dispose();
 
-        Assert.That(await Task.WhenAny(ending, Task.Delay(TimeSpan.FromSeconds(10))), Is.SameAs(ending));
+        Assert.That(_client.Status.State, Is.EqualTo(LinkState.Idle));
+        await _client.Ended.Bounded();
+    }
+
+    [Test]
+    public async Task Dispose_ThreadIsStuck_DoesNotWaitForIt()
+    {
+        await _server.AcceptAsync();
+        var clock = new StuckClock();
+        var settings = new ConnectionSettings("127.0.0.1", webSocketPort: _server.Port);
+        var client = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, _listener);
+        await _server.AcceptAsync();
+        await clock.Asked.Bounded();
+
+        client.Dispose();
+
+        Assert.That(client.Ended.IsCompleted, Is.False);
+        clock.GoOn();
+        await client.Ended.Bounded();
     }
 
     sealed class Listener : IRosbridgeListener

@@ -177,10 +177,28 @@ public class SyncClientTests
         var (client, _) = Connect(server.Port);
         await Soon.BecomesAsync(() => server.Connections == 1, "connected");
 
-        var ending = Task.Run(client.Dispose);
+        client.Dispose();
 
-        Assert.That(await Task.WhenAny(ending, Task.Delay(TimeSpan.FromSeconds(10))), Is.SameAs(ending));
         Assert.That(client.Status.State, Is.EqualTo(LinkState.Idle));
+        await client.Ended.Bounded();
+    }
+
+    [Test]
+    public async Task Dispose_ThreadIsStuck_DoesNotWaitForIt()
+    {
+        var clock = new StuckClock();
+        using var server = new FakeSyncServer(_ => []);
+        var client = new SyncClient(
+            new ConnectionSettings("127.0.0.1", server.Port), clock,
+            new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default), _faults, Quick);
+        await clock.Asked.Bounded();
+
+        client.Dispose();
+
+        Assert.That(client.Ended.IsCompleted, Is.False);
+        Assert.That(client.Status.State, Is.EqualTo(LinkState.Idle));
+        clock.GoOn();
+        await client.Ended.Bounded();
     }
 
     [Test]

@@ -18,6 +18,7 @@ namespace Nowpose.Network
         readonly CancellationTokenSource _stop = new CancellationTokenSource();
         readonly Task _running;
         volatile LinkStatus _status = LinkStatus.Connecting;
+        volatile Task _ending;
         long _lastHeard;
 
         /// <summary>Starts at once, on threads of the pool: no frame ever waits for it.</summary>
@@ -31,15 +32,23 @@ namespace Nowpose.Network
             _running = Task.Run(RunAsync);
         }
 
-        public LinkStatus Status => _status;
+        public LinkStatus Status => _ending == null ? _status : LinkStatus.Idle;
 
+        /// <summary>Completes when the client has been disposed of and its socket and tasks are gone; nobody has to wait for it.</summary>
+        public Task Ended => _ending ?? _running;
+
+        /// <summary>Ends the connection. Returns at once: a frame's thread waits for no socket. What is under way may still arrive.</summary>
         public void Dispose()
         {
-            if (_stop.IsCancellationRequested) return;
+            // Cancelling closes sockets on the thread that asks for it.
+            if (_ending == null) _ending = Task.Run(EndAsync);
+        }
+
+        async Task EndAsync()
+        {
             _stop.Cancel();
-            _running.Wait();
+            await _running.ConfigureAwait(false);
             _stop.Dispose();
-            _status = LinkStatus.Idle;
         }
 
         async Task RunAsync()

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Threading;
+using System.Threading.Tasks;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
@@ -15,9 +16,10 @@ namespace Nowpose.Network
         readonly SyncFaultCounters _faults;
         readonly TimeSpan _interval;
         readonly CancellationTokenSource _stop = new CancellationTokenSource();
-        readonly Thread _thread;
+        readonly Task _running;
         volatile Stream _open;
         volatile LinkStatus _status = LinkStatus.Connecting;
+        volatile Task _ending;
 
         /// <summary>Starts at once.</summary>
         /// <param name="synchroniser">Receives each exchange, on this client's thread.</param>
@@ -31,25 +33,33 @@ namespace Nowpose.Network
             _synchroniser = synchroniser;
             _faults = faults;
             _interval = interval;
-            _thread = new Thread(Run) { IsBackground = true, Name = "Nowpose clock sync" };
-            _thread.Start();
+            // Long-running is a thread of its own. The scheduler is named because a caller's may be the frame's.
+            _running = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         }
 
-        public LinkStatus Status => _status;
+        public LinkStatus Status => _ending == null ? _status : LinkStatus.Idle;
 
-        /// <summary>Ends the connection and the thread.</summary>
+        /// <summary>Completes when the client has been disposed of and its socket and thread are gone; nobody has to wait for it.</summary>
+        public Task Ended => _ending ?? _running;
+
+        /// <summary>Ends the connection and the thread. Returns at once: a frame's thread waits for no socket.</summary>
         public void Dispose()
         {
-            if (_stop.IsCancellationRequested) return;
+            // Cancelling closes sockets on the thread that asks for it.
+            if (_ending == null) _ending = Task.Run(EndAsync);
+        }
+
+        async Task EndAsync()
+        {
             _stop.Cancel();
             _open?.Dispose();
-            _thread.Join();
+            await _running.ConfigureAwait(false);
             _stop.Dispose();
-            _status = LinkStatus.Idle;
         }
 
         void Run()
         {
+            Thread.CurrentThread.Name = "Nowpose clock sync";
             var backoff = new Backoff(new Random());
             do
             {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Concurrent;
+using System.Threading.Tasks;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
@@ -72,6 +73,9 @@ namespace Nowpose.Session
             set { lock (_gate) _visualisation = value; }
         }
 
+        /// <summary>Completes when the connections that were ended are gone, sockets, threads and all; nobody has to wait for it.</summary>
+        public Task Ended { get; private set; } = Task.CompletedTask;
+
         /// <summary>Starts both connections; they come up, and come back, by themselves. Does nothing while connected.</summary>
         public void Connect()
         {
@@ -80,12 +84,16 @@ namespace Nowpose.Session
             _rosbridgeClient = new RosbridgeClient(() => WebSocketLinks.Create(_settings.Connection, _clock), _clock, this);
         }
 
-        /// <summary>Ends both connections. What is known stays: the pose is held, the clock goes into holdover.</summary>
+        /// <summary>
+        /// Ends both connections; returns at once. What is known stays: the pose is held, the clock goes into holdover.
+        /// </summary>
         public void Disconnect()
         {
-            _rosbridgeClient?.Dispose();
+            if (_syncClient == null) return;
+            _rosbridgeClient.Dispose();
+            _syncClient.Dispose();
+            Ended = Task.WhenAll(Ended, _rosbridgeClient.Ended, _syncClient.Ended);
             _rosbridgeClient = null;
-            _syncClient?.Dispose();
             _syncClient = null;
         }
 
