@@ -20,6 +20,8 @@ namespace Nowpose.Kinematics
             _mimics = mimics;
             for (var i = 0; i < links.Length; i++) _linkIndices.Add(links[i].Name, i);
             foreach (var joint in MovingJoints) _movingIndices.Add(joint.Name, joint.MovingIndex);
+            FlangeLink = toolLink;
+            while (FlangeLink.ParentIndex >= 0 && FlangeLink.ParentJoint.Kind == JointKind.Fixed) FlangeLink = links[FlangeLink.ParentIndex];
         }
 
         /// <summary>Empty where the URDF gives none.</summary>
@@ -41,6 +43,11 @@ namespace Nowpose.Kinematics
         /// moving joints above it (the first in the URDF of several).
         /// </summary>
         public RobotLink ToolLink { get; }
+
+        /// <summary>
+        /// The link that a tool is mounted on: what the last moving joint before <see cref="ToolLink"/> carries, the root where none moves.
+        /// </summary>
+        public RobotLink FlangeLink { get; }
 
         /// <summary>Index in <see cref="Links"/>, -1 if there is no such link.</summary>
         public int IndexOfLink(string name) => _linkIndices.TryGetValue(name, out var index) ? index : -1;

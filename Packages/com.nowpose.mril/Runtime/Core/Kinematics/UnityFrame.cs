@@ -13,7 +13,9 @@ namespace Nowpose.Kinematics
         public static UnityPose ToUnity(in RigidTransform pose)
         {
             var (x, y, z, w) = Quaternion(pose);
-            return new UnityPose(-pose.Y, pose.Z, pose.X, y, -z, -x, w);
+            var at = DirectionToUnity((pose.X, pose.Y, pose.Z));
+            var axis = TurningAxisToUnity((x, y, z));
+            return new UnityPose(at.X, at.Y, at.Z, axis.X, axis.Y, axis.Z, w);
         }
 
         /// <param name="pose">Its rotation need not be of unit length, but not zero.</param>
@@ -27,6 +29,14 @@ namespace Nowpose.Kinematics
                 s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y),
                 pose.Z, -pose.X, pose.Y);
         }
+
+        /// <summary>A direction, or a position, of the URDF in Unity's axes.</summary>
+        public static (double X, double Y, double Z) DirectionToUnity((double X, double Y, double Z) vector) =>
+            (-vector.Y, vector.Z, vector.X);
+
+        /// <summary>The axis about which Unity turns by an angle as the URDF, by the right-hand rule, turns about the given one by the same.</summary>
+        public static (double X, double Y, double Z) TurningAxisToUnity((double X, double Y, double Z) axis) =>
+            (axis.Y, -axis.Z, -axis.X);
 
         // Each branch divides by the largest of the four components, which is at least 1/2 (Shepperd's method).
         static (double X, double Y, double Z, double W) Quaternion(in RigidTransform r)

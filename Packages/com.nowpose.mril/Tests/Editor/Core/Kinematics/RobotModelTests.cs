@@ -68,6 +68,21 @@ namespace Nowpose.Tests
             Assert.That(model.MovingJoints.Count, Is.EqualTo(moving));
         }
 
+        [TestCase("youbot", "arm_link_5")]
+        [TestCase("ur5", "wrist_3_link")]
+        public void FlangeLink_OfThePackagesRobots_IsTheLastOfTheArm(string name, string flange)
+        {
+            Assert.That(UrdfFiles.Robot(name).FlangeLink.Name, Is.EqualTo(flange));
+        }
+
+        [Test]
+        public void FlangeLink_NothingMoves_IsTheRoot()
+        {
+            var model = UrdfFiles.Read(UrdfFiles.Links("base", "plate") + UrdfFiles.Joint("bolts", "base", "plate", "fixed"));
+
+            Assert.That(model.FlangeLink.Name, Is.EqualTo("base"));
+        }
+
         [Test]
         public void CompleteMimics_ChainWrittenBackwards_FollowsStepByStep()
         {

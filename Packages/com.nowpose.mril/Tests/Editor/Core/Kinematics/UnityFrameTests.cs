@@ -69,6 +69,40 @@ namespace Nowpose.Tests
                 UnityFrame.FromUnity(UnityFrame.ToUnity(pose)).ToRowMajor16(), Is.EqualTo(pose.ToRowMajor16()).Within(Tolerance));
         }
 
+        [Test]
+        public void Axes_OfAJoint_MoveInUnityAsTheUrdfSays()
+        {
+            var random = new Random(13);
+            for (var i = 0; i < 50; i++)
+            {
+                var axis = UnitVector(random);
+                var q = Any(random, Math.PI);
+                var model = UrdfFiles.Read(UrdfFiles.Links("a", "b", "c")
+                    + UrdfFiles.Joint("turn", "a", "b", "continuous", Axis(axis)) + UrdfFiles.Joint("slide", "a", "c", "prismatic", Axis(axis)));
+                var poses = new RigidTransform[3];
+                new ForwardKinematics(model).Compute(new[] { q, q }, poses);
+
+                var (direction, about) = (UnityFrame.DirectionToUnity(axis), UnityFrame.TurningAxisToUnity(axis));
+
+                var (s, c) = (Math.Sin(q / 2), Math.Cos(q / 2));
+                var expected = Numbers(UnityFrame.ToUnity(poses[model.IndexOfLink("b")]));
+                Assert.That(new[] { 0, 0, 0, s * about.X, s * about.Y, s * about.Z, c }, Is.EqualTo(expected).Within(Tolerance), "turned");
+                expected = Numbers(UnityFrame.ToUnity(poses[model.IndexOfLink("c")]));
+                Assert.That(
+                    new[] { q * direction.X, q * direction.Y, q * direction.Z, 0, 0, 0, 1 }, Is.EqualTo(expected).Within(Tolerance), "slid");
+            }
+        }
+
+        static (double X, double Y, double Z) UnitVector(Random random)
+        {
+            var (x, y, z) = (Any(random, 1), Any(random, 1), Any(random, 1));
+            var length = Math.Sqrt(x * x + y * y + z * z);
+            return (x / length, y / length, z / length);
+        }
+
+        static string Axis((double X, double Y, double Z) axis) =>
+            FormattableString.Invariant($"<axis xyz='{axis.X:R} {axis.Y:R} {axis.Z:R}'/><limit lower='-9' upper='9' velocity='1' effort='1'/>");
+
         static RigidTransform RandomPose(Random random) => RigidTransform.FromXyzRpy(
             Any(random, 2), Any(random, 2), Any(random, 2), Any(random, Math.PI), Any(random, Math.PI), Any(random, Math.PI));
 
