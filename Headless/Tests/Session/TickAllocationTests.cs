@@ -14,7 +14,7 @@ public class TickAllocationTests
     [TestCase("quadratic")]
     [TestCase("quadratic-h4")]
     [TestCase("cubic")]
-    public void Tick_WarmWithSamplesComing_AllocatesNothing(string predictor)
+    public void TickAndFill_WarmWithSamplesComing_AllocateNothing(string predictor)
     {
         var robot = RobotFiles.Load("youbot");
         var names = robot.MovingJoints.Select(joint => joint.Name).ToArray();
@@ -22,6 +22,7 @@ public class TickAllocationTests
             new SessionSettings(
                 new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40)), new PredictionSettings(predictor)),
             robot, new StopwatchHeadsetClock());
+        var statistics = new SessionStatistics();
         var allocated = 0L;
         for (var frame = 0; frame < 2000; frame++)
         {
@@ -33,12 +34,15 @@ public class TickAllocationTests
                 session.Received(new JointStateMessage(control - TimeSpan.FromMilliseconds(80), names, Positions(names.Length, frame)), now);
 
             var before = GC.GetAllocatedBytesForCurrentThread();
+            session.Rendered(TimeSpan.FromMilliseconds(10 + frame % 7), RenderTimeSourceKind.GpuTime);
             session.Tick(now);
+            session.Fill(statistics, now);
             if (frame >= 500) allocated += GC.GetAllocatedBytesForCurrentThread() - before;
         }
 
         Assert.That(allocated, Is.EqualTo(0));
-        Assert.That(session.Statistics(HeadsetTime.FromSeconds(44)).Samples, Is.GreaterThan(600));
+        Assert.That(statistics.Samples, Is.GreaterThan(600));
+        Assert.That(statistics.RenderTime, Is.Not.Null);
     }
 
     static double[] Positions(int count, int frame) => [.. Enumerable.Range(0, count).Select(joint => 0.005 * Math.Sin(frame * 0.05 + joint))];

@@ -135,36 +135,29 @@ namespace Nowpose.Session
         /// <summary>A message that never came so far as to be queued. Any thread.</summary>
         public void Dropped(DropReason reason) => Drops.Count(reason);
 
-        /// <summary>A snapshot for panels and reports; allocates.</summary>
+        /// <summary>A snapshot for panels and reports; allocates. Any thread.</summary>
         /// <param name="now">Headset time for the clock's offset and bound.</param>
         public SessionStatistics Statistics(HeadsetTime now)
         {
+            var statistics = new SessionStatistics();
+            Fill(statistics, now);
+            return statistics;
+        }
+
+        /// <summary>The same snapshot into an object that is used again and again: allocates nothing. Any thread.</summary>
+        /// <param name="now">Headset time for the clock's offset and bound.</param>
+        public void Fill(SessionStatistics into, HeadsetTime now)
+        {
             lock (_gate)
             {
-                var clock = _synchroniser.ModelAt(now);
-                return new SessionStatistics
-                {
-                    Clock = clock,
-                    Offset = clock.IsKnown ? clock.OffsetAt(now) : (ClockOffset?)null,
-                    RoundTripTime = clock.IsKnown ? _synchroniser.RoundTripTime : (TimeSpan?)null,
-                    ClockSteps = clock.Steps,
-                    ApplicationLatency = _latency.Median,
-                    ApplicationLatency95 = _latency.Percentile95,
-                    NegativeLatencies = _latency.NegativeCount,
-                    VisualisationLatency = _visualisation.Length,
-                    EndToEndLatency = _latency.Median is TimeSpan median ? _visualisation.EndToEnd(median) : (TimeSpan?)null,
-                    Horizon = _frame.Horizon,
-                    RenderTime = _monitor.RenderTime,
-                    RenderTimeSource = _monitor.Source,
-                    Range = _monitor.State,
-                    RangeDoubt = _monitor.Doubt,
-                    Pose = _frame.State,
-                    Samples = _samples,
-                    Dropped = Drops.Total + SyncFaults.Total,
-                    SyncLink = _syncClient?.Status ?? LinkStatus.Idle,
-                    SampleLink = _rosbridgeClient?.Status ?? LinkStatus.Idle,
-                    Security = _settings.Connection.Security,
-                };
+                FillClock(into, now);
+                FillLatency(into);
+                into.Pose = _frame.State;
+                into.Samples = _samples;
+                into.Dropped = Drops.Total + SyncFaults.Total;
+                into.SyncLink = _syncClient?.Status ?? LinkStatus.Idle;
+                into.SampleLink = _rosbridgeClient?.Status ?? LinkStatus.Idle;
+                into.Security = _settings.Connection.Security;
             }
         }
 
@@ -175,6 +168,29 @@ namespace Nowpose.Session
             var statistics = Statistics(now);
             return SessionDiagnostics.Of(
                 statistics, _settings.Connection.HeadsetName, statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
+        }
+
+        void FillClock(SessionStatistics into, HeadsetTime now)
+        {
+            var clock = _synchroniser.ModelAt(now);
+            into.Clock = clock;
+            into.Offset = clock.IsKnown ? clock.OffsetAt(now) : (ClockOffset?)null;
+            into.RoundTripTime = clock.IsKnown ? _synchroniser.RoundTripTime : (TimeSpan?)null;
+            into.ClockSteps = clock.Steps;
+        }
+
+        void FillLatency(SessionStatistics into)
+        {
+            into.ApplicationLatency = _latency.Median;
+            into.ApplicationLatency95 = _latency.Percentile95;
+            into.NegativeLatencies = _latency.NegativeCount;
+            into.VisualisationLatency = _visualisation.Length;
+            into.EndToEndLatency = _latency.Median is TimeSpan median ? _visualisation.EndToEnd(median) : (TimeSpan?)null;
+            into.Horizon = _frame.Horizon;
+            into.RenderTime = _monitor.RenderTime;
+            into.RenderTimeSource = _monitor.Source;
+            into.Range = _monitor.State;
+            into.RangeDoubt = _monitor.Doubt;
         }
 
         // Stamps from before a step belong to another time line, and stamps from before the first exchange were never

@@ -4,7 +4,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Session
 {
-    /// <summary>How a session does, at one moment. Null stands for "not known yet".</summary>
+    /// <summary>How a session does, at one moment. Null stands for "not known yet"; <see cref="CompensationSession.Fill"/> overwrites it all.</summary>
     public sealed class SessionStatistics
     {
         public ClockModel Clock { get; internal set; }
@@ -52,8 +52,8 @@ namespace Nowpose.Session
         /// <summary>Messages that were dropped, for whatever reason, and unusable sync exchanges.</summary>
         public long Dropped { get; internal set; }
 
-        public LinkStatus SyncLink { get; internal set; }
-        public LinkStatus SampleLink { get; internal set; }
+        public LinkStatus SyncLink { get; internal set; } = LinkStatus.Idle;
+        public LinkStatus SampleLink { get; internal set; } = LinkStatus.Idle;
         public TransportSecurity Security { get; internal set; }
     }
 }

@@ -68,6 +68,23 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Fill_UsedStatistics_HoldsNothingOfBefore()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(10);
+            var statistics = simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now));
+            var known = statistics.ApplicationLatency;
+
+            new SimulatedSession(NetworkProfile.Lan, Seed).Session.Fill(statistics, default);
+
+            var fresh = new SessionStatistics();
+            Assert.That(known, Is.Not.Null);
+            foreach (var property in typeof(SessionStatistics).GetProperties().Where(p => p.Name != "VisualisationLatency" && p.Name != "RangeDoubt"))
+                Assert.That(property.GetValue(statistics), Is.EqualTo(property.GetValue(fresh)), property.Name);
+            Assert.That(statistics.RangeDoubt, Is.EqualTo(RangeDoubt.NoLimit));
+        }
+
+        [Test]
         public void Diagnostics_BeforeAndAfterTheClockIsKnown_LeaveOutWhatIsUnknown()
         {
             var clock = new SetClock();
