@@ -1,0 +1,77 @@
+using System;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Yaml;
+
+/// <summary>What a field that refers to an object holds: <c>{fileID: N}</c> in the same file, <c>{fileID: N, guid: G, type: T}</c> in another asset.</summary>
+readonly struct AssetReference : IEquatable<AssetReference>
+{
+    /// <summary>Type of what Unity has built in.</summary>
+    public const int BuiltIn = 0;
+
+    /// <summary>Type of an asset that Unity keeps as it is: a material, a ScriptableObject.</summary>
+    public const int Native = 2;
+
+    /// <summary>Type of what an importer made: a script, a prefab, a shader.</summary>
+    public const int Imported = 3;
+
+    public AssetReference(long fileId, string guid = null, int type = 0)
+    {
+        FileId = fileId;
+        Guid = guid;
+        Type = type;
+    }
+
+    public static AssetReference None => default;
+
+    public long FileId { get; }
+
+    /// <summary>32 hex digits, or null for an object of the same file.</summary>
+    public string Guid { get; }
+
+    public int Type { get; }
+
+    public bool IsNone => FileId == 0 && Guid == null;
+
+    /// <summary>False unless the node has exactly the form of a reference.</summary>
+    public static bool TryRead(YamlNode node, out AssetReference reference)
+    {
+        reference = default;
+        if (!(node is YamlMappingNode mapping) || !TryReadNumber(mapping, "fileID", out var fileId)) return false;
+        if (mapping.Children.Count == 1)
+        {
+            reference = new AssetReference(fileId);
+            return true;
+        }
+        if (mapping.Children.Count != 3 || !TryReadNumber(mapping, "type", out var type)) return false;
+        if (!(Nodes.Find(mapping, "guid") is YamlScalarNode guid) || guid.Value.Length != 32 || fileId == 0) return false;
+        reference = new AssetReference(fileId, guid.Value, (int)type);
+        return true;
+    }
+
+    public YamlMappingNode Write()
+    {
+        return Guid == null
+            ? Nodes.Braces(("fileID", Nodes.Number(FileId)))
+            : Nodes.Braces(("fileID", Nodes.Number(FileId)), ("guid", Nodes.Text(Guid)), ("type", Nodes.Number(Type)));
+    }
+
+    public bool Equals(AssetReference other) => FileId == other.FileId && Guid == other.Guid && Type == other.Type;
+
+    public override bool Equals(object obj) => obj is AssetReference other && Equals(other);
+
+    public override int GetHashCode() => HashCode.Combine(FileId, Guid, Type);
+
+    public override string ToString()
+    {
+        return Guid == null
+            ? "{fileID: " + Numbers.Write(FileId) + "}"
+            : "{fileID: " + Numbers.Write(FileId) + ", guid: " + Guid + ", type: " + Numbers.Write(Type) + "}";
+    }
+
+    static bool TryReadNumber(YamlMappingNode mapping, string name, out long value)
+    {
+        value = 0;
+        return Nodes.Find(mapping, name) is YamlScalarNode scalar && Numbers.TryRead(scalar.Value, out value);
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+using YamlDotNet.Core.Events;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Yaml;
+
+/// <summary>Makes nodes in the layout that Unity gives them.</summary>
+static class Nodes
+{
+    public static YamlScalarNode Text(string value) => new YamlScalarNode(value);
+
+    public static YamlScalarNode Number(long value) => Text(Numbers.Write(value));
+
+    /// <summary>In braces on one line.</summary>
+    public static YamlMappingNode Braces(params (string Name, YamlNode Value)[] entries) => Fill(new YamlMappingNode { Style = MappingStyle.Flow }, entries);
+
+    /// <summary>One line for each entry.</summary>
+    public static YamlMappingNode Lines(params (string Name, YamlNode Value)[] entries) => Fill(new YamlMappingNode { Style = MappingStyle.Block }, entries);
+
+    public static YamlSequenceNode List() => new YamlSequenceNode { Style = SequenceStyle.Block };
+
+    public static YamlNode Find(YamlMappingNode mapping, string name)
+    {
+        return mapping.Children.TryGetValue(new YamlScalarNode(name), out var value) ? value : null;
+    }
+
+    /// <summary>A copy that shares nothing that can be changed.</summary>
+    public static YamlNode Copy(YamlNode node)
+    {
+        switch (node)
+        {
+            case YamlScalarNode scalar:
+                return Text(scalar.Value);
+            case YamlSequenceNode sequence:
+                var list = new YamlSequenceNode { Style = sequence.Style };
+                foreach (var item in sequence.Children) list.Add(Copy(item));
+                return list;
+            case YamlMappingNode mapping:
+                return Copy(mapping);
+            default:
+                throw new ArgumentException("a node of another kind: " + node.NodeType, nameof(node));
+        }
+    }
+
+    /// <inheritdoc cref="Copy(YamlNode)"/>
+    public static YamlMappingNode Copy(YamlMappingNode mapping)
+    {
+        var copy = new YamlMappingNode { Style = mapping.Style };
+        foreach (var entry in mapping.Children) copy.Add(Copy(entry.Key), Copy(entry.Value));
+        return copy;
+    }
+
+    static YamlMappingNode Fill(YamlMappingNode mapping, (string Name, YamlNode Value)[] entries)
+    {
+        foreach (var (name, value) in entries) mapping.Add(name, value);
+        return mapping;
+    }
+}

@@ -1,0 +1,43 @@
+using System.Globalization;
+
+namespace Nowpose.UnityPlayer.Assets.Yaml;
+
+/// <summary>Numbers as Unity's files have them, whatever the machine's language.</summary>
+static class Numbers
+{
+    public static string Write(long value) => value.ToString(CultureInfo.InvariantCulture);
+
+    public static string Write(ulong value) => value.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>The shortest text that reads back as the same value; exponents as <c>1e-7</c>.</summary>
+    public static string Write(float value) => Exponent(value.ToString("R", CultureInfo.InvariantCulture));
+
+    /// <inheritdoc cref="Write(float)"/>
+    public static string Write(double value) => Exponent(value.ToString("R", CultureInfo.InvariantCulture));
+
+    public static bool TryRead(string text, out long value)
+    {
+        return long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
+    }
+
+    public static bool TryRead(string text, out ulong value)
+    {
+        return ulong.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out value);
+    }
+
+    public static bool TryRead(string text, out double value)
+    {
+        return double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && double.IsFinite(value);
+    }
+
+    public static bool TryRead(string text, out float value)
+    {
+        return float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && float.IsFinite(value);
+    }
+
+    static string Exponent(string text)
+    {
+        var e = text.IndexOf('E');
+        return e < 0 ? text : text[..e] + "e" + Write(long.Parse(text[(e + 1)..], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture));
+    }
+}

@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text.RegularExpressions;
+using YamlDotNet.Core;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Yaml;
+
+/// <summary>Takes a text asset of Unity apart into its objects.</summary>
+/// <remarks>Unity's document heads (<c>stripped</c> after the anchor, one tag prefix for all) are not YAML; what is below each of them is.</remarks>
+static class UnityDocumentReader
+{
+    const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
+
+    static readonly Regex Heads = new Regex(@"^--- !u!(\d+) &(-?\d+)( stripped)?$", RegexOptions.Multiline | RegexOptions.CultureInvariant);
+    static readonly Regex DocumentStarts = new Regex("^---", RegexOptions.Multiline | RegexOptions.CultureInvariant);
+
+    /// <param name="text">The whole file, lines ended by LF or CR LF.</param>
+    /// <param name="file">What errors call it.</param>
+    /// <exception cref="AssetException">Not a file that Unity reads: a broken head, broken YAML, a fileID used twice.</exception>
+    public static IReadOnlyList<UnityDocument> Read(string text, string file)
+    {
+        text = text.Replace("\r\n", "\n");
+        if (!text.StartsWith(Header, StringComparison.Ordinal))
+            throw new AssetException(file + ": does not begin with the two header lines of Unity's YAML");
+        var heads = Heads.Matches(text);
+        RequireAllHeadsKnown(text, heads, file);
+
+        var documents = new List<UnityDocument>(heads.Count);
+        var ids = new HashSet<long>();
+        for (var i = 0; i < heads.Count; i++)
+        {
+            var end = i + 1 < heads.Count ? heads[i + 1].Index : text.Length;
+            var document = Document(heads[i], text, end, file);
+            if (!ids.Add(document.FileId)) throw new AssetException(file + " &" + document.FileId + ": this fileID stands twice in the file");
+            documents.Add(document);
+        }
+        return documents;
+    }
+
+    static void RequireAllHeadsKnown(string text, MatchCollection heads, string file)
+    {
+        if (heads.Count == 0) throw new AssetException(file + ": holds no object");
+        if (heads[0].Index != Header.Length) throw new AssetException(file + ": text before the first object");
+        var known = new HashSet<int>();
+        foreach (Match head in heads) known.Add(head.Index);
+        foreach (Match start in DocumentStarts.Matches(text))
+        {
+            if (!known.Contains(start.Index))
+                throw new AssetException(file + " line " + LineOf(text, start.Index) + ": not the head of an object (--- !u!CLASS &FILEID)");
+        }
+    }
+
+    static UnityDocument Document(Match head, string text, int end, string file)
+    {
+        var where = file + " &" + head.Groups[2].Value;
+        if (!Numbers.TryRead(head.Groups[2].Value, out long fileId) || fileId == 0)
+            throw new AssetException(where + ": not a fileID (a 64-bit integer other than 0)");
+        var start = head.Index + head.Length;
+        var root = Body(text.Substring(start, end - start), where, LineOf(text, start));
+        if (root.Children.Count != 1) throw new AssetException(where + ": has to hold one class name with its fields");
+        foreach (var entry in root.Children)
+        {
+            if (!(entry.Key is YamlScalarNode name) || !(entry.Value is YamlMappingNode fields))
+                throw new AssetException(where + ": has to hold one class name with its fields");
+            return new UnityDocument(int.Parse(head.Groups[1].Value), name.Value, fileId, fields, head.Groups[3].Success);
+        }
+        throw new AssetException(where + ": is empty");
+    }
+
+    static YamlMappingNode Body(string body, string where, int firstLine)
+    {
+        var stream = new YamlStream();
+        try
+        {
+            stream.Load(new StringReader(body));
+        }
+        catch (YamlException exception)
+        {
+            throw new AssetException(where + " line " + (firstLine + exception.Start.Line - 1) + ": " + exception.Message, exception);
+        }
+        if (stream.Documents.Count != 1 || !(stream.Documents[0].RootNode is YamlMappingNode root))
+            throw new AssetException(where + ": has to hold one class name with its fields");
+        return root;
+    }
+
+    static int LineOf(string text, int index)
+    {
+        var line = 1;
+        for (var i = 0; i < index; i++)
+        {
+            if (text[i] == '\n') line++;
+        }
+        return line;
+    }
+}
