@@ -32,7 +32,7 @@ namespace Nowpose.Network
                 inTime.CancelAfter(ProtocolLimits.DialTimeout);
                 try
                 {
-                    return await OpenAsync(tcp, port, inTime.Token).ConfigureAwait(false);
+                    return await OpenAsync(tcp, port, inTime.Token).OrCancelled(inTime.Token).ConfigureAwait(false);
                 }
                 catch (Exception failure)
                 {

@@ -23,6 +23,7 @@ namespace Nowpose.Session
 
         readonly SessionSettings _settings;
         readonly IHeadsetClock _clock;
+        readonly Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> _newLink;
         readonly ClockSynchroniser _synchroniser;
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
@@ -39,10 +40,14 @@ namespace Nowpose.Session
 
         /// <param name="robot">Its moving joints are matched with the samples' names.</param>
         /// <param name="clock">Stamps what the network threads receive.</param>
-        public CompensationSession(SessionSettings settings, RobotModel robot, IHeadsetClock clock)
+        /// <param name="newLink">Makes the WebSocket of each attempt to connect; null for <see cref="WebSocketLinks.Create"/>.</param>
+        public CompensationSession(
+            SessionSettings settings, RobotModel robot, IHeadsetClock clock,
+            Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink = null)
         {
             _settings = settings;
             _clock = clock;
+            _newLink = newLink ?? WebSocketLinks.Create;
             Robot = robot;
             _visualisation = settings.Visualisation;
             _synchroniser = new ClockSynchroniser(new RansacClockEstimator(settings.Ransac), settings.Clock);
@@ -77,11 +82,12 @@ namespace Nowpose.Session
         public Task Ended { get; private set; } = Task.CompletedTask;
 
         /// <summary>Starts both connections; they come up, and come back, by themselves. Does nothing while connected.</summary>
+        /// <remarks>Neither this nor <see cref="Disconnect"/> nor <see cref="Dispose"/> waits for the network.</remarks>
         public void Connect()
         {
             if (_syncClient != null) return;
             _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, SyncFaults, _settings.SyncInterval);
-            _rosbridgeClient = new RosbridgeClient(() => WebSocketLinks.Create(_settings.Connection, _clock), _clock, this);
+            _rosbridgeClient = new RosbridgeClient(() => _newLink(_settings.Connection, _clock), _clock, this);
         }
 
         /// <summary>

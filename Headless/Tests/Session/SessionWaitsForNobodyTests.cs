@@ -1,0 +1,179 @@
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+using Nowpose.Gateway.Robots;
+using Nowpose.Headless.Tests.Network;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Session;
+
+/// <summary>The frame's thread connects and disconnects, so neither may take longer than a frame can bear, whatever the other side does.</summary>
+public class SessionWaitsForNobodyTests
+{
+    /// <summary>Far below any timeout of the protocol, far above what a busy machine adds.</summary>
+    static readonly TimeSpan Bearable = TimeSpan.FromMilliseconds(500);
+
+    [SetUp]
+    public void Precondition() => Assert.That(
+        new[] { ProtocolLimits.SyncReplyTimeout, ProtocolLimits.DialTimeout, ProtocolLimits.PongTimeout }.Min(), Is.GreaterThan(3 * Bearable));
+
+    static CompensationSession Session(
+        string host, int syncPort, int webSocketPort, Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink = null) =>
+        new(
+            new SessionSettings(
+                new ConnectionSettings(host, syncPort, webSocketPort, insecureLan: true), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+            RobotFiles.Load("youbot"), new StopwatchHeadsetClock(), newLink);
+
+    static void RequireQuick(Action action, string what)
+    {
+        var since = Stopwatch.GetTimestamp();
+        action();
+        Assert.That(Stopwatch.GetElapsedTime(since), Is.LessThan(Bearable), what);
+    }
+
+    static void RequireQuick(CompensationSession session, Action meanwhile)
+    {
+        using (session)
+        {
+            RequireQuick(session.Connect, "connect");
+            meanwhile();
+            RequireQuick(session.Disconnect, "disconnect");
+            RequireQuick(session.Connect, "connect again");
+            meanwhile();
+            RequireQuick(session.Dispose, "dispose");
+        }
+    }
+
+    // Until the connections are in the middle of waiting for an answer, of which there is no sign.
+    static void AMoment() => Thread.Sleep(50);
+
+    [Test]
+    public async Task Session_ServerAcceptsAndSaysNothing_WaitsForNothing()
+    {
+        using var release = new ManualResetEventSlim();
+        using var sync = new FakeTcpServer(_ => release.Wait(Soon.Limit));
+        using var webSocket = new FakeTcpServer(_ => release.Wait(Soon.Limit));
+        using var session = Session("127.0.0.1", sync.Port, webSocket.Port);
+
+        await Task.Run(() => RequireQuick(session, () =>
+        {
+            Soon.BecomesAsync(() => sync.Connections > 0 && webSocket.Connections > 0, "both connections").GetAwaiter().GetResult();
+            AMoment();
+        }));
+
+        release.Set();
+    }
+
+    [Test]
+    public async Task Session_ServerUpgradesAndSaysNothing_WaitsForNothing()
+    {
+        using var release = new ManualResetEventSlim();
+        using var sync = new FakeTcpServer(_ => release.Wait(Soon.Limit));
+        using var webSocket = new FakeWebSocketServer();
+        using var session = Session("127.0.0.1", sync.Port, webSocket.Port);
+
+        RequireQuick(session.Connect, "connect");
+        await webSocket.AcceptStreamAsync();
+        await Soon.BecomesAsync(() => session.Statistics(default).SyncLink.State == LinkState.Connecting && sync.Connections > 0, "waiting");
+        RequireQuick(session.Dispose, "dispose");
+
+        Assert.That(session.Statistics(default).SampleLink.State, Is.EqualTo(LinkState.Idle));
+        release.Set();
+    }
+
+    [Test]
+    public void Session_HostDoesNotAnswer_WaitsForNothing()
+    {
+        using var deaf = new DeafHost();
+        using var session = Session("127.0.0.1", deaf.Port, deaf.Port);
+
+        RequireQuick(session, AMoment);
+    }
+
+    [Test]
+    public void Session_NameThatNobodyKnows_WaitsForNothing()
+    {
+        using var session = Session("gateway.invalid", 47010, 47011);
+
+        RequireQuick(session, AMoment);
+    }
+
+    [Test]
+    public void Session_LinkThatNeverOpensNorCloses_WaitsForNothing()
+    {
+        using var release = new ManualResetEventSlim();
+        using var sync = new FakeTcpServer(_ => release.Wait(Soon.Limit));
+        using var session = Session("127.0.0.1", sync.Port, 1, (_, _) => new StubbornLink(release));
+
+        RequireQuick(session, AMoment);
+
+        release.Set();
+    }
+
+    [Test]
+    public async Task Clients_HostDoesNotAnswer_EndSoonAfterDispose()
+    {
+        using var deaf = new DeafHost();
+        var clock = new StopwatchHeadsetClock();
+        var settings = new ConnectionSettings("127.0.0.1", deaf.Port, deaf.Port);
+        var synchroniser = new ClockSynchroniser(
+            new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+        var sync = new SyncClient(settings, clock, synchroniser, new SyncFaultCounters(), TimeSpan.FromMilliseconds(200));
+        var rosbridge = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, Session("127.0.0.1", 1, 1));
+        await Task.Run(AMoment);
+
+        sync.Dispose();
+        rosbridge.Dispose();
+
+        await sync.Ended.WaitAsync(ProtocolLimits.DialTimeout / 2);
+        await rosbridge.Ended.WaitAsync(ProtocolLimits.DialTimeout / 2);
+    }
+
+    /// <summary>A host whose queue of connections is full: what is sent to it is not answered.</summary>
+    sealed class DeafHost : IDisposable
+    {
+        readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        readonly List<Socket> _fill = [];
+
+        public DeafHost()
+        {
+            _listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+            _listener.Listen(1);
+            while (_fill.Count < 16 && Connects()) { }
+        }
+
+        public int Port => ((IPEndPoint)_listener.LocalEndPoint).Port;
+
+        public void Dispose()
+        {
+            _listener.Dispose();
+            foreach (var socket in _fill) socket.Dispose();
+        }
+
+        bool Connects()
+        {
+            var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+            _fill.Add(socket);
+            return socket.ConnectAsync(_listener.LocalEndPoint).Wait(200);
+        }
+    }
+
+    /// <summary>Blocks the thread it is called on, whatever it is asked.</summary>
+    sealed class StubbornLink(ManualResetEventSlim release) : IWebSocketLink
+    {
+        public Task OpenAsync(CancellationToken cancel)
+        {
+            release.Wait(Soon.Limit, CancellationToken.None);
+            return Task.FromException(new IOException("released"));
+        }
+
+        public Task SendAsync(string text, CancellationToken cancel) => Task.CompletedTask;
+        public Task<ReceivedText> ReceiveAsync(CancellationToken cancel) => Task.FromResult(ReceivedText.Closed);
+        public void Dispose() => release.Wait(Soon.Limit);
+    }
+}
