@@ -33,6 +33,9 @@ namespace Nowpose.Session
         /// <summary>Display time minus the newest sample's time; null while either is unknown.</summary>
         public TimeSpan? Horizon { get; private set; }
 
+        /// <summary>Whether the display time is known well enough to show a pose as the present one.</summary>
+        public bool IsTimeTrusted { get; private set; }
+
         public PoseState State { get; private set; }
 
         /// <summary>Whether the render time of the frames before lets the moment of light be known.</summary>
@@ -54,20 +57,20 @@ namespace Nowpose.Session
         public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
 
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
-        /// <param name="isTimeTrusted">Whether the display time is known well enough to show a pose as the present one.</param>
         internal void Update(HeadsetTime start, ControlTime? displayTime, bool isTimeTrusted, RangeState range)
         {
             Start = start;
+            IsTimeTrusted = isTimeTrusted;
             Range = range;
             DisplayTime = displayTime;
             if (displayTime.HasValue) _tracks.Predict(displayTime.Value);
             else _tracks.Hold();
             Horizon = displayTime - _tracks.Newest;
             _kinematics.Compute(_tracks.Positions, _linkPoses);
-            State = StateOf(isTimeTrusted);
+            State = JudgeState();
         }
 
-        PoseState StateOf(bool isTimeTrusted)
+        PoseState JudgeState()
         {
             var held = false;
             var kinds = _tracks.Kinds;
@@ -76,7 +79,7 @@ namespace Nowpose.Session
                 if (kinds[joint] == PredictionKind.None) return PoseState.Incomplete;
                 held |= kinds[joint] == PredictionKind.Held;
             }
-            if (!isTimeTrusted) return PoseState.Unsynchronised;
+            if (!IsTimeTrusted) return PoseState.Unsynchronised;
             if (held) return PoseState.Held;
             return Range == RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
         }

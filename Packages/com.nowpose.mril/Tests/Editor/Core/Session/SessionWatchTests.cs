@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Latency;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class SessionWatchTests
+    {
+        // One letter is one frame of 1/60 s; a capital letter stands for 40 of them.
+        static string Run(string frames, Func<int, char, SessionChange> changed)
+        {
+            var changes = new List<SessionChange>();
+            foreach (var letter in frames.SelectMany(c => Enumerable.Repeat(char.ToLowerInvariant(c), char.IsUpper(c) ? 40 : 1)).Select((c, i) => (c, i)))
+                changes.Add(changed(letter.i, letter.c));
+            return string.Join(" ", changes.Where(c => c != SessionChange.None));
+        }
+
+        static HeadsetTime At(int frame) => HeadsetTime.FromSeconds(100 + frame / 60.0);
+
+        // Poses: . incomplete, u unsynchronised, h held, o outside range, c current.
+        static string PoseChanges(SessionWatch watch, string frames) => Run(frames, (frame, letter) =>
+        {
+            var pose = (PoseState)".uhoc".IndexOf(letter);
+            return watch.Changed(At(frame), pose, pose > PoseState.Unsynchronised, RangeState.Unknown);
+        });
+
+        [TestCase("UU", "", TestName = "Changed_NeverSynchronised_IsNotLost")]
+        [TestCase("UC", "Synchronised", TestName = "Changed_ClockSettled_IsSynchronised")]
+        [TestCase("Ucccu", "", TestName = "Changed_TrustedForThreeFrames_IsNoNews")]
+        [TestCase("UCuuu", "Synchronised Lost", TestName = "Changed_ClockDoubted_IsLostAtOnce")]
+        [TestCase("UCuccuccucuuC", "Synchronised Lost Synchronised", TestName = "Changed_ClockFlickers_IsLostOnce")]
+        [TestCase("UHC", "Synchronised", TestName = "Changed_HeldBeforeEverPredicted_IsNotStale")]
+        [TestCase("UCHHC", "Synchronised Stale", TestName = "Changed_SamplesStop_IsStaleOnce")]
+        [TestCase("UCHCH", "Synchronised Stale Stale", TestName = "Changed_SamplesStopAgain_IsStaleAgain")]
+        [TestCase("UChchcchchh", "Synchronised Stale", TestName = "Changed_SamplesFlicker_IsStaleOnce")]
+        [TestCase("UOH", "Synchronised Stale", TestName = "Changed_OutsideRange_IsNotStale")]
+        [TestCase("UCUH", "Synchronised Lost Stale Synchronised", TestName = "Changed_HeldAfterLost_IsStaleAsSoonAsItsAgeIsKnown")]
+        public void Changed_Poses(string frames, string expected)
+        {
+            Assert.That(PoseChanges(new SessionWatch(), frames), Is.EqualTo(expected));
+        }
+
+        // Ranges: ? unknown, i inside, o outside.
+        [TestCase("??", "", TestName = "Changed_RangeUnknown_SaysNothing")]
+        [TestCase("?I", "EnteredRange", TestName = "Changed_InsideForHalfASecond_EnteredRange")]
+        [TestCase("?o", "LeftRange", TestName = "Changed_OutsideFromTheStart_LeftRange")]
+        [TestCase("IoOII", "EnteredRange LeftRange EnteredRange", TestName = "Changed_LoadComesAndGoes_AlternatesRange")]
+        [TestCase("Ioioiiiooi", "EnteredRange LeftRange", TestName = "Changed_RangeFlickers_LeftOnce")]
+        [TestCase("I???I", "EnteredRange", TestName = "Changed_UnknownBetween_IsNoNews")]
+        [TestCase("O?iiii?iiii?iiii", "LeftRange", TestName = "Changed_UnknownAgainAndAgain_DoesNotSettle")]
+        public void Changed_Ranges(string frames, string expected)
+        {
+            var watch = new SessionWatch();
+
+            var changes = Run(frames, (frame, letter) =>
+                watch.Changed(At(frame), PoseState.Incomplete, false, (RangeState)"?io".IndexOf(letter)));
+
+            Assert.That(changes, Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void Changed_Synchronised_IsSaidAfterHalfASecond()
+        {
+            var watch = new SessionWatch();
+
+            var changes = Enumerable.Range(0, 60).Select(i => watch.Changed(At(i), PoseState.Current, true, RangeState.Unknown)).ToList();
+
+            Assert.That(changes.IndexOf(SessionChange.Synchronised), Is.EqualTo(30));
+        }
+
+        [Test]
+        public void Changed_SeveralAtOnce_AreAllSaid()
+        {
+            var watch = new SessionWatch();
+            for (var frame = 0; frame < 40; frame++) watch.Changed(At(frame), PoseState.Current, true, RangeState.Inside);
+
+            var change = watch.Changed(At(40), PoseState.Held, false, RangeState.Outside);
+
+            Assert.That(change, Is.EqualTo(SessionChange.Lost | SessionChange.LeftRange | SessionChange.Stale));
+        }
+
+        [Test]
+        public void End_Synchronised_IsLostAndStartsAnew()
+        {
+            var watch = new SessionWatch();
+            var before = watch.End();
+            PoseChanges(watch, "C");
+
+            var after = watch.End();
+
+            Assert.That(before, Is.EqualTo(SessionChange.None));
+            Assert.That(after, Is.EqualTo(SessionChange.Lost));
+            Assert.That(PoseChanges(watch, "UHC"), Is.EqualTo("Synchronised"), "nothing of before makes the held pose stale");
+        }
+
+        [Test]
+        public void Changed_WholeSession_TellsItsStory()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, 7);
+            var watch = new SessionWatch();
+            var told = new List<SessionChange>();
+            void Run(double seconds) => simulated.Run(seconds, (frame, light) =>
+            {
+                var change = watch.Changed(frame);
+                if (change != SessionChange.None) told.Add(change);
+            });
+
+            Run(10);
+            simulated.IsGatewayUp = false;
+            Run(3);
+            simulated.IsGatewayUp = true;
+            Run(5);
+            simulated.Link.Step = TimeSpan.FromSeconds(60);
+            Run(10);
+
+            Assert.That(told.First(), Is.EqualTo(SessionChange.Synchronised));
+            Assert.That(told[1], Is.EqualTo(SessionChange.Stale));
+            Assert.That(told.Skip(2), Has.Member(SessionChange.Lost).And.Member(SessionChange.Synchronised));
+            Assert.That(told.Count, Is.LessThan(8), string.Join(" ", told));
+        }
+    }
+}
