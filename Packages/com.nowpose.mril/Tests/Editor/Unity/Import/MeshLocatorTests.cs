@@ -1,0 +1,97 @@
+using System;
+using System.Linq;
+using Nowpose.Editor;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class MeshLocatorTests
+    {
+        const string Urdf = "Assets/Robots/arm_description/urdf/arm.urdf";
+
+        [TestCase("meshes/a.stl", "Assets/Robots/arm_description/urdf/meshes/a.stl")]
+        [TestCase("./meshes//a.stl", "Assets/Robots/arm_description/urdf/meshes/a.stl")]
+        [TestCase("../meshes/a.stl", "Assets/Robots/arm_description/meshes/a.stl")]
+        [TestCase(@"..\meshes\a.stl", "Assets/Robots/arm_description/meshes/a.stl")]
+        [TestCase("package://arm_description/meshes/a.stl", "Assets/Robots/arm_description/meshes/a.stl")]
+        [TestCase("Package://arm_description/meshes/a.stl", "Assets/Robots/arm_description/meshes/a.stl")]
+        [TestCase("model://arm_description/meshes/a.stl", "Assets/Robots/arm_description/meshes/a.stl")]
+        [TestCase("package://other/a.stl", "Assets/Robots/arm_description/urdf/other/a.stl")]
+        [TestCase("package://other/a.stl", "Assets/Robots/arm_description/other/a.stl")]
+        [TestCase("package://other/a.stl", "Assets/Robots/other/a.stl")]
+        [TestCase("package://other/a.stl", "Assets/other/a.stl")]
+        [TestCase("package://other/a.stl", "Packages/other/a.stl")]
+        [TestCase("file:///home/me/project/Assets/a.stl", "Assets/a.stl")]
+        [TestCase("/home/me/project/Assets/a.stl", "Assets/a.stl")]
+        public void Find_FileThere_IsFound(string name, string path)
+        {
+            var found = Locator(path).Find(name);
+
+            Assert.That(found.Path, Is.EqualTo(path));
+            Assert.That(found.Fault, Is.Null);
+        }
+
+        [Test]
+        public void Find_FileUriWithADrive_IsFound()
+        {
+            var locator = new MeshLocator(Urdf, @"C:\me\project", path => path == "Assets/a.stl");
+
+            Assert.That(locator.Find("file:///C:/me/project/Assets/a.stl").Path, Is.EqualTo("Assets/a.stl"));
+        }
+
+        [Test]
+        public void Find_PackageInTwoPlaces_TakesTheNearest()
+        {
+            var found = Locator("Assets/other/a.stl", "Assets/Robots/other/a.stl").Find("package://other/a.stl");
+
+            Assert.That(found.Path, Is.EqualTo("Assets/Robots/other/a.stl"));
+        }
+
+        [Test]
+        public void Find_UrdfInAPackage_LooksInAssetsToo()
+        {
+            var locator = new MeshLocator("Packages/com.me.robots/urdf/arm.urdf", "/home/me/project", path => path == "Assets/arm/a.stl");
+
+            Assert.That(locator.Find("package://arm/a.stl").Path, Is.EqualTo("Assets/arm/a.stl"));
+        }
+
+        [Test]
+        public void Find_NothingThere_NamesAllPlacesOnce()
+        {
+            var found = Locator().Find("package://other/meshes/a.stl");
+
+            Assert.That(found.Path, Is.Null);
+            Assert.That(found.Candidates, Is.EqualTo(new[]
+            {
+                "Assets/Robots/arm_description/urdf/other/meshes/a.stl",
+                "Assets/Robots/arm_description/other/meshes/a.stl",
+                "Assets/Robots/other/meshes/a.stl",
+                "Assets/other/meshes/a.stl",
+                "Packages/other/meshes/a.stl",
+            }));
+            Assert.That(found.Fault, Does.StartWith("'package://other/meshes/a.stl' was not found; it was looked for at Assets/Robots/"));
+        }
+
+        [TestCase("../../../../a.stl", "lies outside of the project's Assets and Packages; copy it beside the URDF")]
+        [TestCase("../../../../../a.stl", "lies outside of the project's")]
+        [TestCase("/home/me/meshes/a.stl", "lies outside of the project's")]
+        [TestCase("/home/me/project/Library/a.stl", "lies outside of the project's")]
+        [TestCase("/home/me/project/Assets/../../a.stl", "lies outside of the project's")]
+        [TestCase("D:/meshes/a.stl", "lies outside of the project's")]
+        [TestCase("http://example.org/a.stl", "is not a file")]
+        [TestCase("package://other", "names no file in a package")]
+        [TestCase("package://other/", "names no file in a package")]
+        [TestCase("package:///a.stl", "names no file in a package")]
+        [TestCase("$(find other)/a.stl", "is not a path; expand the file with xacro first")]
+        public void Find_NoPathInTheProject_SaysWhy(string name, string fault)
+        {
+            var found = new MeshLocator(Urdf, "/home/me/project", path => true).Find(name);
+
+            Assert.That(found.Path, Is.Null);
+            Assert.That(found.Fault, Does.StartWith("'" + name + "' " + fault));
+        }
+
+        static MeshLocator Locator(params string[] files) =>
+            new MeshLocator(Urdf, "/home/me/project/", path => files.Contains(path, StringComparer.Ordinal));
+    }
+}
