@@ -214,6 +214,78 @@ public class RosbridgeClientTests
     }
 
     [Test]
+    public async Task Connect_SubscribesToTheDescriptionToo()
+    {
+        var socket = await _server.AcceptAsync();
+        var buffer = new byte[4096];
+        await socket.ReceiveAsync(buffer, CancellationToken.None);
+
+        var second = await socket.ReceiveAsync(buffer, CancellationToken.None);
+
+        Assert.That(Encoding.UTF8.GetString(buffer, 0, second.Count), Is.EqualTo(
+            """{"op":"subscribe","topic":"/robot_description","type":"std_msgs/msg/String"}"""));
+    }
+
+    [Test]
+    public async Task Receive_DescriptionOfNearlyOneMebibyte_IsHandedOver()
+    {
+        var socket = await _server.AcceptAsync();
+        var urdf = new string('x', ProtocolLimits.DescriptionBytes - 100);
+
+        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
+
+        await Soon.BecomesAsync(() => _listener.Descriptions.Count == 1, "a description");
+        Assert.That(_listener.Descriptions.Single(), Is.EqualTo(urdf));
+    }
+
+    [Test]
+    public async Task Receive_DescriptionBeyondOneMebibyte_IsDropped()
+    {
+        var socket = await _server.AcceptAsync();
+
+        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, new string('x', ProtocolLimits.DescriptionBytes)));
+        await Send(socket, Good);
+
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "the good message");
+        Assert.That(_listener.Drops, Is.EqualTo(new[] { DropReason.TooLarge }));
+        Assert.That(_listener.Descriptions, Is.Empty);
+    }
+
+    [Test]
+    public async Task Receive_DescriptionThatTakesItsTime_HoldsNoSampleUpAndIsFollowedByTheNewestOnly()
+    {
+        using var going = new SemaphoreSlim(0);
+        _listener.Describing = _ => going.Wait(Soon.Limit);
+        var socket = await _server.AcceptAsync();
+
+        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "first"));
+        await Soon.BecomesAsync(() => _listener.Descriptions.Count == 1, "the first");
+        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "second"));
+        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "third"));
+        await Send(socket, Good);
+
+        await Soon.BecomesAsync(() => _listener.Messages.Count == 1, "the message behind them");
+        Assert.That(_listener.Descriptions, Is.EqualTo(new[] { "first" }));
+        going.Release(3);
+        await Soon.BecomesAsync(() => _listener.Descriptions.Count == 2, "the newest");
+        Assert.That(_listener.Descriptions, Is.EqualTo(new[] { "first", "third" }));
+    }
+
+    [Test]
+    public async Task Receive_DescriptionThatTheListenerFailsOn_IsCountedAndTheNextIsTaken()
+    {
+        _listener.Describing = urdf => { if (urdf == "bad") throw new InvalidOperationException("no description today"); };
+        var socket = await _server.AcceptAsync();
+
+        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "bad"));
+        await Soon.BecomesAsync(() => _listener.Drops.Count == 1, "the drop");
+        await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "good"));
+
+        await Soon.BecomesAsync(() => _listener.Descriptions.Contains("good"), "the next");
+        Assert.That(_listener.Drops, Is.EqualTo(new[] { DropReason.NotUrdf }));
+    }
+
+    [Test]
     public async Task Dispose_WhileConnected_EndsAtOnce()
     {
         await _server.AcceptAsync();
@@ -245,9 +317,18 @@ public class RosbridgeClientTests
     {
         public ConcurrentQueue<JointStateMessage> Messages { get; } = [];
         public ConcurrentQueue<DropReason> Drops { get; } = [];
+        public ConcurrentQueue<string> Descriptions { get; } = [];
 
         public void Received(JointStateMessage message, HeadsetTime arrival) => Messages.Enqueue(message);
+
+        public void Described(string urdf)
+        {
+            Descriptions.Enqueue(urdf);
+            Describing?.Invoke(urdf);
+        }
+
         public void Dropped(DropReason reason) => Drops.Enqueue(reason);
+        public Action<string> Describing { get; set; }
         public bool FailDiagnostics { get; set; }
 
         public DiagnosticsMessage Diagnostics() => FailDiagnostics ? throw new InvalidOperationException("no diagnostics today") : null;

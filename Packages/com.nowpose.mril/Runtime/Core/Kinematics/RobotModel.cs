@@ -10,9 +10,11 @@ namespace Nowpose.Kinematics
         readonly Dictionary<string, int> _linkIndices = new Dictionary<string, int>(StringComparer.Ordinal);
         readonly Dictionary<string, int> _movingIndices = new Dictionary<string, int>(StringComparer.Ordinal);
 
-        internal RobotModel(string name, RobotLink[] links, RobotJoint[] joints, MimicStep[] mimics, RobotLink toolLink)
+        internal RobotModel(
+            string name, UrdfHash sourceHash, RobotLink[] links, RobotJoint[] joints, MimicStep[] mimics, RobotLink toolLink)
         {
             Name = name;
+            SourceHash = sourceHash;
             Links = links;
             Joints = joints;
             MovingJoints = Array.FindAll(joints, joint => joint.Kind != JointKind.Fixed);
@@ -26,6 +28,9 @@ namespace Nowpose.Kinematics
 
         /// <summary>Empty where the URDF gives none.</summary>
         public string Name { get; }
+
+        /// <summary>Of the URDF text that was read: whether another text describes the same robot.</summary>
+        public UrdfHash SourceHash { get; }
 
         /// <summary>Root first, parents before their children.</summary>
         public IReadOnlyList<RobotLink> Links { get; }

@@ -28,6 +28,7 @@ namespace Nowpose.Kinematics
             var tree = new UrdfTree(source, root, links, joints);
             return new RobotModel(
                 (string)root.Attribute("name") ?? "",
+                UrdfHash.Of(text),
                 tree.Links,
                 joints.Select(joint => joint.Joint).ToArray(),
                 UrdfMimics.InOrder(source, joints),

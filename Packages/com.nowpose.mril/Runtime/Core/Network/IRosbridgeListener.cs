@@ -9,6 +9,10 @@ namespace Nowpose.Network
         /// <param name="arrival">When its last byte was read.</param>
         void Received(JointStateMessage message, HeadsetTime arrival);
 
+        /// <summary>A robot description. May take its time: samples do not wait for it.</summary>
+        /// <param name="urdf">Within the limits of its length, and not checked otherwise.</param>
+        void Described(string urdf);
+
         void Dropped(DropReason reason);
 
         /// <summary>The headset's state for the once-a-second publication; null while there is nothing to say.</summary>

@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Subscribes to the joint positions over rosbridge and publishes this headset's diagnostics; reconnects for ever.</summary>
+    /// <summary>Subscribes to the joint positions and the robot description over rosbridge and publishes this headset's diagnostics; reconnects for ever.</summary>
     public sealed class RosbridgeClient : IDisposable
     {
         static readonly TimeSpan DiagnosticsInterval = TimeSpan.FromSeconds(1);
@@ -16,6 +16,7 @@ namespace Nowpose.Network
         readonly IHeadsetClock _clock;
         readonly IRosbridgeListener _listener;
         readonly CancellationTokenSource _stop = new CancellationTokenSource();
+        readonly NewestInBackground _descriptions;
         readonly Task _running;
         volatile LinkStatus _status = LinkStatus.Connecting;
         volatile Task _ending;
@@ -28,6 +29,7 @@ namespace Nowpose.Network
             _newLink = newLink;
             _clock = clock;
             _listener = listener;
+            _descriptions = new NewestInBackground(Describe);
             // Away from the caller's synchronisation context: under Unity, continuations there wait for the next frame.
             _running = Task.Run(RunAsync);
         }
@@ -118,6 +120,7 @@ namespace Nowpose.Network
         static async Task SubscribeAsync(IWebSocketLink link, CancellationToken cancel)
         {
             await link.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, RosTopics.JointStateType), cancel).ConfigureAwait(false);
+            await link.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, RosTopics.StringType), cancel).ConfigureAwait(false);
             await link.SendAsync(RosbridgeWriter.Advertise(RosTopics.Diagnostics, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
         }
 
@@ -153,6 +156,20 @@ namespace Nowpose.Network
         {
             if (!RosbridgeReader.TryRead(received.Text, out var message, out var reason)) _listener.Dropped(reason);
             else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival);
+            else if (message.Data != null) _descriptions.Add(message.Data);
+        }
+
+        // Whatever is wrong with it: a description must not keep the next one from being read.
+        void Describe(string urdf)
+        {
+            try
+            {
+                _listener.Described(urdf);
+            }
+            catch (Exception)
+            {
+                _listener.Dropped(DropReason.NotUrdf);
+            }
         }
 
         // Publishes diagnostics, and asks the time of a gateway that has been silent: the answer tells a quiet plant from a

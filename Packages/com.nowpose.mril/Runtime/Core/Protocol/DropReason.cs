@@ -75,6 +75,9 @@ namespace Nowpose.Protocol
         /// <summary>None of the message's joints belongs to the robot.</summary>
         UnknownJoint,
 
+        /// <summary>A robot description that is no URDF, or no robot that can be computed.</summary>
+        NotUrdf,
+
         /// <summary>The headset clock is unsynchronised, so no stamp can be judged.</summary>
         Unsynchronised,
     }

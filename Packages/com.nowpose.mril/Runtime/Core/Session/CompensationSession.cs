@@ -32,6 +32,7 @@ namespace Nowpose.Session
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
         readonly object _gate = new object();
         VisualisationLatency _visualisation;
+        volatile ReceivedDescription _description = ReceivedDescription.None;
         SyncClient _syncClient;
         RosbridgeClient _rosbridgeClient;
         bool _wasKnown;
@@ -57,6 +58,15 @@ namespace Nowpose.Session
         }
 
         public RobotModel Robot { get; }
+
+        /// <summary>URDF text of the robot as the gateway describes it, the newest that could be read; null before. Any thread.</summary>
+        public string RobotDescription => _description.Text;
+
+        /// <summary>The robot that <see cref="RobotDescription"/> describes, read already; null before. Any thread.</summary>
+        public RobotModel DescribedRobot => _description.Model;
+
+        /// <summary>Whether <see cref="Robot"/> was read from the same text. Any thread.</summary>
+        public RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
 
         /// <summary>Takes sync exchanges; the network feeds it, and so may a test.</summary>
         public ClockSynchroniser Clock => _synchroniser;
@@ -138,6 +148,16 @@ namespace Nowpose.Session
             if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out _)) Drops.Count(DropReason.SlowReader);
         }
 
+        /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
+        public void Described(string urdf)
+        {
+            // The same again after each reconnection.
+            if (urdf == _description.Text) return;
+            var reason = ReceivedDescription.TryRead(urdf, Robot, out var description);
+            Drops.Count(reason);
+            if (reason == DropReason.None) _description = description;
+        }
+
         /// <summary>A message that never came so far as to be queued. Any thread.</summary>
         public void Dropped(DropReason reason) => Drops.Count(reason);
 
@@ -159,6 +179,7 @@ namespace Nowpose.Session
                 FillClock(into, now);
                 FillLatency(into);
                 into.Pose = _frame.State;
+                into.RobotDescriptionMatch = RobotDescriptionMatch;
                 into.Samples = _samples;
                 into.Dropped = Drops.Total + SyncFaults.Total;
                 into.SyncLink = _syncClient?.Status ?? LinkStatus.Idle;

@@ -45,6 +45,7 @@ namespace Nowpose.Session
         public RangeDoubt RangeDoubt { get; internal set; }
 
         public PoseState Pose { get; internal set; }
+        public RobotDescriptionMatch RobotDescriptionMatch { get; internal set; }
 
         /// <summary>Messages whose samples were used.</summary>
         public long Samples { get; internal set; }

@@ -1,0 +1,44 @@
+using System;
+using System.Threading.Tasks;
+
+namespace Nowpose.Network
+{
+    /// <summary>Handles what takes its time on a thread of the pool: one at a time, and of several that wait only the newest.</summary>
+    /// <remarks>However many come, one is being handled and one waits.</remarks>
+    sealed class NewestInBackground
+    {
+        readonly Action<string> _handle;
+        readonly object _gate = new object();
+        string _waiting;
+        bool _isRunning;
+
+        /// <param name="handle">Must not throw.</param>
+        public NewestInBackground(Action<string> handle) => _handle = handle;
+
+        public void Add(string text)
+        {
+            lock (_gate)
+            {
+                _waiting = text;
+                if (_isRunning) return;
+                _isRunning = true;
+            }
+            Task.Run(HandleAll);
+        }
+
+        void HandleAll()
+        {
+            while (TryTake(out var text)) _handle(text);
+        }
+
+        bool TryTake(out string text)
+        {
+            lock (_gate)
+            {
+                text = _waiting;
+                _waiting = null;
+                return _isRunning = text != null;
+            }
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using Nowpose.Kinematics;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class UrdfHashTests
+    {
+        const string Text = "<robot name=\"r\">\n<link name=\"a\"/>\n</robot>";
+
+        [Test]
+        public void ToString_KnownText_IsItsSha256()
+        {
+            // By sha256sum.
+            Assert.That(UrdfHash.Of(Text).ToString(), Is.EqualTo("3bada97751c435c2819d21ef4703fac782a39cb05b7a5098585f216d490c81be"));
+        }
+
+        [TestCase("<robot name=\"r\">\r\n<link name=\"a\"/>\r\n</robot>")]
+        [TestCase("<robot name=\"r\">\r<link name=\"a\"/>\r</robot>")]
+        [TestCase("\uFEFF<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\n")]
+        [TestCase(" \t\r\n<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\r\n\r\n")]
+        public void Of_SameTextThatTravelled_IsTheSame(string travelled)
+        {
+            Assert.That(UrdfHash.Of(travelled), Is.EqualTo(UrdfHash.Of(Text)));
+            Assert.That(UrdfHash.Of(travelled) == UrdfHash.Of(Text));
+            Assert.That(UrdfHash.Of(travelled).GetHashCode(), Is.EqualTo(UrdfHash.Of(Text).GetHashCode()));
+        }
+
+        [TestCase("<robot name=\"r\">\n<link name=\"b\"/>\n</robot>")]
+        [TestCase("<robot name=\"r\">\n\n<link name=\"a\"/>\n</robot>")]
+        [TestCase("<robot name=\"r\"> <link name=\"a\"/> </robot>")]
+        [TestCase("")]
+        public void Of_OtherText_Differs(string other)
+        {
+            Assert.That(UrdfHash.Of(other) != UrdfHash.Of(Text));
+        }
+
+        [Test]
+        public void Default_IsNoTextsHash()
+        {
+            Assert.That(default(UrdfHash), Is.EqualTo(new UrdfHash()));
+            Assert.That(default(UrdfHash), Is.Not.EqualTo(UrdfHash.Of("")));
+            Assert.That(default(UrdfHash).ToString(), Is.Empty);
+        }
+
+        [Test]
+        public void Model_Read_CarriesTheHashOfItsText()
+        {
+            var text = UrdfFiles.Text("youbot.urdf");
+
+            var model = UrdfReader.Read(text.Replace("\r\n", "\n").Replace("\n", "\r\n"), "youbot.urdf");
+
+            Assert.That(model.SourceHash, Is.EqualTo(UrdfHash.Of(text)));
+        }
+    }
+}
