@@ -1,0 +1,8 @@
+using System;
+
+namespace UnityEngine.Scripting;
+
+[AttributeUsage(AttributeTargets.Assembly)]
+public class AlwaysLinkAssemblyAttribute : Attribute
+{
+}

@@ -1,0 +1,7 @@
+using System;
+
+namespace UnityEngine;
+
+public sealed class HideInInspector : Attribute
+{
+}

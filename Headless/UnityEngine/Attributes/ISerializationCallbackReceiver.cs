@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+public interface ISerializationCallbackReceiver
+{
+    void OnBeforeSerialize();
+    void OnAfterDeserialize();
+}

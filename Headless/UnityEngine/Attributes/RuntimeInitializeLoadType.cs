@@ -1,0 +1,10 @@
+namespace UnityEngine;
+
+public enum RuntimeInitializeLoadType
+{
+    AfterSceneLoad,
+    BeforeSceneLoad,
+    AfterAssembliesLoaded,
+    BeforeSplashScreen,
+    SubsystemRegistration,
+}

@@ -1,0 +1,38 @@
+using System;
+using UnityEngine.Serialization;
+
+namespace UnityEngine.Events;
+
+/// <summary>The argument of a call kept in a file.</summary>
+[Serializable]
+sealed class PersistentArguments
+{
+    [SerializeField, SerializedName("m_ObjectArgument")] Object _object;
+    [SerializeField, SerializedName("m_ObjectArgumentAssemblyTypeName")] string _objectType = "";
+    [SerializeField, SerializedName("m_IntArgument")] int _int;
+    [SerializeField, SerializedName("m_FloatArgument")] float _float;
+    [SerializeField, SerializedName("m_StringArgument")] string _string = "";
+    [SerializeField, SerializedName("m_BoolArgument")] bool _bool;
+
+    internal Type ObjectType => Type.GetType(_objectType) ?? typeof(Object);
+
+    internal Type TypeFor(PersistentListenerMode mode) => mode switch
+    {
+        PersistentListenerMode.Object => ObjectType,
+        PersistentListenerMode.Int => typeof(int),
+        PersistentListenerMode.Float => typeof(float),
+        PersistentListenerMode.String => typeof(string),
+        PersistentListenerMode.Bool => typeof(bool),
+        _ => null,
+    };
+
+    internal object ValueFor(PersistentListenerMode mode) => mode switch
+    {
+        PersistentListenerMode.Object => _object,
+        PersistentListenerMode.Int => _int,
+        PersistentListenerMode.Float => _float,
+        PersistentListenerMode.String => _string,
+        PersistentListenerMode.Bool => _bool,
+        _ => null,
+    };
+}

@@ -1,0 +1,14 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Serialization;
+
+namespace UnityEngine.Events;
+
+/// <summary>The calls that an event keeps in its file.</summary>
+[Serializable]
+sealed class PersistentCallGroup
+{
+    [SerializeField, SerializedName("m_Calls")] List<PersistentCall> _calls = new();
+
+    internal IReadOnlyList<PersistentCall> Calls => _calls;
+}

@@ -1,0 +1,8 @@
+namespace UnityEngine.Events;
+
+public enum UnityEventCallState
+{
+    Off = 0,
+    EditorAndRuntime = 1,
+    RuntimeOnly = 2,
+}

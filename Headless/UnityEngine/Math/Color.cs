@@ -1,0 +1,56 @@
+using System;
+using System.Globalization;
+
+namespace UnityEngine;
+
+public struct Color : IEquatable<Color>, IFormattable
+{
+    public float r;
+    public float g;
+    public float b;
+    public float a;
+
+    public Color(float r, float g, float b, float a)
+    {
+        this.r = r;
+        this.g = g;
+        this.b = b;
+        this.a = a;
+    }
+
+    public Color(float r, float g, float b) : this(r, g, b, 1) { }
+
+    public static Color white => new(1, 1, 1);
+    public static Color black => new(0, 0, 0);
+    public static Color clear => new(0, 0, 0, 0);
+    public static Color red => new(1, 0, 0);
+    public static Color green => new(0, 1, 0);
+    public static Color blue => new(0, 0, 1);
+    public static Color cyan => new(0, 1, 1);
+    public static Color magenta => new(1, 0, 1);
+    public static Color yellow => new(1, 235f / 255, 4f / 255);
+    public static Color gray => new(0.5f, 0.5f, 0.5f);
+    public static Color grey => gray;
+
+    public static Color Lerp(Color a, Color b, float t) => a + (b - a) * Mathf.Clamp01(t);
+
+    public static Color operator +(Color a, Color b) => new(a.r + b.r, a.g + b.g, a.b + b.b, a.a + b.a);
+    public static Color operator -(Color a, Color b) => new(a.r - b.r, a.g - b.g, a.b - b.b, a.a - b.a);
+    public static Color operator *(Color a, Color b) => new(a.r * b.r, a.g * b.g, a.b * b.b, a.a * b.a);
+    public static Color operator *(Color a, float b) => new(a.r * b, a.g * b, a.b * b, a.a * b);
+    public static Color operator *(float b, Color a) => a * b;
+    public static bool operator ==(Color lhs, Color rhs) => (Vector4)lhs == (Vector4)rhs;
+    public static bool operator !=(Color lhs, Color rhs) => !(lhs == rhs);
+    public static implicit operator Vector4(Color c) => new(c.r, c.g, c.b, c.a);
+    public static implicit operator Color(Vector4 v) => new(v.x, v.y, v.z, v.w);
+
+    public readonly bool Equals(Color other) => ((Vector4)this).Equals(other);
+    public override readonly bool Equals(object other) => other is Color c && Equals(c);
+    public override readonly int GetHashCode() => ((Vector4)this).GetHashCode();
+
+    public override readonly string ToString() => ToString(null, null);
+    public readonly string ToString(string format) => ToString(format, null);
+
+    public readonly string ToString(string format, IFormatProvider formatProvider) =>
+        "RGBA" + ((Vector4)this).ToString(string.IsNullOrEmpty(format) ? "F3" : format, formatProvider ?? CultureInfo.InvariantCulture);
+}

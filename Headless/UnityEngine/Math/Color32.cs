@@ -1,0 +1,31 @@
+using System;
+
+namespace UnityEngine;
+
+public struct Color32 : IFormattable
+{
+    public byte r;
+    public byte g;
+    public byte b;
+    public byte a;
+
+    public Color32(byte r, byte g, byte b, byte a)
+    {
+        this.r = r;
+        this.g = g;
+        this.b = b;
+        this.a = a;
+    }
+
+    public static implicit operator Color32(Color c) => new(Byte(c.r), Byte(c.g), Byte(c.b), Byte(c.a));
+    public static implicit operator Color(Color32 c) => new(c.r / 255f, c.g / 255f, c.b / 255f, c.a / 255f);
+
+    public override readonly string ToString() => ToString(null, null);
+    public readonly string ToString(string format) => ToString(format, null);
+
+    public readonly string ToString(string format, IFormatProvider formatProvider) =>
+        $"RGBA({r.ToString(format, formatProvider)}, {g.ToString(format, formatProvider)}, " +
+        $"{b.ToString(format, formatProvider)}, {a.ToString(format, formatProvider)})";
+
+    static byte Byte(float value) => (byte)MathF.Round(Mathf.Clamp01(value) * 255);
+}

@@ -1,0 +1,180 @@
+using System;
+
+namespace UnityEngine;
+
+/// <summary>Rows and columns as in mathematics, m[row, column]; vectors are columns.</summary>
+public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
+{
+    public float m00;
+    public float m10;
+    public float m20;
+    public float m30;
+    public float m01;
+    public float m11;
+    public float m21;
+    public float m31;
+    public float m02;
+    public float m12;
+    public float m22;
+    public float m32;
+    public float m03;
+    public float m13;
+    public float m23;
+    public float m33;
+
+    public Matrix4x4(Vector4 column0, Vector4 column1, Vector4 column2, Vector4 column3)
+    {
+        (m00, m10, m20, m30) = (column0.x, column0.y, column0.z, column0.w);
+        (m01, m11, m21, m31) = (column1.x, column1.y, column1.z, column1.w);
+        (m02, m12, m22, m32) = (column2.x, column2.y, column2.z, column2.w);
+        (m03, m13, m23, m33) = (column3.x, column3.y, column3.z, column3.w);
+    }
+
+    public static Matrix4x4 identity => new(new Vector4(1, 0, 0, 0), new Vector4(0, 1, 0, 0), new Vector4(0, 0, 1, 0), new Vector4(0, 0, 0, 1));
+    public static Matrix4x4 zero => default;
+
+    public readonly Matrix4x4 inverse => Inverse(this);
+    public readonly float determinant => Determinant(this);
+    public readonly Matrix4x4 transpose => Transpose(this);
+    public readonly bool isIdentity => Equals(identity);
+
+    /// <summary>Of a matrix of translation, rotation and scale; a mirroring is given to x.</summary>
+    public readonly Vector3 lossyScale
+    {
+        get
+        {
+            var x = ((Vector3)GetColumn(0)).magnitude;
+            return new Vector3(determinant < 0 ? -x : x, ((Vector3)GetColumn(1)).magnitude, ((Vector3)GetColumn(2)).magnitude);
+        }
+    }
+
+    public readonly Quaternion rotation
+    {
+        get
+        {
+            var scale = lossyScale;
+            return scale.x == 0 || scale.y == 0 || scale.z == 0
+                ? Quaternion.identity
+                : RotationMatrix.ToQuaternion((Vector3)GetColumn(0) / scale.x, (Vector3)GetColumn(1) / scale.y, (Vector3)GetColumn(2) / scale.z);
+        }
+    }
+
+    public float this[int row, int column]
+    {
+        readonly get => this[row + column * 4];
+        set => this[row + column * 4] = value;
+    }
+
+    public float this[int index]
+    {
+        readonly get => GetColumn(index / 4)[index % 4];
+        set
+        {
+            var column = GetColumn(index / 4);
+            column[index % 4] = value;
+            SetColumn(index / 4, column);
+        }
+    }
+
+    public readonly Vector4 GetColumn(int index) => index switch
+    {
+        0 => new Vector4(m00, m10, m20, m30),
+        1 => new Vector4(m01, m11, m21, m31),
+        2 => new Vector4(m02, m12, m22, m32),
+        3 => new Vector4(m03, m13, m23, m33),
+        _ => throw new IndexOutOfRangeException("Invalid column index!"),
+    };
+
+    public readonly Vector4 GetRow(int index) => index switch
+    {
+        0 => new Vector4(m00, m01, m02, m03),
+        1 => new Vector4(m10, m11, m12, m13),
+        2 => new Vector4(m20, m21, m22, m23),
+        3 => new Vector4(m30, m31, m32, m33),
+        _ => throw new IndexOutOfRangeException("Invalid row index!"),
+    };
+
+    public void SetColumn(int index, Vector4 column)
+    {
+        switch (index)
+        {
+            case 0: (m00, m10, m20, m30) = (column.x, column.y, column.z, column.w); break;
+            case 1: (m01, m11, m21, m31) = (column.x, column.y, column.z, column.w); break;
+            case 2: (m02, m12, m22, m32) = (column.x, column.y, column.z, column.w); break;
+            case 3: (m03, m13, m23, m33) = (column.x, column.y, column.z, column.w); break;
+            default: throw new IndexOutOfRangeException("Invalid column index!");
+        }
+    }
+
+    public void SetRow(int index, Vector4 row)
+    {
+        switch (index)
+        {
+            case 0: (m00, m01, m02, m03) = (row.x, row.y, row.z, row.w); break;
+            case 1: (m10, m11, m12, m13) = (row.x, row.y, row.z, row.w); break;
+            case 2: (m20, m21, m22, m23) = (row.x, row.y, row.z, row.w); break;
+            case 3: (m30, m31, m32, m33) = (row.x, row.y, row.z, row.w); break;
+            default: throw new IndexOutOfRangeException("Invalid row index!");
+        }
+    }
+
+    public readonly Vector3 GetPosition() => new(m03, m13, m23);
+
+    public static Matrix4x4 TRS(Vector3 pos, Quaternion q, Vector3 s) => new(
+        q * Vector3.right * s.x,
+        q * Vector3.up * s.y,
+        q * Vector3.forward * s.z,
+        new Vector4(pos.x, pos.y, pos.z, 1));
+
+    public void SetTRS(Vector3 pos, Quaternion q, Vector3 s) => this = TRS(pos, q, s);
+    public static Matrix4x4 Translate(Vector3 vector) => TRS(vector, Quaternion.identity, Vector3.one);
+    public static Matrix4x4 Rotate(Quaternion q) => TRS(Vector3.zero, q, Vector3.one);
+    public static Matrix4x4 Scale(Vector3 vector) => TRS(Vector3.zero, Quaternion.identity, vector);
+    public static Matrix4x4 Transpose(Matrix4x4 m) => new(m.GetRow(0), m.GetRow(1), m.GetRow(2), m.GetRow(3));
+
+    public static float Determinant(Matrix4x4 m) => Cofactors.Determinant(m);
+    public static Matrix4x4 Inverse(Matrix4x4 m) => Cofactors.Inverse(m);
+
+    public readonly Vector3 MultiplyPoint3x4(Vector3 point) => MultiplyVector(point) + GetPosition();
+
+    public readonly Vector3 MultiplyVector(Vector3 vector) => new(
+        m00 * vector.x + m01 * vector.y + m02 * vector.z,
+        m10 * vector.x + m11 * vector.y + m12 * vector.z,
+        m20 * vector.x + m21 * vector.y + m22 * vector.z);
+
+    public readonly Vector3 MultiplyPoint(Vector3 point)
+    {
+        var w = m30 * point.x + m31 * point.y + m32 * point.z + m33;
+        return MultiplyPoint3x4(point) / w;
+    }
+
+    public static Vector4 operator *(Matrix4x4 lhs, Vector4 vector) => new(
+        Vector4.Dot(lhs.GetRow(0), vector), Vector4.Dot(lhs.GetRow(1), vector), Vector4.Dot(lhs.GetRow(2), vector), Vector4.Dot(lhs.GetRow(3), vector));
+
+    public static Matrix4x4 operator *(Matrix4x4 lhs, Matrix4x4 rhs) =>
+        new(lhs * rhs.GetColumn(0), lhs * rhs.GetColumn(1), lhs * rhs.GetColumn(2), lhs * rhs.GetColumn(3));
+
+    public static bool operator ==(Matrix4x4 lhs, Matrix4x4 rhs) =>
+        lhs.GetColumn(0) == rhs.GetColumn(0) && lhs.GetColumn(1) == rhs.GetColumn(1) &&
+        lhs.GetColumn(2) == rhs.GetColumn(2) && lhs.GetColumn(3) == rhs.GetColumn(3);
+
+    public static bool operator !=(Matrix4x4 lhs, Matrix4x4 rhs) => !(lhs == rhs);
+
+    public readonly bool Equals(Matrix4x4 other) =>
+        GetColumn(0).Equals(other.GetColumn(0)) && GetColumn(1).Equals(other.GetColumn(1)) &&
+        GetColumn(2).Equals(other.GetColumn(2)) && GetColumn(3).Equals(other.GetColumn(3));
+
+    public override readonly bool Equals(object other) => other is Matrix4x4 m && Equals(m);
+    public override readonly int GetHashCode() => HashCode.Combine(GetColumn(0), GetColumn(1), GetColumn(2), GetColumn(3));
+
+    public override readonly string ToString() => ToString(null, null);
+    public readonly string ToString(string format) => ToString(format, null);
+
+    public readonly string ToString(string format, IFormatProvider formatProvider)
+    {
+        format = string.IsNullOrEmpty(format) ? "F5" : format;
+        return string.Join("\n",
+            GetRow(0).ToString(format, formatProvider), GetRow(1).ToString(format, formatProvider),
+            GetRow(2).ToString(format, formatProvider), GetRow(3).ToString(format, formatProvider));
+    }
+}

@@ -1,0 +1,34 @@
+using System;
+
+namespace UnityEngine;
+
+public struct Pose : IEquatable<Pose>
+{
+    public Vector3 position;
+    public Quaternion rotation;
+
+    public Pose(Vector3 position, Quaternion rotation)
+    {
+        this.position = position;
+        this.rotation = rotation;
+    }
+
+    public static Pose identity => new(Vector3.zero, Quaternion.identity);
+
+    public readonly Vector3 forward => rotation * Vector3.forward;
+    public readonly Vector3 right => rotation * Vector3.right;
+    public readonly Vector3 up => rotation * Vector3.up;
+
+    public readonly Pose GetTransformedBy(Pose lhs) => new(lhs.position + lhs.rotation * position, lhs.rotation * rotation);
+    public readonly Pose GetTransformedBy(Transform lhs) => new(lhs.TransformPoint(position), lhs.rotation * rotation);
+
+    public static bool operator ==(Pose a, Pose b) => a.position == b.position && a.rotation == b.rotation;
+    public static bool operator !=(Pose a, Pose b) => !(a == b);
+
+    public readonly bool Equals(Pose other) => position.Equals(other.position) && rotation.Equals(other.rotation);
+    public override readonly bool Equals(object obj) => obj is Pose p && Equals(p);
+    public override readonly int GetHashCode() => HashCode.Combine(position, rotation);
+
+    public override readonly string ToString() => ToString(null);
+    public readonly string ToString(string format) => $"({position.ToString(format)}, {rotation.ToString(format)})";
+}

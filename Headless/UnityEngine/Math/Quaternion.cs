@@ -1,0 +1,177 @@
+using System;
+using System.Globalization;
+
+namespace UnityEngine;
+
+/// <summary>A rotation in left-handed axes: a positive angle turns clockwise for someone who looks along the axis from its tip.</summary>
+public struct Quaternion : IEquatable<Quaternion>, IFormattable
+{
+    public const float kEpsilon = 1E-06f;
+
+    public float x;
+    public float y;
+    public float z;
+    public float w;
+
+    public Quaternion(float x, float y, float z, float w)
+    {
+        this.x = x;
+        this.y = y;
+        this.z = z;
+        this.w = w;
+    }
+
+    public static Quaternion identity => new(0, 0, 0, 1);
+
+    public float this[int index]
+    {
+        readonly get => index switch { 0 => x, 1 => y, 2 => z, 3 => w, _ => throw new IndexOutOfRangeException("Invalid Quaternion index!") };
+        set
+        {
+            if (index == 0) x = value;
+            else if (index == 1) y = value;
+            else if (index == 2) z = value;
+            else if (index == 3) w = value;
+            else throw new IndexOutOfRangeException("Invalid Quaternion index!");
+        }
+    }
+
+    public readonly Quaternion normalized => Normalize(this);
+
+    /// <summary>Degrees, each in 0..360; about z first, then x, then y.</summary>
+    public Vector3 eulerAngles
+    {
+        readonly get => EulerAngles.Of(this);
+        set => this = Euler(value);
+    }
+
+    public static float Dot(Quaternion a, Quaternion b) => a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+
+    public static Quaternion Normalize(Quaternion q)
+    {
+        var length = MathF.Sqrt(Dot(q, q));
+        return length < Mathf.Epsilon ? identity : new Quaternion(q.x / length, q.y / length, q.z / length, q.w / length);
+    }
+
+    public void Normalize() => this = Normalize(this);
+
+    public static Quaternion Inverse(Quaternion rotation) => new(-rotation.x, -rotation.y, -rotation.z, rotation.w);
+
+    public static Quaternion AngleAxis(float angle, Vector3 axis)
+    {
+        if (axis.sqrMagnitude == 0) return identity;
+
+        var half = angle * Mathf.Deg2Rad / 2;
+        var v = axis / axis.magnitude * MathF.Sin(half);
+        return new Quaternion(v.x, v.y, v.z, MathF.Cos(half));
+    }
+
+    public readonly void ToAngleAxis(out float angle, out Vector3 axis)
+    {
+        var q = Normalize(this);
+        var sine = MathF.Sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
+        angle = 2 * MathF.Atan2(sine, q.w) * Mathf.Rad2Deg;
+        axis = sine < kEpsilon ? Vector3.right : new Vector3(q.x, q.y, q.z) / sine;
+    }
+
+    public static Quaternion Euler(float x, float y, float z) =>
+        AngleAxis(y, Vector3.up) * AngleAxis(x, Vector3.right) * AngleAxis(z, Vector3.forward);
+
+    public static Quaternion Euler(Vector3 euler) => Euler(euler.x, euler.y, euler.z);
+
+    public static Quaternion LookRotation(Vector3 forward) => LookRotation(forward, Vector3.up);
+
+    public static Quaternion LookRotation(Vector3 forward, Vector3 upwards)
+    {
+        if (forward.sqrMagnitude < Vector3.EqualitySquared) return identity;
+
+        var z = forward / forward.magnitude;
+        var x = Vector3.Cross(upwards, z);
+        // With the view along "up" there is no one answer: the shortest turn from forward is as good as any.
+        if (x.sqrMagnitude < Vector3.EqualitySquared) return FromToRotation(Vector3.forward, z);
+
+        x /= x.magnitude;
+        return RotationMatrix.ToQuaternion(x, Vector3.Cross(z, x), z);
+    }
+
+    public static Quaternion FromToRotation(Vector3 fromDirection, Vector3 toDirection)
+    {
+        var from = fromDirection.normalized;
+        var to = toDirection.normalized;
+        if (from == Vector3.zero || to == Vector3.zero) return identity;
+
+        var cosine = Vector3.Dot(from, to);
+        if (cosine > -1 + kEpsilon)
+        {
+            var axis = Vector3.Cross(from, to);
+            return Normalize(new Quaternion(axis.x, axis.y, axis.z, 1 + cosine));
+        }
+
+        // Half a turn about any axis across.
+        var across = Vector3.Cross(from, MathF.Abs(from.x) < 0.9f ? Vector3.right : Vector3.up).normalized;
+        return new Quaternion(across.x, across.y, across.z, 0);
+    }
+
+    public static float Angle(Quaternion a, Quaternion b)
+    {
+        var dot = MathF.Min(MathF.Abs(Dot(a, b)), 1);
+        return dot > 1 - kEpsilon ? 0 : MathF.Acos(dot) * 2 * Mathf.Rad2Deg;
+    }
+
+    public static Quaternion Slerp(Quaternion a, Quaternion b, float t) => SlerpUnclamped(a, b, Mathf.Clamp01(t));
+
+    public static Quaternion SlerpUnclamped(Quaternion a, Quaternion b, float t)
+    {
+        var dot = Dot(a, b);
+        var sign = dot < 0 ? -1f : 1f;
+        var angle = MathF.Acos(MathF.Min(dot * sign, 1));
+        var sine = MathF.Sin(angle);
+        // Too near each other for the division: straight on is the same.
+        return sine < 1e-4f
+            ? Normalize(Sum(a, 1 - t, b, sign * t))
+            : Sum(a, MathF.Sin((1 - t) * angle) / sine, b, sign * MathF.Sin(t * angle) / sine);
+    }
+
+    public static Quaternion Lerp(Quaternion a, Quaternion b, float t)
+    {
+        t = Mathf.Clamp01(t);
+        return Normalize(Sum(a, 1 - t, b, Dot(a, b) < 0 ? -t : t));
+    }
+
+    public static Quaternion RotateTowards(Quaternion from, Quaternion to, float maxDegreesDelta)
+    {
+        var angle = Angle(from, to);
+        return angle == 0 ? to : SlerpUnclamped(from, to, Mathf.Min(1, maxDegreesDelta / angle));
+    }
+
+    public void Set(float newX, float newY, float newZ, float newW) => this = new Quaternion(newX, newY, newZ, newW);
+
+    public static Quaternion operator *(Quaternion lhs, Quaternion rhs) => new(
+        lhs.w * rhs.x + lhs.x * rhs.w + lhs.y * rhs.z - lhs.z * rhs.y,
+        lhs.w * rhs.y + lhs.y * rhs.w + lhs.z * rhs.x - lhs.x * rhs.z,
+        lhs.w * rhs.z + lhs.z * rhs.w + lhs.x * rhs.y - lhs.y * rhs.x,
+        lhs.w * rhs.w - lhs.x * rhs.x - lhs.y * rhs.y - lhs.z * rhs.z);
+
+    public static Vector3 operator *(Quaternion rotation, Vector3 point)
+    {
+        var v = new Vector3(rotation.x, rotation.y, rotation.z);
+        var t = Vector3.Cross(v, point) * 2;
+        return point + t * rotation.w + Vector3.Cross(v, t);
+    }
+
+    public static bool operator ==(Quaternion lhs, Quaternion rhs) => Dot(lhs, rhs) > 1 - kEpsilon;
+    public static bool operator !=(Quaternion lhs, Quaternion rhs) => !(lhs == rhs);
+
+    public readonly bool Equals(Quaternion other) => x.Equals(other.x) && y.Equals(other.y) && z.Equals(other.z) && w.Equals(other.w);
+    public override readonly bool Equals(object other) => other is Quaternion q && Equals(q);
+    public override readonly int GetHashCode() => HashCode.Combine(x, y, z, w);
+
+    public override readonly string ToString() => ToString(null, null);
+    public readonly string ToString(string format) => ToString(format, null);
+
+    public readonly string ToString(string format, IFormatProvider formatProvider) =>
+        new Vector4(x, y, z, w).ToString(string.IsNullOrEmpty(format) ? "F5" : format, formatProvider);
+
+    static Quaternion Sum(Quaternion a, float s, Quaternion b, float t) =>
+        new(a.x * s + b.x * t, a.y * s + b.y * t, a.z * s + b.z * t, a.w * s + b.w * t);
+}

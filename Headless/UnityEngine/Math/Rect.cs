@@ -1,0 +1,92 @@
+using System;
+using System.Globalization;
+
+namespace UnityEngine;
+
+public struct Rect : IEquatable<Rect>, IFormattable
+{
+    public Rect(float x, float y, float width, float height)
+    {
+        this.x = x;
+        this.y = y;
+        this.width = width;
+        this.height = height;
+    }
+
+    public Rect(Vector2 position, Vector2 size) : this(position.x, position.y, size.x, size.y) { }
+
+    public Rect(Rect source) : this(source.x, source.y, source.width, source.height) { }
+
+    public static Rect zero => default;
+
+    public float x { readonly get; set; }
+    public float y { readonly get; set; }
+    public float width { readonly get; set; }
+    public float height { readonly get; set; }
+
+    public Vector2 position
+    {
+        readonly get => new(x, y);
+        set => (x, y) = (value.x, value.y);
+    }
+
+    public Vector2 size
+    {
+        readonly get => new(width, height);
+        set => (width, height) = (value.x, value.y);
+    }
+
+    public Vector2 center
+    {
+        readonly get => new(x + width / 2, y + height / 2);
+        set => position = value - size / 2;
+    }
+
+    public float xMin
+    {
+        readonly get => x;
+        set => (x, width) = (value, xMax - value);
+    }
+
+    public float xMax
+    {
+        readonly get => x + width;
+        set => width = value - x;
+    }
+
+    public float yMin
+    {
+        readonly get => y;
+        set => (y, height) = (value, yMax - value);
+    }
+
+    public float yMax
+    {
+        readonly get => y + height;
+        set => height = value - y;
+    }
+
+    public static Rect MinMaxRect(float xmin, float ymin, float xmax, float ymax) => new(xmin, ymin, xmax - xmin, ymax - ymin);
+
+    public readonly bool Contains(Vector2 point) => point.x >= xMin && point.x < xMax && point.y >= yMin && point.y < yMax;
+
+    public static bool operator ==(Rect lhs, Rect rhs) => lhs.Equals(rhs);
+    public static bool operator !=(Rect lhs, Rect rhs) => !lhs.Equals(rhs);
+
+    public readonly bool Equals(Rect other) =>
+        x.Equals(other.x) && y.Equals(other.y) && width.Equals(other.width) && height.Equals(other.height);
+
+    public override readonly bool Equals(object other) => other is Rect r && Equals(r);
+    public override readonly int GetHashCode() => HashCode.Combine(x, y, width, height);
+
+    public override readonly string ToString() => ToString(null, null);
+    public readonly string ToString(string format) => ToString(format, null);
+
+    public readonly string ToString(string format, IFormatProvider formatProvider)
+    {
+        format = string.IsNullOrEmpty(format) ? "F2" : format;
+        formatProvider ??= CultureInfo.InvariantCulture;
+        return $"(x:{x.ToString(format, formatProvider)}, y:{y.ToString(format, formatProvider)}, " +
+            $"width:{width.ToString(format, formatProvider)}, height:{height.ToString(format, formatProvider)})";
+    }
+}

@@ -1,0 +1,36 @@
+using System;
+
+namespace UnityEngine;
+
+/// <summary>Rotations as the three images of right, up and forward.</summary>
+static class RotationMatrix
+{
+    /// <summary>The three must be of length one and square to each other, in Unity's order.</summary>
+    internal static Quaternion ToQuaternion(Vector3 right, Vector3 up, Vector3 forward)
+    {
+        // Divides by the largest component, so that nothing is lost near half a turn.
+        var trace = right.x + up.y + forward.z;
+        if (trace > 0)
+        {
+            var s = 2 * MathF.Sqrt(1 + trace);
+            return new Quaternion((up.z - forward.y) / s, (forward.x - right.z) / s, (right.y - up.x) / s, s / 4);
+        }
+
+        if (right.x > up.y && right.x > forward.z)
+        {
+            var s = 2 * MathF.Sqrt(1 + right.x - up.y - forward.z);
+            return new Quaternion(s / 4, (up.x + right.y) / s, (forward.x + right.z) / s, (up.z - forward.y) / s);
+        }
+
+        if (up.y > forward.z)
+        {
+            var s = 2 * MathF.Sqrt(1 + up.y - right.x - forward.z);
+            return new Quaternion((up.x + right.y) / s, s / 4, (forward.y + up.z) / s, (forward.x - right.z) / s);
+        }
+        else
+        {
+            var s = 2 * MathF.Sqrt(1 + forward.z - right.x - up.y);
+            return new Quaternion((forward.x + right.z) / s, (forward.y + up.z) / s, s / 4, (right.y - up.x) / s);
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using UnityEngine.Serialization;
+
+namespace UnityEngine;
+
+public class Behaviour : Component
+{
+    [SerializeField, SerializedName("m_Enabled")] bool _enabled = true;
+
+    public bool enabled
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _enabled;
+        }
+        set
+        {
+            ThrowIfDestroyed();
+            if (_enabled == value) return;
+
+            _enabled = value;
+            UpdateRunning();
+        }
+    }
+
+    public bool isActiveAndEnabled => !Destroyed && _enabled && Owner is { activeInHierarchy: true };
+
+    /// <summary>It is taking part: enabled, on an active object, and told so.</summary>
+    internal bool Running { get; private set; }
+
+    /// <summary>Sets the flag as a file does, before the object wakes.</summary>
+    internal void Enable(bool value) => _enabled = value;
+
+    internal override void Activated() => UpdateRunning();
+
+    internal override void Deactivated() => UpdateRunning();
+
+    /// <summary>The object has been awake for as long as it may run.</summary>
+    internal virtual bool MayRun => true;
+
+    internal virtual void StartRunning() { }
+
+    internal virtual void StopRunning() { }
+
+    internal void UpdateRunning() => SetRunning(isActiveAndEnabled && MayRun);
+
+    internal void SetRunning(bool running)
+    {
+        if (Running == running) return;
+
+        Running = running;
+        if (running) StartRunning();
+        else StopRunning();
+    }
+}

@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+public class Component : Object
+{
+    GameObject _gameObject;
+
+    public GameObject gameObject
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _gameObject;
+        }
+    }
+
+    public Transform transform => gameObject.transform;
+
+    public string tag
+    {
+        get => gameObject.tag;
+        set => gameObject.tag = value;
+    }
+
+    internal GameObject Owner => _gameObject;
+
+    internal override Object NameOwner => _gameObject is null ? this : _gameObject;
+
+    public bool CompareTag(string tag) => gameObject.CompareTag(tag);
+
+    public Component GetComponent(Type type) => gameObject.GetComponent(type);
+    public T GetComponent<T>() => gameObject.GetComponent<T>();
+    public bool TryGetComponent(Type type, out Component component) => gameObject.TryGetComponent(type, out component);
+    public bool TryGetComponent<T>(out T component) => gameObject.TryGetComponent(out component);
+    public Component GetComponentInChildren(Type t) => gameObject.GetComponentInChildren(t);
+    public Component GetComponentInChildren(Type t, bool includeInactive) => gameObject.GetComponentInChildren(t, includeInactive);
+    public T GetComponentInChildren<T>() => gameObject.GetComponentInChildren<T>();
+    public T GetComponentInChildren<T>(bool includeInactive) => gameObject.GetComponentInChildren<T>(includeInactive);
+    public Component GetComponentInParent(Type t) => gameObject.GetComponentInParent(t);
+    public T GetComponentInParent<T>() => gameObject.GetComponentInParent<T>();
+    public T GetComponentInParent<T>(bool includeInactive) => gameObject.GetComponentInParent<T>(includeInactive);
+    public Component[] GetComponents(Type type) => gameObject.GetComponents(type);
+    public T[] GetComponents<T>() => gameObject.GetComponents<T>();
+    public void GetComponents<T>(List<T> results) => gameObject.GetComponents(results);
+    public T[] GetComponentsInChildren<T>() => gameObject.GetComponentsInChildren<T>();
+    public T[] GetComponentsInChildren<T>(bool includeInactive) => gameObject.GetComponentsInChildren<T>(includeInactive);
+    public void GetComponentsInChildren<T>(List<T> results) => gameObject.GetComponentsInChildren(results);
+
+    public void GetComponentsInChildren<T>(bool includeInactive, List<T> result) =>
+        gameObject.GetComponentsInChildren(includeInactive, result);
+
+    public T[] GetComponentsInParent<T>() => gameObject.GetComponentsInParent<T>();
+    public T[] GetComponentsInParent<T>(bool includeInactive) => gameObject.GetComponentsInParent<T>(includeInactive);
+
+    internal void AttachTo(GameObject owner) => _gameObject = owner;
+
+    /// <summary>Its GameObject became active, or it was added to an active one.</summary>
+    internal virtual void Activated() { }
+
+    /// <summary>Its GameObject became inactive.</summary>
+    internal virtual void Deactivated() { }
+
+    /// <summary>The last word before it equals null.</summary>
+    internal virtual void Destroying() { }
+}

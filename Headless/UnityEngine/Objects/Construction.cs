@@ -1,0 +1,27 @@
+using System;
+using System.Reflection;
+using System.Runtime.ExceptionServices;
+
+namespace UnityEngine;
+
+/// <summary>Makes objects of the engine's classes as the engine does: with whatever constructor there is, also a hidden one.</summary>
+static class Construction
+{
+    internal static Object Create(Type type)
+    {
+        if (type == null || type.IsAbstract || !typeof(Object).IsAssignableFrom(type))
+        {
+            throw new ArgumentException($"no object can be made of {type?.FullName ?? "no type"}", nameof(type));
+        }
+
+        try
+        {
+            return (Object)Activator.CreateInstance(type, nonPublic: true);
+        }
+        catch (TargetInvocationException e)
+        {
+            ExceptionDispatchInfo.Capture(e.InnerException ?? e).Throw();
+            throw;
+        }
+    }
+}

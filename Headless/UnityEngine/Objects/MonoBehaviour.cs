@@ -1,0 +1,73 @@
+using System.Collections;
+
+namespace UnityEngine;
+
+public class MonoBehaviour : Behaviour
+{
+    bool _awake;
+    bool _started;
+
+    internal bool Awoken => _awake;
+
+    internal ScriptType Script => field ??= ScriptType.Of(GetType());
+
+    internal override bool MayRun => _awake;
+
+    public Coroutine StartCoroutine(IEnumerator routine)
+    {
+        ThrowIfDestroyed();
+        if (gameObject.activeInHierarchy) return World.Coroutines.Start(this, routine);
+
+        Debug.LogError($"Coroutine couldn't be started because the the game object '{name}' is inactive!", this);
+        return null;
+    }
+
+    public void StopCoroutine(Coroutine routine) => World.Coroutines.Stop(this, routine);
+    public void StopCoroutine(IEnumerator routine) => World.Coroutines.Stop(this, routine);
+    public void StopAllCoroutines() => World.Coroutines.StopAll(this);
+
+    /// <summary>Calls Start once, before the first frame message that it gets.</summary>
+    internal void EnsureStarted()
+    {
+        if (_started) return;
+
+        _started = true;
+        Script.Start(this);
+    }
+
+    internal override void Activated()
+    {
+        if (!_awake && World.RunsScript(Script))
+        {
+            _awake = true;
+            // A script that cannot wake does not run.
+            if (!Script.Call(Message.Awake, this)) enabled = false;
+        }
+
+        if (!Destroyed) base.Activated();
+    }
+
+    internal override void Deactivated()
+    {
+        base.Deactivated();
+        World.Coroutines.StopAll(this);
+    }
+
+    internal override void StartRunning()
+    {
+        World.Scripts.Add(this, !_started);
+        Script.Call(Message.OnEnable, this);
+    }
+
+    internal override void StopRunning()
+    {
+        Script.Call(Message.OnDisable, this);
+        World.Scripts.Remove(this);
+    }
+
+    internal override void Destroying()
+    {
+        if (_awake) Script.Call(Message.OnDestroy, this);
+        World.Coroutines.StopAll(this);
+    }
+}

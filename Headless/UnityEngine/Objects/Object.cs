@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+public partial class Object
+{
+    readonly int _instanceId;
+    string _name = "";
+    HideFlags _hideFlags;
+
+    public Object()
+    {
+        World = World.Current;
+        _instanceId = World.NextId();
+        World.Register(this);
+    }
+
+    public string name
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return NameOwner._name;
+        }
+        set
+        {
+            ThrowIfDestroyed();
+            NameOwner._name = value ?? "";
+        }
+    }
+
+    public HideFlags hideFlags
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _hideFlags;
+        }
+        set
+        {
+            ThrowIfDestroyed();
+            _hideFlags = value;
+        }
+    }
+
+    /// <summary>The world it was made in and lives in.</summary>
+    internal World World { get; }
+
+    internal bool Destroyed { get; private set; }
+
+    /// <summary>A component bears the name of its GameObject.</summary>
+    internal virtual Object NameOwner => this;
+
+    /// <summary>A copy made by the class itself; null where Instantiate copies the serialised fields.</summary>
+    internal virtual Object Duplicate() => null;
+
+    public int GetInstanceID() => _instanceId;
+
+    public static implicit operator bool(Object exists) => Alive(exists);
+    public static bool operator ==(Object x, Object y) => Alive(x) ? ReferenceEquals(x, y) : !Alive(y);
+    public static bool operator !=(Object x, Object y) => !(x == y);
+    public override bool Equals(object other) => other is null ? Destroyed : other is Object o && this == o;
+    public override int GetHashCode() => _instanceId;
+    public override string ToString() => Destroyed ? "null" : $"{name} ({GetType().FullName})";
+
+    public static void DontDestroyOnLoad(Object target)
+    {
+        var gameObject = target is Component c ? c.gameObject : target as GameObject;
+        if (gameObject) World.Current.Scenes.Keep(gameObject);
+    }
+
+    public static void Destroy(Object obj) => Destroy(obj, 0);
+    public static void Destroy(Object obj, float t) => World.Current.Destruction.Later(obj, t);
+    public static void DestroyImmediate(Object obj) => DestroyImmediate(obj, false);
+    public static void DestroyImmediate(Object obj, bool allowDestroyingAssets) => World.Current.Destruction.Now(obj, allowDestroyingAssets);
+
+    internal static bool Alive(Object o) => o is not null && !o.Destroyed;
+
+    internal void ThrowIfDestroyed()
+    {
+        if (Destroyed)
+        {
+            throw new MissingReferenceException(
+                $"The object of type '{GetType().Name}' has been destroyed but you are still trying to access it.\n" +
+                "Your script should either check if it is null or you should not destroy the object.");
+        }
+    }
+
+    /// <summary>From now on it equals null.</summary>
+    internal void MarkDestroyed()
+    {
+        Destroyed = true;
+        World.Forget(this);
+    }
+}

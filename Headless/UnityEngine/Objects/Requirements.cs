@@ -1,0 +1,31 @@
+using System;
+using System.Collections.Generic;
+using System.Reflection;
+
+namespace UnityEngine;
+
+/// <summary>What a component class asks of the object it is added to.</summary>
+sealed class Requirements
+{
+    Requirements(Type type)
+    {
+        Alone = type.IsDefined(typeof(DisallowMultipleComponent), true);
+        var types = new List<Type>();
+        foreach (var attribute in type.GetCustomAttributes<RequireComponent>(true))
+        {
+            foreach (var required in new[] { attribute.m_Type0, attribute.m_Type1, attribute.m_Type2 })
+            {
+                if (required != null) types.Add(required);
+            }
+        }
+
+        Types = types;
+    }
+
+    /// <summary>There may be one of it at most.</summary>
+    internal bool Alone { get; }
+
+    internal IReadOnlyList<Type> Types { get; }
+
+    internal static Requirements Of(Type type) => new(type);
+}

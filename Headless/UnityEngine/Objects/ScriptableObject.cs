@@ -1,0 +1,30 @@
+using System;
+
+namespace UnityEngine;
+
+public class ScriptableObject : Object
+{
+    public static ScriptableObject CreateInstance(Type type)
+    {
+        var made = CreateAsleep(type);
+        made.Wake();
+        return made;
+    }
+
+    public static T CreateInstance<T>() where T : ScriptableObject => (T)CreateInstance(typeof(T));
+
+    /// <summary>Without Awake and OnEnable, for someone who fills in its fields first and then calls <see cref="Wake"/>.</summary>
+    internal static ScriptableObject CreateAsleep(Type type) => (ScriptableObject)Construction.Create(type);
+
+    internal void Wake()
+    {
+        ScriptableMessages.Call(this, "Awake");
+        ScriptableMessages.Call(this, "OnEnable");
+    }
+
+    internal void Sleep()
+    {
+        ScriptableMessages.Call(this, "OnDisable");
+        ScriptableMessages.Call(this, "OnDestroy");
+    }
+}

@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+public enum SendMessageOptions
+{
+    RequireReceiver = 0,
+    DontRequireReceiver = 1,
+}

@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+public enum Space
+{
+    World = 0,
+    Self = 1,
+}

@@ -1,0 +1,231 @@
+using UnityEngine.Serialization;
+
+namespace UnityEngine;
+
+public partial class Transform
+{
+    [SerializeField, SerializedName("m_LocalPosition")] Vector3 _localPosition = Vector3.zero;
+    [SerializeField, SerializedName("m_LocalRotation")] Quaternion _localRotation = Quaternion.identity;
+    [SerializeField, SerializedName("m_LocalScale")] Vector3 _localScale = Vector3.one;
+
+    // Of the world; worked out when asked for and kept until something above moves.
+    Matrix4x4 _matrix;
+    Quaternion _rotation;
+    bool _known;
+
+    public bool hasChanged { get; set; } = true;
+
+    public Vector3 localPosition
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _localPosition;
+        }
+        set
+        {
+            ThrowIfDestroyed();
+            _localPosition = value;
+            MarkMoved();
+        }
+    }
+
+    public Quaternion localRotation
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _localRotation;
+        }
+        set
+        {
+            ThrowIfDestroyed();
+            _localRotation = Quaternion.Normalize(value);
+            MarkMoved();
+        }
+    }
+
+    public Vector3 localScale
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _localScale;
+        }
+        set
+        {
+            ThrowIfDestroyed();
+            _localScale = value;
+            MarkMoved();
+        }
+    }
+
+    public Vector3 localEulerAngles
+    {
+        get => localRotation.eulerAngles;
+        set => localRotation = Quaternion.Euler(value);
+    }
+
+    public Vector3 position
+    {
+        get => localToWorldMatrix.GetPosition();
+        set => localPosition = _parent is null ? value : _parent.InverseTransformPoint(value);
+    }
+
+    public Quaternion rotation
+    {
+        get
+        {
+            Know();
+            return _rotation;
+        }
+        set => localRotation = _parent is null ? value : Quaternion.Inverse(_parent.rotation) * value;
+    }
+
+    public Vector3 eulerAngles
+    {
+        get => rotation.eulerAngles;
+        set => rotation = Quaternion.Euler(value);
+    }
+
+    /// <summary>Exact unless something turned stands under something scaled unevenly.</summary>
+    public Vector3 lossyScale
+    {
+        get
+        {
+            var scale = Matrix4x4.Rotate(Quaternion.Inverse(rotation)) * _matrix;
+            return new Vector3(scale.m00, scale.m11, scale.m22);
+        }
+    }
+
+    public Vector3 right
+    {
+        get => rotation * Vector3.right;
+        set => rotation = Quaternion.FromToRotation(Vector3.right, value);
+    }
+
+    public Vector3 up
+    {
+        get => rotation * Vector3.up;
+        set => rotation = Quaternion.FromToRotation(Vector3.up, value);
+    }
+
+    public Vector3 forward
+    {
+        get => rotation * Vector3.forward;
+        set => rotation = Quaternion.LookRotation(value);
+    }
+
+    public Matrix4x4 localToWorldMatrix
+    {
+        get
+        {
+            Know();
+            return _matrix;
+        }
+    }
+
+    public Matrix4x4 worldToLocalMatrix => localToWorldMatrix.inverse;
+
+    public void SetPositionAndRotation(Vector3 position, Quaternion rotation)
+    {
+        this.position = position;
+        this.rotation = rotation;
+    }
+
+    public void SetLocalPositionAndRotation(Vector3 localPosition, Quaternion localRotation)
+    {
+        ThrowIfDestroyed();
+        _localPosition = localPosition;
+        this.localRotation = localRotation;
+    }
+
+    public void GetPositionAndRotation(out Vector3 position, out Quaternion rotation)
+    {
+        position = this.position;
+        rotation = this.rotation;
+    }
+
+    public void GetLocalPositionAndRotation(out Vector3 localPosition, out Quaternion localRotation)
+    {
+        localPosition = this.localPosition;
+        localRotation = this.localRotation;
+    }
+
+    public Vector3 TransformPoint(Vector3 position) => localToWorldMatrix.MultiplyPoint3x4(position);
+    public Vector3 TransformVector(Vector3 vector) => localToWorldMatrix.MultiplyVector(vector);
+    public Vector3 TransformDirection(Vector3 direction) => rotation * direction;
+    public Vector3 InverseTransformDirection(Vector3 direction) => Quaternion.Inverse(rotation) * direction;
+
+    public Vector3 InverseTransformPoint(Vector3 position)
+    {
+        ThrowIfDestroyed();
+        // Step by step from the root: what a 4x4 inverse loses in floats is visible at arm's length.
+        var above = _parent is null ? position : _parent.InverseTransformPoint(position);
+        return Unscaled(Quaternion.Inverse(_localRotation) * (above - _localPosition));
+    }
+
+    public Vector3 InverseTransformVector(Vector3 vector)
+    {
+        ThrowIfDestroyed();
+        var above = _parent is null ? vector : _parent.InverseTransformVector(vector);
+        return Unscaled(Quaternion.Inverse(_localRotation) * above);
+    }
+
+    public void Translate(Vector3 translation) => Translate(translation, Space.Self);
+
+    public void Translate(Vector3 translation, Space relativeTo) =>
+        position += relativeTo == Space.World ? translation : TransformDirection(translation);
+
+    public void Rotate(Vector3 eulers) => Rotate(eulers, Space.Self);
+
+    public void Rotate(Vector3 eulers, Space relativeTo) => Turn(Quaternion.Euler(eulers), relativeTo);
+
+    public void Rotate(Vector3 axis, float angle) => Rotate(axis, angle, Space.Self);
+
+    public void Rotate(Vector3 axis, float angle, Space relativeTo) => Turn(Quaternion.AngleAxis(angle, axis), relativeTo);
+
+    public void Rotate(float xAngle, float yAngle, float zAngle) => Rotate(new Vector3(xAngle, yAngle, zAngle));
+
+    public void RotateAround(Vector3 point, Vector3 axis, float angle)
+    {
+        var turn = Quaternion.AngleAxis(angle, axis);
+        SetPositionAndRotation(point + turn * (position - point), turn * rotation);
+    }
+
+    public void LookAt(Transform target) => LookAt(target.position);
+    public void LookAt(Transform target, Vector3 worldUp) => LookAt(target.position, worldUp);
+    public void LookAt(Vector3 worldPosition) => LookAt(worldPosition, Vector3.up);
+    public void LookAt(Vector3 worldPosition, Vector3 worldUp) => rotation = Quaternion.LookRotation(worldPosition - position, worldUp);
+
+    internal void MarkMoved()
+    {
+        hasChanged = true;
+        if (!_known) return;
+
+        // What was not asked for since has nothing below it that was.
+        _known = false;
+        foreach (var child in _children) child.MarkMoved();
+    }
+
+    void Know()
+    {
+        ThrowIfDestroyed();
+        if (_known) return;
+
+        var local = Matrix4x4.TRS(_localPosition, _localRotation, _localScale);
+        _matrix = _parent is null ? local : _parent.localToWorldMatrix * local;
+        _rotation = _parent is null ? _localRotation : Quaternion.Normalize(_parent.rotation * _localRotation);
+        _known = true;
+    }
+
+    void Turn(Quaternion turn, Space relativeTo)
+    {
+        if (relativeTo == Space.Self) localRotation *= turn;
+        else rotation = turn * rotation;
+    }
+
+    Vector3 Unscaled(Vector3 v) => new(Divided(v.x, _localScale.x), Divided(v.y, _localScale.y), Divided(v.z, _localScale.z));
+
+    static float Divided(float value, float scale) => scale == 0 ? 0 : value / scale;
+}

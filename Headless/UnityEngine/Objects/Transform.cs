@@ -1,0 +1,127 @@
+using System.Collections;
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+/// <summary>Its place in the hierarchy; see the other part for where it is in space.</summary>
+public partial class Transform : Component, IEnumerable
+{
+    readonly List<Transform> _children = new();
+    Transform _parent;
+
+    protected Transform() { }
+
+    public Transform parent
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _parent;
+        }
+        set => SetParent(value);
+    }
+
+    public Transform root => _parent is null ? this : _parent.root;
+
+    public int childCount
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _children.Count;
+        }
+    }
+
+    public Transform GetChild(int index)
+    {
+        ThrowIfDestroyed();
+        return index >= 0 && index < _children.Count ? _children[index] : throw new UnityException("Transform child out of bounds");
+    }
+
+    public IEnumerator GetEnumerator() => _children.ToArray().GetEnumerator();
+
+    public void SetParent(Transform p) => SetParent(p, true);
+
+    public void SetParent(Transform parent, bool worldPositionStays)
+    {
+        ThrowIfDestroyed();
+        // A destroyed one counts as none.
+        if (!Alive(parent)) parent = null;
+        if (ReferenceEquals(parent, _parent)) return;
+
+        if (parent is not null && parent.IsChildOf(this))
+        {
+            Debug.LogError("Parenting would create a loop: a child cannot be the parent of its own parent.", this);
+            return;
+        }
+
+        var world = new WorldPlace(this);
+        Reparent(parent);
+        if (worldPositionStays) world.Restore(this);
+        else MarkMoved();
+        Lifecycle.Refresh(Owner);
+    }
+
+    public bool IsChildOf(Transform parent)
+    {
+        for (var t = this; t is not null; t = t._parent)
+        {
+            if (ReferenceEquals(t, parent)) return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>A child by its name, or by names with slashes; none deeper than that.</summary>
+    public Transform Find(string n)
+    {
+        ThrowIfDestroyed();
+        var slash = n.IndexOf('/');
+        var head = slash < 0 ? n : n.Substring(0, slash);
+        foreach (var child in _children)
+        {
+            if (child.name == head) return slash < 0 ? child : child.Find(n.Substring(slash + 1));
+        }
+
+        return null;
+    }
+
+    public void DetachChildren()
+    {
+        for (var i = childCount - 1; i >= 0; i--) _children[i].SetParent(null);
+    }
+
+    public int GetSiblingIndex() => _parent is null ? Owner.Content?.IndexOf(Owner) ?? 0 : _parent._children.IndexOf(this);
+
+    public void SetSiblingIndex(int index)
+    {
+        if (_parent is null)
+        {
+            Owner.Content?.Move(Owner, index);
+            return;
+        }
+
+        _parent._children.Remove(this);
+        _parent._children.Insert(Mathf.Clamp(index, 0, _parent._children.Count), this);
+    }
+
+    public void SetAsFirstSibling() => SetSiblingIndex(0);
+    public void SetAsLastSibling() => SetSiblingIndex(int.MaxValue);
+
+    /// <summary>Takes it out of its parent or its scene: it is being destroyed.</summary>
+    internal void Leave()
+    {
+        if (_parent is not null) _parent._children.Remove(this);
+        else Owner.Content?.Remove(Owner);
+    }
+
+    void Reparent(Transform parent)
+    {
+        var scene = parent is null ? (_parent is null ? Owner.Content : _parent.Owner.Content) : parent.Owner.Content;
+        Leave();
+        _parent = parent;
+        if (parent is not null) parent._children.Add(this);
+        else scene?.Add(Owner);
+        Owner.MoveTo(scene);
+    }
+}

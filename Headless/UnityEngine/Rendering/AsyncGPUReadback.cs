@@ -1,0 +1,15 @@
+using System;
+
+namespace UnityEngine.Rendering;
+
+public static class AsyncGPUReadback
+{
+    public static AsyncGPUReadbackRequest Request(Texture src, int mipIndex = 0, Action<AsyncGPUReadbackRequest> callback = null)
+    {
+        if (!src) throw new ArgumentNullException(nameof(src));
+
+        return new AsyncGPUReadbackRequest(World.Current.Gpu.Request(callback));
+    }
+
+    public static void WaitAllRequests() => World.Current.Gpu.FinishReadbacks();
+}

@@ -1,0 +1,52 @@
+namespace UnityEngine;
+
+/// <summary>What the engine brings along: the meshes of the primitives, the default material.</summary>
+static class BuiltIn
+{
+    // Of the process, as in the engine: nobody changes or destroys them.
+    static readonly World Own = new(isPlaying: false, _ => { });
+
+    static Material s_material;
+    static readonly Mesh[] Meshes = new Mesh[6];
+
+    internal static Material DefaultMaterial => s_material ? s_material : s_material = Make();
+
+    /// <summary>Boxes of the primitives' documented sizes: nothing draws them.</summary>
+    internal static Mesh Mesh(PrimitiveType type)
+    {
+        if (Meshes[(int)type]) return Meshes[(int)type];
+
+        using (Own.Enter())
+        {
+            return Meshes[(int)type] = Box(type.ToString(), type switch
+            {
+                PrimitiveType.Capsule or PrimitiveType.Cylinder => new Vector3(1, 2, 1),
+                PrimitiveType.Plane => new Vector3(10, 0, 10),
+                PrimitiveType.Quad => new Vector3(1, 1, 0),
+                _ => Vector3.one,
+            });
+        }
+    }
+
+    internal static Object Resource(string path) => path == "LegacyRuntime.ttf" ? null : null;
+
+    static Material Make()
+    {
+        using (Own.Enter()) return new Material(new Shader { name = "Standard" }) { name = "Default-Material" };
+    }
+
+    static Mesh Box(string name, Vector3 size)
+    {
+        var corners = new Vector3[8];
+        for (var i = 0; i < 8; i++) corners[i] = Vector3.Scale(new Vector3((i & 1) - 0.5f, (i & 2) / 2f - 0.5f, (i & 4) / 4f - 0.5f), size);
+        return new Mesh
+        {
+            name = name,
+            vertices = corners,
+            triangles = new[]
+            {
+                0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5,
+            },
+        };
+    }
+}

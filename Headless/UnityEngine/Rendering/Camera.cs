@@ -1,0 +1,96 @@
+using System;
+using UnityEngine.Serialization;
+
+namespace UnityEngine;
+
+public sealed class Camera : Behaviour
+{
+    public static CameraCallback onPreCull;
+    public static CameraCallback onPreRender;
+    public static CameraCallback onPostRender;
+
+    [SerializeField, SerializedName("near clip plane")] float _near = 0.3f;
+    [SerializeField, SerializedName("far clip plane")] float _far = 1000;
+    [SerializeField, SerializedName("field of view")] float _fieldOfView = 60;
+    [SerializeField, SerializedName("orthographic")] bool _orthographic;
+    [SerializeField, SerializedName("orthographic size")] float _orthographicSize = 5;
+    [SerializeField, SerializedName("m_Depth")] float _depth;
+    [SerializeField, SerializedName("m_BackGroundColor")] Color _backgroundColor = new(0.19f, 0.3f, 0.47f, 0);
+    [SerializeField, SerializedName("m_CullingMask")] int _cullingMask = -1;
+
+    public delegate void CameraCallback(Camera cam);
+
+    /// <summary>The first enabled one that is tagged MainCamera.</summary>
+    public static Camera main => World.Current.Cameras.Main;
+
+    public static Camera[] allCameras => World.Current.Cameras.ToArray();
+    public static int allCamerasCount => World.Current.Cameras.Count;
+    public static Camera current => World.Current.Cameras.Rendering;
+
+    public float nearClipPlane
+    {
+        get => _near;
+        set => _near = value;
+    }
+
+    public float farClipPlane
+    {
+        get => _far;
+        set => _far = value;
+    }
+
+    /// <summary>Vertical, degrees.</summary>
+    public float fieldOfView
+    {
+        get => _fieldOfView;
+        set => _fieldOfView = value;
+    }
+
+    public bool orthographic
+    {
+        get => _orthographic;
+        set => _orthographic = value;
+    }
+
+    public float orthographicSize
+    {
+        get => _orthographicSize;
+        set => _orthographicSize = value;
+    }
+
+    public float depth
+    {
+        get => _depth;
+        set => _depth = value;
+    }
+
+    public Color backgroundColor
+    {
+        get => _backgroundColor;
+        set => _backgroundColor = value;
+    }
+
+    public int cullingMask
+    {
+        get => _cullingMask;
+        set => _cullingMask = value;
+    }
+
+    public float aspect { get; set; } = 1;
+
+    public bool stereoEnabled => false;
+
+    /// <summary>Axes of OpenGL, as in Unity: the camera looks along its negative z.</summary>
+    public Matrix4x4 worldToCameraMatrix
+    {
+        get
+        {
+            transform.GetPositionAndRotation(out var position, out var rotation);
+            return Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.TRS(position, rotation, Vector3.one).inverse;
+        }
+    }
+
+    internal override void StartRunning() => World.Cameras.Add(this);
+
+    internal override void StopRunning() => World.Cameras.Remove(this);
+}

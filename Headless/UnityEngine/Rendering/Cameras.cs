@@ -1,0 +1,86 @@
+using System.Collections.Generic;
+
+namespace UnityEngine.Rendering;
+
+/// <summary>The enabled cameras of a world, and what is called around each one's rendering.</summary>
+sealed class Cameras
+{
+    readonly List<Camera> _enabled = new();
+    readonly List<MonoBehaviour> _scripts = new();
+    Camera.CameraCallback _preCull;
+    Camera.CameraCallback _preRender;
+    Camera.CameraCallback _postRender;
+    bool _current;
+
+    internal int Count => _enabled.Count;
+
+    internal Camera Main => _enabled.Find(c => c.CompareTag("MainCamera"));
+
+    internal Camera Rendering { get; private set; }
+
+    internal int SubscriberCount
+    {
+        get
+        {
+            if (_current) Read();
+            return Host.Count(_preCull) + Host.Count(_preRender) + Host.Count(_postRender);
+        }
+    }
+
+    internal Camera[] ToArray() => _enabled.ToArray();
+
+    internal void Add(Camera camera) => _enabled.Add(camera);
+
+    internal void Remove(Camera camera) => _enabled.Remove(camera);
+
+    /// <summary>Unity has static fields for these: they hold the delegates of the current world.</summary>
+    internal void Resume()
+    {
+        _current = true;
+        Camera.onPreCull = _preCull;
+        Camera.onPreRender = _preRender;
+        Camera.onPostRender = _postRender;
+    }
+
+    internal void Suspend()
+    {
+        Read();
+        _current = false;
+    }
+
+    internal void Render()
+    {
+        // An index: a callback may switch a camera off.
+        for (var i = 0; i < _enabled.Count; i++) Render(_enabled[i]);
+    }
+
+    void Render(Camera camera)
+    {
+        Rendering = camera;
+        Camera.onPreCull?.Invoke(camera);
+        Tell(camera, Message.OnPreCull);
+        Camera.onPreRender?.Invoke(camera);
+        Tell(camera, Message.OnPreRender);
+        Camera.onPostRender?.Invoke(camera);
+        Tell(camera, Message.OnPostRender);
+        Rendering = null;
+    }
+
+    void Tell(Camera camera, Message message)
+    {
+        if (!camera) return;
+
+        camera.GetComponents(_scripts);
+        foreach (var script in _scripts)
+        {
+            if (script.Running) script.Script.Call(message, script);
+        }
+    }
+
+    void Read()
+    {
+        _preCull = Camera.onPreCull;
+        _preRender = Camera.onPreRender;
+        _postRender = Camera.onPostRender;
+    }
+}

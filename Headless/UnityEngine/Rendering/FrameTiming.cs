@@ -1,0 +1,13 @@
+namespace UnityEngine;
+
+/// <summary>Milliseconds.</summary>
+public struct FrameTiming
+{
+    public double cpuFrameTime;
+    public double gpuFrameTime;
+    public ulong cpuTimePresentCalled;
+    public ulong cpuTimeFrameComplete;
+    public float heightScale;
+    public float widthScale;
+    public uint syncInterval;
+}

@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+using UnityEngine.XR;
+
+namespace UnityEngine.Rendering;
+
+/// <summary>The graphics processor as tests set it up: which of its times can be had, and how late it answers.</summary>
+sealed class Gpu
+{
+    readonly List<Readback> _readbacks = new();
+
+    /// <summary>Null where no headset's display runs.</summary>
+    internal XRDisplaySubsystem Display { get; private set; }
+
+    /// <summary>Seconds, what the headset's display says of the last frame; null where it knows none.</summary>
+    internal float? DisplayGpuTime { get; set; }
+
+    /// <summary>Milliseconds of the last frames, newest first; empty where nothing is measured.</summary>
+    internal List<FrameTiming> FrameTimings { get; } = new();
+
+    /// <summary>Frames until a readback is done; negative where there is none.</summary>
+    internal int ReadbackFrames { get; set; } = -1;
+
+    /// <summary>Readbacks report an error.</summary>
+    internal bool ReadbacksFail { get; set; }
+
+    internal int PendingReadbacks => _readbacks.Count;
+
+    internal void ConnectDisplay()
+    {
+        Display ??= new XRDisplaySubsystem();
+        Display.Start();
+    }
+
+    internal void DisconnectDisplay() => Display = null;
+
+    internal Readback Request(System.Action<AsyncGPUReadbackRequest> callback)
+    {
+        var made = new Readback(callback, ReadbackFrames, failed: ReadbackFrames < 0 || ReadbacksFail);
+        _readbacks.Add(made);
+        return made;
+    }
+
+    /// <summary>At the end of a frame.</summary>
+    internal void Advance()
+    {
+        var count = _readbacks.Count;
+        for (var i = 0; i < count; i++) _readbacks[i].Advance();
+        for (var i = _readbacks.Count - 1; i >= 0; i--)
+        {
+            if (_readbacks[i].Done) _readbacks.RemoveAt(i);
+        }
+    }
+
+    internal void FinishReadbacks()
+    {
+        foreach (var readback in _readbacks.ToArray()) readback.Finish();
+        _readbacks.Clear();
+    }
+}

@@ -1,0 +1,54 @@
+using UnityEngine.Rendering;
+
+namespace UnityEngine;
+
+public class Material : Object
+{
+    readonly MaterialProperties<float> _floats = new();
+    readonly MaterialProperties<Vector4> _vectors = new();
+    readonly MaterialProperties<Texture> _textures = new();
+
+    public Material(Shader shader) => this.shader = shader;
+
+    public Material(Material source)
+    {
+        shader = source.shader;
+        renderQueue = source.renderQueue;
+        enableInstancing = source.enableInstancing;
+        CopyPropertiesFromMaterial(source);
+    }
+
+    public Shader shader { get; set; }
+    public int renderQueue { get; set; } = -1;
+    public bool enableInstancing { get; set; }
+
+    public Color color
+    {
+        get => GetColor("_Color");
+        set => SetColor("_Color", value);
+    }
+
+    public void CopyPropertiesFromMaterial(Material mat)
+    {
+        _floats.CopyFrom(mat._floats);
+        _vectors.CopyFrom(mat._vectors);
+        _textures.CopyFrom(mat._textures);
+    }
+
+    public bool HasProperty(int nameID) => _floats.Has(nameID) || _vectors.Has(nameID) || _textures.Has(nameID);
+    public bool HasProperty(string name) => HasProperty(Shader.PropertyToID(name));
+    public float GetFloat(int nameID) => _floats.Get(nameID);
+    public float GetFloat(string name) => GetFloat(Shader.PropertyToID(name));
+    public void SetFloat(int nameID, float value) => _floats.Set(nameID, value);
+    public void SetFloat(string name, float value) => SetFloat(Shader.PropertyToID(name), value);
+    public Color GetColor(int nameID) => _vectors.Get(nameID);
+    public Color GetColor(string name) => GetColor(Shader.PropertyToID(name));
+    public void SetColor(int nameID, Color value) => _vectors.Set(nameID, value);
+    public void SetColor(string name, Color value) => SetColor(Shader.PropertyToID(name), value);
+    public Texture GetTexture(int nameID) => _textures.Get(nameID);
+    public Texture GetTexture(string name) => GetTexture(Shader.PropertyToID(name));
+    public void SetTexture(int nameID, Texture value) => _textures.Set(nameID, value);
+    public void SetTexture(string name, Texture value) => SetTexture(Shader.PropertyToID(name), value);
+
+    internal override Object Duplicate() => new Material(this);
+}

@@ -1,0 +1,113 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Serialization;
+
+namespace UnityEngine;
+
+public class Renderer : Component
+{
+    [SerializeField, SerializedName("m_Enabled")] bool _enabled = true;
+    [SerializeField, SerializedName("m_Materials")] Material[] _materials = new Material[1];
+    [SerializeField, SerializedName("m_ReceiveShadows")] bool _receiveShadows = true;
+    readonly MaterialPropertyBlock _block = new();
+
+    public bool enabled
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _enabled;
+        }
+        set
+        {
+            ThrowIfDestroyed();
+            _enabled = value;
+        }
+    }
+
+    public bool receiveShadows
+    {
+        get => _receiveShadows;
+        set => _receiveShadows = value;
+    }
+
+    public bool forceRenderingOff { get; set; }
+    public int sortingOrder { get; set; }
+
+    public bool isVisible => _enabled && !forceRenderingOff && gameObject.activeInHierarchy;
+
+    public Material sharedMaterial
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            return _materials.Length > 0 ? _materials[0] : null;
+        }
+        set
+        {
+            ThrowIfDestroyed();
+            if (_materials.Length == 0) _materials = new[] { value };
+            else _materials[0] = value;
+        }
+    }
+
+    public Material[] sharedMaterials
+    {
+        get => (Material[])_materials.Clone();
+        set => _materials = (Material[])value.Clone();
+    }
+
+    /// <summary>A copy of its own, made when first asked for; nobody destroys it but the user.</summary>
+    public Material material
+    {
+        get
+        {
+            if (sharedMaterial && !sharedMaterial.name.EndsWith(" (Instance)", StringComparison.Ordinal))
+            {
+                sharedMaterial = new Material(sharedMaterial) { name = sharedMaterial.name + " (Instance)" };
+            }
+
+            return sharedMaterial;
+        }
+        set => sharedMaterial = value;
+    }
+
+    public Bounds bounds
+    {
+        get
+        {
+            var local = localBounds;
+            var matrix = transform.localToWorldMatrix;
+            var world = new Bounds(matrix.MultiplyPoint3x4(local.center), Vector3.zero);
+            for (var i = 0; i < 8; i++)
+            {
+                var corner = new Vector3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
+                world.Encapsulate(matrix.MultiplyPoint3x4(local.center + Vector3.Scale(corner, local.extents)));
+            }
+
+            return world;
+        }
+    }
+
+    public Bounds localBounds => TryGetComponent<MeshFilter>(out var filter) && filter.sharedMesh ? filter.sharedMesh.bounds : default;
+
+    public bool HasPropertyBlock() => !_block.isEmpty;
+
+    public void SetPropertyBlock(MaterialPropertyBlock properties)
+    {
+        ThrowIfDestroyed();
+        _block.CopyFrom(properties);
+    }
+
+    public void GetPropertyBlock(MaterialPropertyBlock properties)
+    {
+        ThrowIfDestroyed();
+        properties.CopyFrom(_block);
+    }
+
+    public void GetSharedMaterials(List<Material> m)
+    {
+        m.Clear();
+        m.AddRange(_materials);
+    }
+}

@@ -1,0 +1,76 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+/// <summary>The routines that scripts started.</summary>
+sealed class Coroutines
+{
+    readonly World _world;
+    readonly List<Coroutine> _running = new();
+
+    internal Coroutines(World world) => _world = world;
+
+    internal int Count => _running.Count;
+
+    internal Coroutine Start(MonoBehaviour owner, IEnumerator routine)
+    {
+        var made = new Coroutine(owner, routine);
+        _running.Add(made);
+        Continue(made);
+        return made;
+    }
+
+    internal void Stop(MonoBehaviour owner, Coroutine routine)
+    {
+        if (routine != null && ReferenceEquals(routine.Owner, owner)) Stop(routine);
+    }
+
+    internal void Stop(MonoBehaviour owner, IEnumerator routine) =>
+        Stop(owner, _running.Find(r => ReferenceEquals(r.Owner, owner) && ReferenceEquals(r.Routine, routine)));
+
+    internal void StopAll(MonoBehaviour owner)
+    {
+        for (var i = _running.Count - 1; i >= 0; i--)
+        {
+            if (ReferenceEquals(_running[i].Owner, owner)) Stop(_running[i]);
+        }
+    }
+
+    /// <summary>Continues those that wait for a frame or a time; ones that start meanwhile wait for the next.</summary>
+    internal void Update() => Pass(endOfFrame: false);
+
+    internal void EndOfFrame() => Pass(endOfFrame: true);
+
+    void Pass(bool endOfFrame)
+    {
+        var count = _running.Count;
+        for (var i = 0; i < count; i++)
+        {
+            var routine = _running[i];
+            if (!routine.Ended && routine.IsDue(_world.Clock, endOfFrame)) Continue(routine);
+        }
+
+        for (var i = _running.Count - 1; i >= 0; i--)
+        {
+            if (_running[i].Ended) _running.RemoveAt(i);
+        }
+    }
+
+    void Continue(Coroutine routine)
+    {
+        try
+        {
+            if (routine.MoveNext(_world.Clock)) return;
+        }
+        catch (Exception e)
+        {
+            Debug.LogException(e, routine.Owner);
+        }
+
+        Stop(routine);
+    }
+
+    static void Stop(Coroutine routine) => routine.End();
+}

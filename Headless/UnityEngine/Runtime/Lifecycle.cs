@@ -1,0 +1,66 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace UnityEngine;
+
+/// <summary>Wakes and stops what becomes active or inactive.</summary>
+static class Lifecycle
+{
+    internal static void Activate(GameObject root) => Activate(new[] { root });
+
+    /// <summary>Everything active in them wakes and is enabled, script by script in the order of execution.</summary>
+    internal static void Activate(IReadOnlyList<GameObject> roots)
+    {
+        var waking = new List<GameObject>();
+        foreach (var root in roots)
+        {
+            if (ShouldBeActive(root)) CollectActive(root, waking);
+        }
+
+        foreach (var gameObject in waking) gameObject.SetActiveInHierarchy(true);
+        // OrderBy keeps the hierarchy's order among equals.
+        foreach (var component in waking.SelectMany(g => g.Components).OrderBy(Order).ToList())
+        {
+            // One that woke before may have switched it off or destroyed it.
+            if (!component.Destroyed && component.Owner.activeInHierarchy) component.Activated();
+        }
+    }
+
+    /// <summary>Brings an object and what is below it up to date after its flag or its parent changed.</summary>
+    internal static void Refresh(GameObject changed)
+    {
+        if (ShouldBeActive(changed) == changed.activeInHierarchy) return;
+
+        if (changed.activeInHierarchy) Deactivate(changed);
+        else Activate(changed);
+    }
+
+    internal static void Deactivate(GameObject root)
+    {
+        var stopping = new List<GameObject>();
+        Hierarchy.Collect(root, stopping);
+        stopping.RemoveAll(g => !g.activeInHierarchy);
+        foreach (var gameObject in stopping) gameObject.SetActiveInHierarchy(false);
+        foreach (var component in stopping.SelectMany(g => g.Components).ToList())
+        {
+            if (!component.Destroyed && !component.Owner.activeInHierarchy) component.Deactivated();
+        }
+    }
+
+    static bool ShouldBeActive(GameObject g)
+    {
+        var parent = g.transform.parent;
+        return g.Content != null && g.activeSelf && (parent is null || parent.gameObject.activeInHierarchy);
+    }
+
+    static void CollectActive(GameObject top, List<GameObject> into)
+    {
+        if (!top.activeSelf) return;
+
+        into.Add(top);
+        for (var i = 0; i < top.transform.childCount; i++) CollectActive(top.transform.GetChild(i).gameObject, into);
+    }
+
+    // The engine's own components are there before any script.
+    static int Order(Component component) => component is MonoBehaviour script ? script.Script.Order : int.MinValue;
+}

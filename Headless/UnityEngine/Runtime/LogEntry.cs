@@ -1,0 +1,23 @@
+using System;
+
+namespace UnityEngine;
+
+/// <summary>One line of the console.</summary>
+sealed class LogEntry
+{
+    internal LogEntry(LogType type, string message, Exception exception, Object context)
+    {
+        Type = type;
+        Message = message;
+        Exception = exception;
+        Context = context;
+    }
+
+    internal LogType Type { get; }
+    internal string Message { get; }
+
+    /// <summary>Null unless the entry is an exception.</summary>
+    internal Exception Exception { get; }
+
+    internal Object Context { get; }
+}

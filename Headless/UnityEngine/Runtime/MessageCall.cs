@@ -1,0 +1,22 @@
+using System;
+using System.Reflection;
+
+namespace UnityEngine;
+
+/// <summary>A call of one method on any object of one class, as fast as a delegate and without allocation.</summary>
+abstract class MessageCall
+{
+    internal abstract void Invoke(MonoBehaviour target);
+
+    internal static MessageCall To(Type type, MethodInfo method) =>
+        method == null ? null : (MessageCall)Activator.CreateInstance(typeof(Of<>).MakeGenericType(type), method);
+
+    sealed class Of<TScript> : MessageCall where TScript : MonoBehaviour
+    {
+        readonly Action<TScript> _call;
+
+        public Of(MethodInfo method) => _call = (Action<TScript>)method.CreateDelegate(typeof(Action<TScript>));
+
+        internal override void Invoke(MonoBehaviour target) => _call((TScript)target);
+    }
+}

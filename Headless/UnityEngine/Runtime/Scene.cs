@@ -1,0 +1,38 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine.SceneManagement;
+
+public struct Scene
+{
+    readonly SceneContent _content;
+
+    internal Scene(SceneContent content) => _content = content;
+
+    public readonly int handle => _content?.Handle ?? 0;
+
+    public readonly string name
+    {
+        get => _content?.Name ?? "";
+        set
+        {
+            if (_content != null) _content.Name = value;
+        }
+    }
+
+    public readonly string path => _content?.Path ?? "";
+    public readonly bool isLoaded => _content?.IsLoaded ?? false;
+    public readonly int rootCount => _content?.Roots.Count ?? 0;
+
+    internal readonly SceneContent Content => _content;
+
+    public readonly bool IsValid() => _content is { IsLoaded: true };
+
+    public readonly GameObject[] GetRootGameObjects() =>
+        IsValid() ? new List<GameObject>(_content.Roots).ToArray() : throw new ArgumentException("The scene is invalid.");
+
+    public static bool operator ==(Scene lhs, Scene rhs) => lhs.handle == rhs.handle;
+    public static bool operator !=(Scene lhs, Scene rhs) => lhs.handle != rhs.handle;
+    public override readonly bool Equals(object other) => other is Scene s && this == s;
+    public override readonly int GetHashCode() => handle;
+}

@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+/// <summary>One scene: its objects without a parent, in order.</summary>
+sealed class SceneContent
+{
+    readonly List<GameObject> _roots = new();
+
+    internal SceneContent(int handle, string name, string path)
+    {
+        Handle = handle;
+        Name = name;
+        Path = path;
+    }
+
+    internal int Handle { get; }
+    internal string Name { get; set; }
+    internal string Path { get; }
+    internal bool IsLoaded { get; set; } = true;
+    internal IReadOnlyList<GameObject> Roots => _roots;
+
+    /// <summary>Takes in hierarchies that were put together outside; whatever is active in them wakes, all in one go.</summary>
+    internal void Adopt(IReadOnlyList<GameObject> roots)
+    {
+        foreach (var root in roots)
+        {
+            _roots.Add(root);
+            root.MoveTo(this);
+        }
+
+        Lifecycle.Activate(roots);
+    }
+
+    internal void Add(GameObject root) => _roots.Add(root);
+
+    internal void Remove(GameObject root) => _roots.Remove(root);
+
+    internal int IndexOf(GameObject root) => _roots.IndexOf(root);
+
+    internal void Move(GameObject root, int index)
+    {
+        _roots.Remove(root);
+        _roots.Insert(Mathf.Clamp(index, 0, _roots.Count), root);
+    }
+
+    /// <summary>From another scene to this one.</summary>
+    internal void Take(GameObject root)
+    {
+        root.Content?.Remove(root);
+        _roots.Add(root);
+        root.MoveTo(this);
+    }
+
+    internal void Collect(List<GameObject> into)
+    {
+        foreach (var root in _roots) Hierarchy.Collect(root, into);
+    }
+}

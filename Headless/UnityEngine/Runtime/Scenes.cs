@@ -1,0 +1,63 @@
+using System.Collections.Generic;
+using UnityEngine.Events;
+using UnityEngine.SceneManagement;
+
+namespace UnityEngine;
+
+/// <summary>The loaded scenes of a world.</summary>
+sealed class Scenes
+{
+    readonly World _world;
+    readonly List<SceneContent> _loaded = new();
+    int _lastHandle;
+    SceneContent _kept;
+
+    internal Scenes(World world)
+    {
+        _world = world;
+        Active = Add("", "");
+    }
+
+    /// <summary>Where new objects go.</summary>
+    internal SceneContent Active { get; set; }
+
+    internal IReadOnlyList<SceneContent> Loaded => _loaded;
+
+    internal SceneContent Add(string name, string path)
+    {
+        var made = new SceneContent(--_lastHandle, name, path);
+        _loaded.Add(made);
+        return made;
+    }
+
+    internal void Forget(SceneContent scene)
+    {
+        scene.IsLoaded = false;
+        _loaded.Remove(scene);
+    }
+
+    /// <summary>Moves it to where no unloading of a scene reaches it.</summary>
+    internal void Keep(GameObject root)
+    {
+        _kept ??= new SceneContent(--_lastHandle, "DontDestroyOnLoad", "");
+        if (root.transform.parent is null) _kept.Take(root);
+        else Debug.LogWarning("DontDestroyOnLoad only works for root GameObjects or components on root GameObjects.", root);
+    }
+
+    /// <summary>Every object of every scene, parents before children.</summary>
+    internal IEnumerable<GameObject> GameObjects()
+    {
+        var found = new List<GameObject>();
+        foreach (var scene in _loaded) scene.Collect(found);
+        _kept?.Collect(found);
+        return found;
+    }
+
+    internal IEnumerable<GameObject> Roots()
+    {
+        var found = new List<GameObject>();
+        foreach (var scene in _loaded) found.AddRange(scene.Roots);
+        if (_kept != null) found.AddRange(_kept.Roots);
+        return found;
+    }
+}

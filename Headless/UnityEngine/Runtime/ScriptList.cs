@@ -1,0 +1,68 @@
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+/// <summary>Scripts by order of execution, then by when they came; may change while someone goes through it.</summary>
+sealed class ScriptList
+{
+    readonly List<MonoBehaviour> _places = new();
+    readonly List<MonoBehaviour> _arriving = new();
+    bool _hasGaps;
+
+    /// <summary>Places to go through; some may be empty.</summary>
+    internal int Size => _places.Count;
+
+    internal int Count
+    {
+        get
+        {
+            var count = _arriving.Count;
+            foreach (var script in _places) count += script is null ? 0 : 1;
+            return count;
+        }
+    }
+
+    internal MonoBehaviour this[int index] => _places[index];
+
+    /// <summary>It takes part from the next pass on.</summary>
+    internal void Add(MonoBehaviour script) => _arriving.Add(script);
+
+    /// <summary>It is not called any more, also not in the pass that goes on.</summary>
+    internal void Remove(MonoBehaviour script)
+    {
+        if (_arriving.Remove(script)) return;
+
+        var index = _places.IndexOf(script);
+        if (index < 0) return;
+
+        _places[index] = null;
+        _hasGaps = true;
+    }
+
+    internal void BeginPass()
+    {
+        if (_hasGaps)
+        {
+            // Removing empty places as RemoveAll would, without its delegate.
+            var kept = 0;
+            for (var i = 0; i < _places.Count; i++)
+            {
+                if (_places[i] is not null) _places[kept++] = _places[i];
+            }
+
+            _places.RemoveRange(kept, _places.Count - kept);
+            _hasGaps = false;
+        }
+
+        foreach (var script in _arriving) _places.Insert(PlaceOf(script), script);
+        _arriving.Clear();
+    }
+
+    int PlaceOf(MonoBehaviour script)
+    {
+        var order = script.Script.Order;
+        var index = _places.Count;
+        while (index > 0 && _places[index - 1].Script.Order > order) index--;
+        return index;
+    }
+}

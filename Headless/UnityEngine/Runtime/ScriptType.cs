@@ -1,0 +1,96 @@
+using System;
+using System.Collections;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Reflection;
+
+namespace UnityEngine;
+
+/// <summary>What the engine knows of a script class: its messages, its place in the order of execution, what it asks for.</summary>
+sealed class ScriptType
+{
+    const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+
+    static readonly ConcurrentDictionary<Type, ScriptType> Known = new();
+
+    readonly MessageCall[] _messages = new MessageCall[(int)Message.Count];
+    readonly Func<MonoBehaviour, IEnumerator> _startRoutine;
+    readonly MessageCall _start;
+    readonly MessageCall<bool> _pause;
+    readonly MessageCall<bool> _focus;
+
+    ScriptType(Type type)
+    {
+        Order = type.GetCustomAttribute<DefaultExecutionOrder>(true)?.order ?? 0;
+        RunsInEditMode = type.IsDefined(typeof(ExecuteAlways), true) || type.IsDefined(typeof(ExecuteInEditMode), true);
+        for (var i = 0; i < _messages.Length; i++) _messages[i] = MessageCall.To(type, Method(type, ((Message)i).ToString()));
+
+        var start = Method(type, "Start");
+        if (start?.ReturnType == typeof(IEnumerator)) _startRoutine = script => (IEnumerator)start.Invoke(script, null);
+        else _start = MessageCall.To(type, start);
+
+        _pause = MessageCall<bool>.To(type, Method(type, "OnApplicationPause", typeof(bool)));
+        _focus = MessageCall<bool>.To(type, Method(type, "OnApplicationFocus", typeof(bool)));
+    }
+
+    /// <summary>Lower runs earlier.</summary>
+    internal int Order { get; }
+
+    internal bool RunsInEditMode { get; }
+
+    internal bool HasStart => _start != null || _startRoutine != null;
+
+    internal static ScriptType Of(Type type) => Known.GetOrAdd(type, t => new ScriptType(t));
+
+    internal bool Has(Message message) => _messages[(int)message] != null;
+
+    /// <summary>Whether it went without an exception; one is logged with the script as context, as the engine does.</summary>
+    internal bool Call(Message message, MonoBehaviour script) => Guard(_messages[(int)message], script);
+
+    internal void Pause(MonoBehaviour script, bool paused) => Guard(_pause, script, paused);
+
+    internal void Focus(MonoBehaviour script, bool focused) => Guard(_focus, script, focused);
+
+    internal void Start(MonoBehaviour script)
+    {
+        if (_startRoutine != null) script.StartCoroutine(_startRoutine(script));
+        else Guard(_start, script);
+    }
+
+    static bool Guard(MessageCall call, MonoBehaviour script)
+    {
+        try
+        {
+            call?.Invoke(script);
+            return true;
+        }
+        catch (Exception e)
+        {
+            Debug.LogException(e, script);
+            return false;
+        }
+    }
+
+    static void Guard(MessageCall<bool> call, MonoBehaviour script, bool argument)
+    {
+        try
+        {
+            call?.Invoke(script, argument);
+        }
+        catch (Exception e)
+        {
+            Debug.LogException(e, script);
+        }
+    }
+
+    static MethodInfo Method(Type type, string name, params Type[] parameters)
+    {
+        for (var t = type; t != null && t != typeof(MonoBehaviour); t = t.BaseType)
+        {
+            var method = t.GetMethod(name, Declared, null, parameters, null);
+            if (method != null) return method;
+        }
+
+        return null;
+    }
+}

@@ -1,0 +1,35 @@
+namespace UnityEngine;
+
+public class Time
+{
+    public static float time => (float)timeAsDouble;
+    public static double timeAsDouble => Clock.Scaled;
+    public static float deltaTime => (float)Clock.ScaledDelta;
+    public static float unscaledTime => (float)unscaledTimeAsDouble;
+    public static double unscaledTimeAsDouble => Clock.Real;
+    public static float unscaledDeltaTime => (float)Clock.RealDelta;
+    public static float realtimeSinceStartup => (float)realtimeSinceStartupAsDouble;
+    public static double realtimeSinceStartupAsDouble => Clock.Real;
+    public static float timeSinceLevelLoad => (float)(Clock.Scaled - Clock.LevelLoaded);
+    public static int frameCount => Clock.Frame;
+
+    public static float timeScale
+    {
+        get => Clock.Scale;
+        set => Clock.Scale = value;
+    }
+
+    public static float maximumDeltaTime
+    {
+        get => Clock.MaximumDelta;
+        set => Clock.MaximumDelta = value;
+    }
+
+    public static float fixedDeltaTime
+    {
+        get => Clock.FixedDelta;
+        set => Clock.FixedDelta = value;
+    }
+
+    static Clock Clock => World.Current.Clock;
+}

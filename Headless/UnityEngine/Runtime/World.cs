@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine;
+
+/// <summary>All state of the engine: Unity's static members look at the current one. Main thread only, but for the log.</summary>
+sealed class World
+{
+    // What tests in edit mode use: nobody makes it and nobody ends it.
+    static readonly World EditMode = new(isPlaying: false, EditModeLog);
+
+    static World s_current = EditMode;
+
+    readonly HashSet<Object> _objects = new();
+    readonly Action<LogEntry> _log;
+    int _lastId;
+
+    /// <param name="isPlaying">Scripts run; otherwise only those that run in edit mode.</param>
+    /// <param name="log">Gets every entry, under a lock, from whatever thread.</param>
+    internal World(bool isPlaying, Action<LogEntry> log)
+    {
+        IsPlaying = isPlaying;
+        _log = log;
+        Destruction = new Destruction(this);
+        Coroutines = new Coroutines(this);
+        Scenes = new Scenes(this);
+    }
+
+    internal static World Current => s_current;
+
+    internal bool IsPlaying { get; private set; }
+    internal Clock Clock { get; } = new();
+    internal Scenes Scenes { get; }
+    internal Scripts Scripts { get; } = new();
+    internal Coroutines Coroutines { get; }
+    internal Destruction Destruction { get; }
+    internal Host Host { get; } = new();
+    internal Rendering.BeforeRender BeforeRender { get; } = new();
+    internal Rendering.Cameras Cameras { get; } = new();
+    internal Rendering.Gpu Gpu { get; } = new();
+    internal Dictionary<string, Shader> Shaders { get; } = new();
+    internal Dictionary<string, object> Preferences { get; } = new();
+
+    /// <summary>Objects made in it that are not destroyed.</summary>
+    internal int ObjectCount => _objects.Count;
+
+    /// <summary>Delegates that hang on the engine's events.</summary>
+    internal int SubscriberCount => BeforeRender.Count + Cameras.SubscriberCount + Host.SubscriberCount;
+
+    internal IReadOnlyCollection<Object> Objects => _objects;
+
+    /// <summary>Makes it the current one until the scope is disposed.</summary>
+    internal WorldScope Enter() => new(this);
+
+    internal bool RunsScript(ScriptType type) => IsPlaying || type.RunsInEditMode;
+
+    /// <summary>Unity's ids of objects made at run time are negative.</summary>
+    internal int NextId() => --_lastId;
+
+    internal void Register(Object made) => _objects.Add(made);
+
+    internal void Forget(Object destroyed) => _objects.Remove(destroyed);
+
+    internal void Log(LogEntry entry)
+    {
+        lock (_log) _log(entry);
+        Host.Logged(entry);
+    }
+
+    internal static World MakeCurrent(World world)
+    {
+        var before = s_current;
+        before.Cameras.Suspend();
+        s_current = world;
+        world.Cameras.Resume();
+        return before;
+    }
+
+    /// <summary>A world that ends is the current one no more.</summary>
+    internal static void Leave(World ended)
+    {
+        if (ReferenceEquals(s_current, ended)) MakeCurrent(EditMode);
+    }
+
+    static void EditModeLog(LogEntry entry) => Console.WriteLine($"{entry.Type}: {entry.Message}");
+}

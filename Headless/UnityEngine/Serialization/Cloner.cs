@@ -1,0 +1,131 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine.Serialization;
+
+/// <summary>Object.Instantiate: a copy of what Unity serialises, with references inside the copied hierarchy turned to the copies.</summary>
+sealed class Cloner
+{
+    readonly Dictionary<Object, Object> _copies = new();
+
+    Cloner() { }
+
+    internal static Object Instantiate(Object original, Transform parent, bool worldPositionStays)
+    {
+        Check(original);
+        return HierarchyOf(original) is { } source
+            ? Finish(original, source, copy => copy.transform.SetParent(parent, worldPositionStays))
+            : CopyAlone(original);
+    }
+
+    internal static Object Instantiate(Object original, Transform parent, Vector3 position, Quaternion rotation)
+    {
+        Check(original);
+        return HierarchyOf(original) is { } source
+            ? Finish(original, source, copy =>
+            {
+                copy.transform.SetParent(parent, false);
+                copy.transform.SetPositionAndRotation(position, rotation);
+            })
+            : CopyAlone(original);
+    }
+
+    static void Check(Object original)
+    {
+        if (!original) throw new ArgumentException("The Object you want to instantiate is null.", nameof(original));
+    }
+
+    static GameObject HierarchyOf(Object original) => original is Component component ? component.gameObject : original as GameObject;
+
+    static Object Finish(Object original, GameObject source, Action<GameObject> place)
+    {
+        var cloner = new Cloner();
+        var copy = cloner.CopyObjects(source, null);
+        copy.name = source.name + "(Clone)";
+        cloner.CopyAllFields();
+        place(copy);
+        if (copy.transform.parent is null) World.Current.Scenes.Active.Adopt(new[] { copy });
+        return cloner._copies[original];
+    }
+
+    static Object CopyAlone(Object original)
+    {
+        if (original.Duplicate() is { } made)
+        {
+            made.name = original.name + "(Clone)";
+            return made;
+        }
+
+        var cloner = new Cloner();
+        var copy = ScriptableObject.CreateAsleep(original.GetType());
+        cloner._copies.Add(original, copy);
+        cloner.CopyAllFields();
+        copy.name = original.name + "(Clone)";
+        copy.Wake();
+        return copy;
+    }
+
+    GameObject CopyObjects(GameObject source, Transform parent)
+    {
+        var copy = GameObject.Detached(source.name);
+        copy.layer = source.layer;
+        copy.tag = source.tag;
+        copy.SetActiveSelf(source.activeSelf);
+        _copies.Add(source, copy);
+        foreach (var component in source.Components) _copies.Add(component, copy.Add(component.GetType()));
+        if (parent is not null) copy.transform.SetParent(parent, false);
+        for (var i = 0; i < source.transform.childCount; i++) CopyObjects(source.transform.GetChild(i).gameObject, copy.transform);
+        return copy;
+    }
+
+    void CopyAllFields()
+    {
+        foreach (var (source, copy) in _copies)
+        {
+            if (source is GameObject) continue;
+
+            (source as ISerializationCallbackReceiver)?.OnBeforeSerialize();
+            CopyFields(source, copy);
+            (copy as ISerializationCallbackReceiver)?.OnAfterDeserialize();
+        }
+    }
+
+    void CopyFields(object source, object copy)
+    {
+        foreach (var field in SerializedFields.Of(source.GetType())) field.SetValue(copy, CopyOf(field.GetValue(source), field.FieldType));
+    }
+
+    object CopyOf(object value, Type type)
+    {
+        if (typeof(Object).IsAssignableFrom(type)) return value is Object o && _copies.TryGetValue(o, out var copy) ? copy : value;
+        if (type == typeof(string)) return value ?? "";
+        if (type.IsArray) return CopyOfArray((Array)value, type.GetElementType());
+        if (SerializedFields.IsList(type)) return CopyOfList((System.Collections.IList)value, type);
+        if (!SerializedFields.IsNested(type)) return value;
+
+        // Files know no null for these.
+        var made = Activator.CreateInstance(type, nonPublic: true);
+        if (value != null)
+        {
+            (value as ISerializationCallbackReceiver)?.OnBeforeSerialize();
+            CopyFields(value, made);
+            (made as ISerializationCallbackReceiver)?.OnAfterDeserialize();
+        }
+
+        return made;
+    }
+
+    Array CopyOfArray(Array source, Type element)
+    {
+        var copy = Array.CreateInstance(element, source?.Length ?? 0);
+        for (var i = 0; i < copy.Length; i++) copy.SetValue(CopyOf(source.GetValue(i), element), i);
+        return copy;
+    }
+
+    object CopyOfList(System.Collections.IList source, Type type)
+    {
+        var copy = (System.Collections.IList)Activator.CreateInstance(type);
+        for (var i = 0; i < (source?.Count ?? 0); i++) copy.Add(CopyOf(source[i], type.GetGenericArguments()[0]));
+        return copy;
+    }
+}

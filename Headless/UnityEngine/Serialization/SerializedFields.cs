@@ -1,0 +1,49 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Reflection;
+
+namespace UnityEngine.Serialization;
+
+/// <summary>Which fields of a class Unity keeps in files and copies in Instantiate, by its documented rules.</summary>
+static class SerializedFields
+{
+    const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+
+    static readonly ConcurrentDictionary<Type, FieldInfo[]> Known = new();
+
+    /// <summary>Those of the base classes first, each in the order of the source.</summary>
+    internal static IReadOnlyList<FieldInfo> Of(Type type) => Known.GetOrAdd(type, Read);
+
+    internal static string NameOf(FieldInfo field) => field.GetCustomAttribute<SerializedNameAttribute>()?.Name ?? field.Name;
+
+    internal static bool IsList(Type type) => type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>);
+
+    /// <summary>A class or struct of the user's (or of the engine) that is written field by field.</summary>
+    internal static bool IsNested(Type type) =>
+        !type.IsPrimitive && !type.IsEnum && type != typeof(string) && !typeof(Object).IsAssignableFrom(type) && !type.IsAbstract &&
+        (type.IsSerializable || IsEngineStruct(type)) && type.Namespace?.StartsWith("System", StringComparison.Ordinal) != true;
+
+    static FieldInfo[] Read(Type type)
+    {
+        var fields = new List<FieldInfo>();
+        if (type.BaseType != null) fields.AddRange(Of(type.BaseType));
+        foreach (var field in type.GetFields(Declared))
+        {
+            var wanted = field.IsPublic ? !field.IsNotSerialized : field.IsDefined(typeof(SerializeField));
+            if (wanted && !field.IsInitOnly && IsKept(field.FieldType, true)) fields.Add(field);
+        }
+
+        return fields.ToArray();
+    }
+
+    static bool IsKept(Type type, bool lists)
+    {
+        if (type.IsArray) return lists && type.GetArrayRank() == 1 && IsKept(type.GetElementType(), false);
+        if (IsList(type)) return lists && IsKept(type.GetGenericArguments()[0], false);
+
+        return type.IsPrimitive || type.IsEnum || type == typeof(string) || typeof(Object).IsAssignableFrom(type) || IsNested(type);
+    }
+
+    static bool IsEngineStruct(Type type) => type.IsValueType && type.Assembly == typeof(Object).Assembly;
+}

@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+public interface ISubsystemDescriptor
+{
+    string id { get; }
+    ISubsystem Create();
+}

@@ -1,0 +1,11 @@
+namespace UnityEngine.XR;
+
+public class XRDisplaySubsystem : IntegratedSubsystem<XRDisplaySubsystemDescriptor>
+{
+    public bool TryGetAppGPUTimeLastFrame(out float gpuTimeLastFrame)
+    {
+        var time = World.Current.Gpu.DisplayGpuTime;
+        gpuTimeLastFrame = time ?? 0;
+        return running && time.HasValue;
+    }
+}

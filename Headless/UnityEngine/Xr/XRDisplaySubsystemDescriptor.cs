@@ -1,0 +1,5 @@
+namespace UnityEngine.XR;
+
+public class XRDisplaySubsystemDescriptor : IntegratedSubsystemDescriptor<XRDisplaySubsystem>
+{
+}

@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Nowpose.UnityPlayer;
+
+/// <summary>Plays scenes as a built player does, one frame at a time and in time that the caller gives.</summary>
+/// <remarks>
+/// While one exists, Unity's static members (Time, Application, Object.Instantiate, …) mean the newest one that was made or stepped. Objects belong
+/// to the player they were made in. Main thread only, but for <see cref="Debug"/>.
+/// </remarks>
+public sealed class Player : IDisposable
+{
+    readonly PlayerLog _log = new();
+    readonly World _world;
+    readonly FrameLoop _loop;
+    bool _disposed;
+
+    /// <summary>With an empty scene.</summary>
+    public Player()
+    {
+        _world = new World(isPlaying: true, _log.Add);
+        _loop = new FrameLoop(_world);
+        World.MakeCurrent(_world);
+    }
+
+    /// <summary>What was written to the console so far, oldest first.</summary>
+    public IReadOnlyList<PlayerLogEntry> Logs => _log.Entries;
+
+    /// <summary>Objects that are not destroyed: of scenes, and what scripts made (meshes, materials, …).</summary>
+    public int ObjectCount => _world.ObjectCount;
+
+    /// <summary>Delegates that hang on the engine's events (Application, Camera, …): what a script forgot to take off.</summary>
+    public int SubscriberCount => _world.SubscriberCount;
+
+    internal World World => _world;
+
+    /// <summary>Takes over objects that are in no scene, as a scene of that name; what is active in them wakes.</summary>
+    internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
+    {
+        using var scope = _world.Enter();
+        _loop.LoadScene(name, path, roots);
+    }
+
+    /// <summary>Runs one frame at that time, in seconds since the start; it must not go back.</summary>
+    public void Step(double timeSeconds)
+    {
+        if (_disposed) throw new ObjectDisposedException(nameof(Player));
+
+        World.MakeCurrent(_world);
+        _loop.Run(timeSeconds);
+    }
+
+    /// <summary>The system takes the application to the back, or to the front again.</summary>
+    public void Pause(bool paused)
+    {
+        using var scope = _world.Enter();
+        _loop.Pause(paused);
+    }
+
+    /// <summary>The window loses or gets the input.</summary>
+    public void Focus(bool focused)
+    {
+        using var scope = _world.Enter();
+        _loop.Focus(focused);
+    }
+
+    /// <summary>The first active object of that type in the scenes; null where there is none.</summary>
+    public T Find<T>() where T : UnityEngine.Object
+    {
+        using var scope = _world.Enter();
+        return UnityEngine.Object.FindObjectOfType<T>();
+    }
+
+    /// <summary>Quits: OnApplicationQuit, then everything is disabled and destroyed.</summary>
+    public void Dispose()
+    {
+        if (_disposed) return;
+
+        _disposed = true;
+        using (_world.Enter()) _loop.Quit();
+        World.Leave(_world);
+    }
+}
