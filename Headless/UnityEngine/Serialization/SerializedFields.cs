@@ -15,6 +15,26 @@ static class SerializedFields
     /// <summary>Those of the base classes first, each in the order of the source.</summary>
     internal static IReadOnlyList<FieldInfo> Of(Type type) => Known.GetOrAdd(type, Read);
 
+    /// <summary>The field of that name in a file, also of a name it had before; null where there is none.</summary>
+    internal static FieldInfo Find(Type type, string name)
+    {
+        foreach (var field in Of(type))
+        {
+            if (NameOf(field) == name) return field;
+        }
+
+        foreach (var field in Of(type))
+        {
+            foreach (var former in field.GetCustomAttributes<FormerlySerializedAsAttribute>())
+            {
+                if (former.oldName == name) return field;
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>The name it has in a file.</summary>
     internal static string NameOf(FieldInfo field) => field.GetCustomAttribute<SerializedNameAttribute>()?.Name ?? field.Name;
 
     internal static bool IsList(Type type) => type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>);
