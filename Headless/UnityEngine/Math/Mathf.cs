@@ -8,7 +8,7 @@ public struct Mathf
     public const float Infinity = float.PositiveInfinity;
     public const float NegativeInfinity = float.NegativeInfinity;
     public const float Deg2Rad = PI / 180;
-    public const float Rad2Deg = 180 / PI;
+    public const float Rad2Deg = 57.29578f;
     public static readonly float Epsilon = float.Epsilon;
 
     public static float Sin(float f) => MathF.Sin(f);

@@ -80,16 +80,6 @@ public sealed class Camera : Behaviour
 
     public bool stereoEnabled => false;
 
-    /// <summary>Axes of OpenGL, as in Unity: the camera looks along its negative z.</summary>
-    public Matrix4x4 worldToCameraMatrix
-    {
-        get
-        {
-            transform.GetPositionAndRotation(out var position, out var rotation);
-            return Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.TRS(position, rotation, Vector3.one).inverse;
-        }
-    }
-
     internal override void StartRunning() => World.Cameras.Add(this);
 
     internal override void StopRunning() => World.Cameras.Remove(this);

@@ -10,6 +10,8 @@ public class Renderer : Component
     [SerializeField, SerializedName("m_Materials")] Material[] _materials = new Material[1];
     [SerializeField, SerializedName("m_ReceiveShadows")] bool _receiveShadows = true;
     readonly MaterialPropertyBlock _block = new();
+    Bounds? _bounds;
+    Bounds? _localBounds;
 
     public bool enabled
     {
@@ -76,6 +78,8 @@ public class Renderer : Component
     {
         get
         {
+            if (_bounds.HasValue) return _bounds.Value;
+
             var local = localBounds;
             var matrix = transform.localToWorldMatrix;
             var world = new Bounds(matrix.MultiplyPoint3x4(local.center), Vector3.zero);
@@ -87,9 +91,14 @@ public class Renderer : Component
 
             return world;
         }
+        set => _bounds = value;
     }
 
-    public Bounds localBounds => TryGetComponent<MeshFilter>(out var filter) && filter.sharedMesh ? filter.sharedMesh.bounds : default;
+    public Bounds localBounds
+    {
+        get => _localBounds ?? (TryGetComponent<MeshFilter>(out var filter) && filter.sharedMesh ? filter.sharedMesh.bounds : default);
+        set => _localBounds = value;
+    }
 
     public bool HasPropertyBlock() => !_block.isEmpty;
 

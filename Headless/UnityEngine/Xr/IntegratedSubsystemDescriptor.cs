@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public abstract class IntegratedSubsystemDescriptor : ISubsystemDescriptor
+public abstract class IntegratedSubsystemDescriptor : ISubsystemDescriptorImpl, ISubsystemDescriptor
 {
     public string id => "stand-in";
 
