@@ -28,7 +28,17 @@ static class BuiltIn
         }
     }
 
-    internal static Object Resource(string path) => path == "LegacyRuntime.ttf" ? null : null;
+    /// <summary>The file names that Unity's own resources have; null for any other, a font among them: nothing draws text.</summary>
+    internal static Object Resource(string path) => path switch
+    {
+        "Cube.fbx" => Mesh(PrimitiveType.Cube),
+        "New-Sphere.fbx" => Mesh(PrimitiveType.Sphere),
+        "New-Cylinder.fbx" => Mesh(PrimitiveType.Cylinder),
+        "New-Capsule.fbx" => Mesh(PrimitiveType.Capsule),
+        "New-Plane.fbx" => Mesh(PrimitiveType.Plane),
+        "Quad.fbx" => Mesh(PrimitiveType.Quad),
+        _ => null,
+    };
 
     static Material Make()
     {
