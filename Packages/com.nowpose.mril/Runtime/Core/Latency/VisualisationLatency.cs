@@ -7,14 +7,20 @@ namespace Nowpose.Latency
     public readonly struct VisualisationLatency
     {
         const double GreatestMs = 500;
+        const string Name = "visualisation latency";
 
         /// <param name="length">0 to 500 ms.</param>
         /// <exception cref="InputException">Out of range.</exception>
         public VisualisationLatency(TimeSpan length)
         {
-            SettingRange.Require(length.TotalMilliseconds, 0, GreatestMs, "visualisation latency", "ms");
+            SettingRange.Require(length.TotalMilliseconds, 0, GreatestMs, Name, "ms");
             Length = length;
         }
+
+        /// <param name="ms">0 to 500 ms.</param>
+        /// <exception cref="InputException">Out of range, or not a number.</exception>
+        public static VisualisationLatency FromMilliseconds(double ms) =>
+            new VisualisationLatency(SettingRange.RequireMs(ms, 0, GreatestMs, Name));
 
         public TimeSpan Length { get; }
 

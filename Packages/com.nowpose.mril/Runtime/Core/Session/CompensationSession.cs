@@ -91,6 +91,12 @@ namespace Nowpose.Session
         /// <summary>Completes when the connections that were ended are gone, sockets, threads and all; nobody has to wait for it.</summary>
         public Task Ended { get; private set; } = Task.CompletedTask;
 
+        /// <summary>Where the connection of the clock sync stands. Any thread.</summary>
+        public LinkStatus SyncLink => _syncClient?.Status ?? LinkStatus.Idle;
+
+        /// <summary>Where the connection of the joint positions stands. Any thread.</summary>
+        public LinkStatus SampleLink => _rosbridgeClient?.Status ?? LinkStatus.Idle;
+
         /// <summary>Starts both connections; they come up, and come back, by themselves. Does nothing while connected.</summary>
         /// <remarks>Neither this nor <see cref="Disconnect"/> nor <see cref="Dispose"/> waits for the network.</remarks>
         public void Connect()
@@ -182,8 +188,8 @@ namespace Nowpose.Session
                 into.RobotDescriptionMatch = RobotDescriptionMatch;
                 into.Samples = _samples;
                 into.Dropped = Drops.Total + SyncFaults.Total;
-                into.SyncLink = _syncClient?.Status ?? LinkStatus.Idle;
-                into.SampleLink = _rosbridgeClient?.Status ?? LinkStatus.Idle;
+                into.SyncLink = SyncLink;
+                into.SampleLink = SampleLink;
                 into.Security = _settings.Connection.Security;
             }
         }

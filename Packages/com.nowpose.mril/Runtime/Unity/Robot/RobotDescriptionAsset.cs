@@ -1,0 +1,33 @@
+using Nowpose.Kinematics;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>A robot's URDF as an asset, so that scenes and prefabs can refer to it in every build.</summary>
+    [CreateAssetMenu(menuName = "Nowpose/Robot Description", fileName = "Robot")]
+    public sealed class RobotDescriptionAsset : ScriptableObject
+    {
+        [SerializeField, TextArea(10, 40), Tooltip("The whole URDF, xacro expanded: metres, radians.")]
+        string _urdf = "";
+
+        /// <summary>The text of the URDF.</summary>
+        public string Urdf => _urdf;
+
+        /// <summary>For a URDF that is known at run time only. Checked by <see cref="Read"/>.</summary>
+        /// <param name="name">What errors call it.</param>
+        public static RobotDescriptionAsset Create(string name, string urdf)
+        {
+            var asset = CreateInstance<RobotDescriptionAsset>();
+            asset.name = name;
+            asset._urdf = urdf;
+            return asset;
+        }
+
+        /// <exception cref="InputException">Not a robot that can be computed; names this asset, the line and the element.</exception>
+        public RobotModel Read()
+        {
+            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException("'" + name + "': holds no URDF; paste the robot's into it");
+            return UrdfReader.Read(_urdf, "'" + name + "'");
+        }
+    }
+}

@@ -1,0 +1,102 @@
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Prediction;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>The form in which a user fills in <see cref="SessionSettings"/>. Nothing writes back into it.</summary>
+    [CreateAssetMenu(menuName = "Nowpose/Session Settings", fileName = "Session Settings")]
+    public sealed class SessionSettingsAsset : ScriptableObject
+    {
+        [Header("Gateway")]
+        [SerializeField, Tooltip("Name or address of the gateway. 127.0.0.1 is this machine: a gateway beside the editor.")]
+        string _host = "127.0.0.1";
+
+        [SerializeField, Tooltip("TCP port of the clock synchronisation, 1 to 65535. 47010 is what the gateway listens on unless told otherwise.")]
+        int _syncPort = ProtocolLimits.SyncPort;
+
+        [SerializeField, Tooltip("Port of the joint positions, 1 to 65535. 47011 is what the gateway listens on unless told otherwise.")]
+        int _webSocketPort = ProtocolLimits.WebSocketPort;
+
+        [SerializeField, Tooltip("The gateway's public key as the gateway prints it, sha256/…=. With it both connections are encrypted and trust "
+            + "this key only. Empty: none.")]
+        string _pin = "";
+
+        [SerializeField, Tooltip("Encrypt, and trust a certificate that the device's own store trusts. Not needed beside a pin.")]
+        bool _deviceTrust = false;
+
+        [SerializeField, Tooltip("What proves this headset to a gateway that asks for it, up to 512 bytes; travels encrypted or within this "
+            + "machine only. It lies readable in the project and in the app: better set it by code. Empty: none.")]
+        string _token = "";
+
+        [SerializeField, Tooltip("Allow unencrypted connections to another machine. Only in a network whose every member is trusted; the "
+            + "status panel says so.")]
+        bool _insecureLan = false;
+
+        [SerializeField, Tooltip("Names this headset in its diagnostics, 1 to 128 characters.")]
+        string _headsetName = "headset";
+
+        [Header("Display")]
+        [SerializeField, Tooltip("L_visu in ms, 0 to 500: from the start of a frame until its light reaches the eye. Calibrate it for your "
+            + "device; 40 ms is about two and a half frames at 60 Hz.")]
+        double _visualisationMs = 40;
+
+        [SerializeField, Tooltip("Render time in ms, 0.1 to 1000, up to which L_visu is constant; beyond it the pose is marked. 0: not "
+            + "calibrated yet, so nothing is marked.")]
+        double _renderTimeLimitMs = 0;
+
+        [SerializeField, Tooltip("What the render time was measured with when its limit was found. The limit means nothing for another source.")]
+        RenderTimeSourceKind _renderTimeLimitSource = RenderTimeSourceKind.None;
+
+        [SerializeField, Tooltip("Compute and write the pose again right before rendering, with the newer time: a few ms less to predict for "
+            + "twice the work. Off, for L_visu has to be calibrated with the same choice.")]
+        bool _rewriteBeforeRender = false;
+
+        [Header("Prediction")]
+        [SerializeField, Tooltip("hold, linear, quadratic, cubic, quadratic-h3 or quadratic-h4. Quadratic is best where the samples' times are "
+            + "exact; h3 and h4 bear times that are some milliseconds off.")]
+        string _predictor = Predictors.Default;
+
+        [SerializeField, Tooltip("How far ahead of the newest sample is predicted at most, ms, 0 to 5000; then the pose stays and is marked as "
+            + "held. 300 ms: beyond it a prediction is worse than none.")]
+        double _horizonCapMs = 300;
+
+        [SerializeField, Tooltip("A longer pause between two samples ends their history, ms, 1 to 60000. 500 ms: what the robot did before says "
+            + "nothing about what it does after.")]
+        double _maximumGapMs = 500;
+
+        [Header("Clock")]
+        [SerializeField, Tooltip("From one clock exchange to the next, ms, 20 to 10000. 200 ms: the clock is known within seconds, and the "
+            + "network hardly notices.")]
+        double _syncIntervalMs = ProtocolLimits.SyncIntervalMs;
+
+        /// <summary>Whether the pose is computed and written once more right before rendering.</summary>
+        public bool RewriteBeforeRender => _rewriteBeforeRender;
+
+        /// <exception cref="InputException">A value cannot be used; names this asset, the value and what is allowed.</exception>
+        public SessionSettings ToSettings()
+        {
+            try
+            {
+                return new SessionSettings(
+                    Connection(),
+                    VisualisationLatency.FromMilliseconds(_visualisationMs),
+                    new PredictionSettings(_predictor, _horizonCapMs, _maximumGapMs),
+                    syncIntervalMs: _syncIntervalMs,
+                    range: _renderTimeLimitMs == 0 ? null : new ConstantLatencyRange(_renderTimeLimitMs, _renderTimeLimitSource));
+            }
+            catch (InputException fault)
+            {
+                throw new InputException("'" + name + "': " + fault.Message, fault);
+            }
+        }
+
+        ConnectionSettings Connection() => new ConnectionSettings(
+            _host, _syncPort, _webSocketPort,
+            string.IsNullOrWhiteSpace(_pin) ? null : CertificatePin.Parse(_pin), _deviceTrust,
+            string.IsNullOrEmpty(_token) ? null : _token, _insecureLan, _headsetName);
+    }
+}
