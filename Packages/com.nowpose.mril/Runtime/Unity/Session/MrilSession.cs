@@ -1,0 +1,297 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Session;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace Nowpose.Unity
+{
+    /// <summary>
+    /// Runs a session while it is enabled: connects to the gateway, and once a frame computes where the robot is when the
+    /// frame's light appears.
+    /// </summary>
+    /// <remarks>
+    /// Runs late in LateUpdate, so that what a frame displays is computed as late as sensible and after users' scripts.
+    /// Whatever shows the robot follows <see cref="Shown"/>. While the application is paused, or has lost the focus and does
+    /// not run in the background, there is no session; afterwards a new one synchronises anew, so that nothing from before
+    /// can look current.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Session")]
+    [DefaultExecutionOrder(ExecutionOrder)]
+    [DisallowMultipleComponent]
+    public sealed class MrilSession : MonoBehaviour
+    {
+        /// <summary>Place of this component among all: after scripts that leave theirs at 0.</summary>
+        public const int ExecutionOrder = 10_000;
+
+        [SerializeField, Tooltip("Where the gateway is, and how the display is calibrated.")]
+        SessionSettingsAsset _settings = null;
+
+        [SerializeField, Tooltip("The robot. Empty: the one that the gateway describes on /robot_description.")]
+        RobotDescriptionAsset _robot = null;
+
+        [SerializeField, Tooltip("Connect as soon as this component is enabled. On, for most scenes have nothing to wait for; off where a menu "
+            + "calls Connect, or where a script brings the samples.")]
+        bool _connectOnEnable = true;
+
+        [SerializeField, Tooltip("The clock has been synchronised for half a second.")]
+        UnityEvent _onSynchronised = new UnityEvent();
+
+        [SerializeField, Tooltip("The clock is synchronised no longer, or the application was paused; not called when this component is disabled.")]
+        UnityEvent _onLost = new UnityEvent();
+
+        [SerializeField, Tooltip("The render time has been in the constant-latency range for half a second.")]
+        UnityEvent _onEnteredRange = new UnityEvent();
+
+        [SerializeField, Tooltip("The render time is beyond the constant-latency range: the visualisation latency is longer than calibrated.")]
+        UnityEvent _onLeftRange = new UnityEvent();
+
+        [SerializeField, Tooltip("The arm is held, for its samples are too old or too few.")]
+        UnityEvent _onStale = new UnityEvent();
+
+        // What runs until the gateway has described a robot: it has no joints, and nothing shows it.
+        static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='base'/></robot>", "no robot");
+
+        readonly SessionWatch _watch = new SessionWatch();
+        readonly SessionStatistics _statistics = new SessionStatistics();
+        SessionLog _log;
+        SessionSettings _given, _read;
+        IHeadsetClock _nextClock = new StopwatchHeadsetClock();
+        IHeadsetClock _clock;
+        ApplicationPresence _presence;
+        DescriptionWatch _description;
+        bool _isRunning, _isWanted, _isFilled;
+
+        /// <summary>
+        /// The pose has been computed: once a frame, and a second time right before rendering where the settings ask for it. Not
+        /// while the robot is unknown. The frame is the session's own: read it at once.
+        /// </summary>
+        public event Action<DisplayFrame> Shown;
+
+        /// <summary>There is no frame any more (paused, disabled, another robot): what was shown last is not current.</summary>
+        public event Action Hidden;
+
+        /// <summary><see cref="Robot"/> is another one than before.</summary>
+        public event Action RobotChanged;
+
+        /// <summary>What the UnityEvents tell, for scripts.</summary>
+        public event Action<SessionChange> Changed;
+
+        /// <summary>Null while disabled, paused, or when the settings cannot be used. Another one after each pause.</summary>
+        public CompensationSession Session { get; private set; }
+
+        /// <summary>The asset's robot, or the one that the gateway described; null before.</summary>
+        public RobotModel Robot { get; private set; }
+
+        /// <summary>What was computed last; null while there is no session or no robot.</summary>
+        public DisplayFrame Frame { get; private set; }
+
+        /// <summary>Why there is no session although this component is enabled, in one line; null when nothing is wrong.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>How the session does, as of this frame; null while there is none. One object, filled anew when asked in a later frame.</summary>
+        public SessionStatistics Statistics
+        {
+            get
+            {
+                if (Session == null) return null;
+                if (!_isFilled) Session.Fill(_statistics, _clock.Now);
+                _isFilled = true;
+                return _statistics;
+            }
+        }
+
+        /// <summary>What the session runs with: the asset's, unless set. Setting it starts the session anew; null goes back to the asset.</summary>
+        public SessionSettings Settings
+        {
+            get => _given ?? _read;
+            set
+            {
+                _given = value;
+                Restart();
+            }
+        }
+
+        /// <summary>Describes the robot; null to take the gateway's. Setting it starts the session anew.</summary>
+        public RobotDescriptionAsset RobotAsset
+        {
+            get => _robot;
+            set
+            {
+                _robot = value;
+                _description = default;
+                if (value == null) Become(null);
+                Restart();
+            }
+        }
+
+        /// <summary>The headset clock of sessions that begin from now on; a stopwatch unless set.</summary>
+        public IHeadsetClock HeadsetClock
+        {
+            get => _nextClock;
+            set => _nextClock = value ?? throw new ArgumentNullException(nameof(value));
+        }
+
+        /// <summary>Connects to the gateway, now and after each pause. Returns at once; comes back by itself when the connection is lost.</summary>
+        public void Connect()
+        {
+            _isWanted = true;
+            Session?.Connect();
+        }
+
+        /// <summary>Leaves the gateway. The pose is held, and said to be.</summary>
+        public void Disconnect()
+        {
+            _isWanted = false;
+            Session?.Disconnect();
+        }
+
+        void OnEnable()
+        {
+            _log ??= new SessionLog(this);
+            _isRunning = true;
+            _isWanted |= _connectOnEnable;
+            // Messages about pauses need not have reached it while it was disabled.
+            _presence = default;
+            Application.onBeforeRender += ShowAgain;
+            Begin();
+        }
+
+        void OnDisable()
+        {
+            _isRunning = false;
+            Application.onBeforeRender -= ShowAgain;
+            _watch.End();
+            End();
+            Problem = null;
+        }
+
+        void OnApplicationPause(bool isPaused)
+        {
+            _presence.Paused(isPaused);
+            FollowPresence();
+        }
+
+        void OnApplicationFocus(bool hasFocus)
+        {
+            _presence.Focused(hasFocus);
+            FollowPresence();
+        }
+
+        void LateUpdate()
+        {
+            if (Session == null) return;
+            FollowDescription();
+            var frame = Show();
+            if (frame == null) return;
+            _log.Follow(Session);
+            Tell(_watch.Changed(frame));
+        }
+
+        void ShowAgain()
+        {
+            if (_settings != null && _settings.RewriteBeforeRender) Show();
+        }
+
+        void FollowPresence()
+        {
+            if (!_isRunning) return;
+            if (!_presence.IsAway && Session == null && Problem == null) Begin();
+            if (_presence.IsAway && Session != null) Leave();
+        }
+
+        void Restart()
+        {
+            if (!_isRunning) return;
+            Leave();
+            if (!_presence.IsAway) Begin();
+        }
+
+        void Begin()
+        {
+            try
+            {
+                _read = _given ?? ReadSettings();
+                Problem = null;
+                if (_robot != null) Become(ReadRobot());
+            }
+            catch (InputException fault)
+            {
+                Problem = fault.Message;
+                _log.Fail(Problem);
+                return;
+            }
+            _clock = _nextClock;
+            Session = new CompensationSession(Settings, Robot ?? NoRobot, _clock);
+            if (_isWanted) Session.Connect();
+        }
+
+        void Leave()
+        {
+            End();
+            Tell(_watch.End());
+        }
+
+        void End()
+        {
+            if (Session == null) return;
+            Session.Dispose();
+            Session = null;
+            Frame = null;
+            Hidden?.Invoke();
+        }
+
+        SessionSettings ReadSettings() => _settings != null
+            ? _settings.ToSettings()
+            : throw new InputException("session '" + name + "' has no settings; assign a Session Settings asset");
+
+        // The same text is not read anew: rigs that are bound to its robot stay so.
+        RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();
+
+        void Become(RobotModel robot)
+        {
+            if (robot == Robot) return;
+            Robot = robot;
+            RobotChanged?.Invoke();
+        }
+
+        void FollowDescription()
+        {
+            var described = Session.DescribedRobot;
+            if (!_description.IsNews(described, Robot)) return;
+            if (_robot != null)
+            {
+                _log.Warn("the gateway describes robot '" + described.Name + "' by another URDF than asset '" + _robot.name
+                    + "' holds; what is shown may stand beside the real robot");
+                return;
+            }
+            _log.Say("the gateway describes robot '" + described.Name + "'");
+            Become(described);
+            Restart();
+        }
+
+        void Tell(SessionChange change)
+        {
+            if (change == SessionChange.None) return;
+            _log.Say(change);
+            if ((change & SessionChange.Synchronised) != 0) _onSynchronised.Invoke();
+            if ((change & SessionChange.Lost) != 0) _onLost.Invoke();
+            if ((change & SessionChange.EnteredRange) != 0) _onEnteredRange.Invoke();
+            if ((change & SessionChange.LeftRange) != 0) _onLeftRange.Invoke();
+            if ((change & SessionChange.Stale) != 0) _onStale.Invoke();
+            Changed?.Invoke(change);
+        }
+
+        /// <returns>Null when a listener ended the session.</returns>
+        DisplayFrame Show()
+        {
+            if (Session == null) return null;
+            var frame = Session.Tick(_clock.Now);
+            _isFilled = false;
+            if (Robot == null) return frame;
+            Frame = frame;
+            Shown?.Invoke(frame);
+            return Frame;
+        }
+    }
+}

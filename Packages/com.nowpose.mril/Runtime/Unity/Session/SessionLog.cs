@@ -1,0 +1,45 @@
+using Nowpose.Network;
+using Nowpose.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Says in the console what has changed: once per change, never per frame.</summary>
+    sealed class SessionLog
+    {
+        readonly Object _context;
+        string _sync, _samples;
+
+        /// <param name="context">What the console selects when the line is clicked.</param>
+        public SessionLog(Object context) => _context = context;
+
+        public void Say(string message) => Debug.Log("[Nowpose] " + message, _context);
+        public void Warn(string message) => Debug.LogWarning("[Nowpose] " + message, _context);
+        public void Fail(string message) => Debug.LogError("[Nowpose] " + message, _context);
+
+        /// <summary>Allocates only when there is something to say.</summary>
+        public void Follow(CompensationSession session)
+        {
+            Follow(session.SyncLink, "clock sync", ref _sync);
+            Follow(session.SampleLink, "joint positions", ref _samples);
+        }
+
+        public void Say(SessionChange change)
+        {
+            if ((change & SessionChange.Synchronised) != 0) Say("clock synchronised");
+            if ((change & SessionChange.Lost) != 0) Warn("clock synchronisation lost; poses are not current");
+            if ((change & SessionChange.EnteredRange) != 0) Say("render time within the constant-latency range");
+            if ((change & SessionChange.LeftRange) != 0) Warn("render time beyond the constant-latency range; poses are late by an unknown time");
+            if ((change & SessionChange.Stale) != 0) Warn("joint positions are stale; the pose is held");
+        }
+
+        // While it tries again and again for one reason, the reason is said once.
+        void Follow(LinkStatus link, string name, ref string said)
+        {
+            if (link.State == LinkState.Connecting || link.Detail == said) return;
+            if (link.State == LinkState.Waiting) Warn(link.Detail);
+            else if (said != null || link.State == LinkState.Connected) Say(name + ": " + link.Detail);
+            said = link.Detail;
+        }
+    }
+}
