@@ -1,0 +1,52 @@
+using System;
+using Nowpose.Kinematics;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Moves one transform as one joint moves what it carries, in the axes of the transform's parent.</summary>
+    public sealed class JointDrive
+    {
+        readonly Transform _moved;
+        readonly bool _slides;
+        readonly Vector3 _restPosition, _direction;
+        readonly Quaternion _rest, _halfTurn;
+
+        /// <param name="moved">Its parent stands for the joint's parent link.</param>
+        /// <param name="joint">One that moves.</param>
+        public JointDrive(Transform moved, RobotJoint joint)
+            : this(moved, joint, UnityFrame.ToUnity(joint.Origin).Position(), UnityFrame.ToUnity(joint.Origin).Rotation()) { }
+
+        /// <param name="moved">Any transform.</param>
+        /// <param name="joint">One that moves; its axis is taken in the transform's own axes.</param>
+        /// <param name="restPosition">Where the transform is at joint position 0, in its parent's axes, metres.</param>
+        /// <param name="restRotation">How it is turned there.</param>
+        public JointDrive(Transform moved, RobotJoint joint, Vector3 restPosition, Quaternion restRotation)
+        {
+            if (joint.Kind == JointKind.Fixed) throw new ArgumentException("joint '" + joint.Name + "' is fixed", nameof(joint));
+            _moved = moved;
+            _slides = joint.Kind == JointKind.Prismatic;
+            _restPosition = restPosition;
+            _rest = restRotation;
+            _direction = restRotation * UnityFrame.DirectionToUnity(joint.Axis).Vector();
+            var axis = UnityFrame.TurningAxisToUnity(joint.Axis).Vector();
+            _halfTurn = restRotation * new Quaternion(axis.x, axis.y, axis.z, 0);
+            moved.SetLocalPositionAndRotation(restPosition, restRotation);
+        }
+
+        /// <param name="position">Of the joint, rad or m.</param>
+        public void Apply(double position)
+        {
+            if (_slides) _moved.localPosition = _restPosition + _direction * (float)position;
+            else _moved.localRotation = Turned(position / 2);
+        }
+
+        // Half angles straight into the quaternion: degrees in float and back would cost digits at the end of an arm.
+        Quaternion Turned(double half)
+        {
+            float s = (float)Math.Sin(half), c = (float)Math.Cos(half);
+            return new Quaternion(
+                _rest.x * c + _halfTurn.x * s, _rest.y * c + _halfTurn.y * s, _rest.z * c + _halfTurn.z * s, _rest.w * c + _halfTurn.w * s);
+        }
+    }
+}

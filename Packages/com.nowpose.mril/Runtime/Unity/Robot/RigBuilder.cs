@@ -1,0 +1,94 @@
+using Nowpose.Kinematics;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Builds a robot of primitives from its description, for a robot that nobody has made a prefab of.</summary>
+    /// <remarks>
+    /// Meshes that a URDF names lie in files that a headset does not have: a link shown by meshes only is drawn as bars to
+    /// the joints below it. Colours come from the material alone, for on an additive display a dark one is invisible.
+    /// </remarks>
+    static class RigBuilder
+    {
+        /// <summary>Name of the objects that show a link.</summary>
+        const string Visual = "visual";
+
+        const float BarMetres = 0.03f;
+
+        /// <returns>The root link's object; the links are named and nested as in the URDF, at joint position 0.</returns>
+        /// <param name="parent">Stands for the robot's base frame.</param>
+        /// <param name="arm">Material of the links up to the flange.</param>
+        /// <param name="tool">Material of the links that the flange carries.</param>
+        public static GameObject Build(RobotModel model, Transform parent, Material arm, Material tool)
+        {
+            var links = new Transform[model.Links.Count];
+            var isTool = new bool[links.Length];
+            for (var i = 0; i < links.Length; i++)
+            {
+                var link = model.Links[i];
+                links[i] = NewChild(link.Name, i == 0 ? parent : links[link.ParentIndex]);
+                if (i > 0) links[i].Place(link.ParentJoint.Origin);
+                isTool[i] = i > 0 && (isTool[link.ParentIndex] || model.Links[link.ParentIndex] == model.FlangeLink);
+                Show(link, model, links[i], isTool[i] ? tool : arm);
+            }
+            return links[0].gameObject;
+        }
+
+        static void Show(RobotLink link, RobotModel model, Transform parent, Material material)
+        {
+            var isShown = false;
+            foreach (var visual in link.Visuals)
+            {
+                if (visual.Shape == VisualShape.Mesh) continue;
+                isShown = true;
+                var shape = NewShape(visual.Shape, parent, material);
+                shape.Place(visual.Origin);
+                shape.localScale = SizeOf(visual);
+            }
+            if (isShown || link.Visuals.Count == 0) return;
+            foreach (var joint in model.Joints)
+                if (joint.ParentLink == link.Name) ShowBar(UnityFrame.ToUnity(joint.Origin).Position(), parent, material);
+        }
+
+        // The cylinder's own axis is Unity's y, which is the URDF's z.
+        static void ShowBar(Vector3 end, Transform parent, Material material)
+        {
+            if (end == Vector3.zero) return;
+            var bar = NewShape(VisualShape.Cylinder, parent, material);
+            bar.SetLocalPositionAndRotation(end / 2, Quaternion.FromToRotation(Vector3.up, end));
+            bar.localScale = new Vector3(BarMetres, end.magnitude / 2, BarMetres);
+        }
+
+        static Transform NewShape(VisualShape shape, Transform parent, Material material)
+        {
+            var shown = NewChild(Visual, parent);
+            shown.gameObject.AddComponent<MeshFilter>().sharedMesh = Resources.GetBuiltinResource<Mesh>(MeshOf(shape));
+            shown.gameObject.AddComponent<MeshRenderer>().sharedMaterial = material;
+            return shown;
+        }
+
+        static Transform NewChild(string name, Transform parent)
+        {
+            var child = new GameObject(name) { layer = parent.gameObject.layer }.transform;
+            child.SetParent(parent, worldPositionStays: false);
+            return child;
+        }
+
+        // Sizes are whole extents; the engine's cylinder is 2 m high, its other shapes measure 1 m.
+        static Vector3 SizeOf(LinkVisual visual)
+        {
+            var (x, y, z) = visual.Size;
+            return new Vector3((float)y, (float)(visual.Shape == VisualShape.Cylinder ? z / 2 : z), (float)x);
+        }
+
+        static string MeshOf(VisualShape shape)
+        {
+            switch (shape)
+            {
+                case VisualShape.Cylinder: return "New-Cylinder.fbx";
+                case VisualShape.Sphere: return "New-Sphere.fbx";
+                default: return "Cube.fbx";
+            }
+        }
+    }
+}

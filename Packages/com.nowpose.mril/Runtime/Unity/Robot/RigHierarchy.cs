@@ -1,0 +1,99 @@
+using System;
+using Nowpose.Kinematics;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Transforms named and nested as the links of a robot, and what moves them.</summary>
+    sealed class RigHierarchy
+    {
+        readonly RobotModel _model;
+        readonly Transform[] _links;
+        readonly JointDrive[] _drives;
+
+        /// <param name="links">One per link of the model, in its order. All but the root are put to joint position 0.</param>
+        RigHierarchy(RobotModel model, Transform[] links)
+        {
+            _model = model;
+            _links = links;
+            _drives = new JointDrive[model.MovingJoints.Count];
+            for (var i = 1; i < links.Length; i++)
+            {
+                var joint = model.Links[i].ParentJoint;
+                if (joint.Kind == JointKind.Fixed) links[i].Place(joint.Origin);
+                else _drives[joint.MovingIndex] = new JointDrive(links[i], joint);
+            }
+        }
+
+        public Transform Tool => Link(_model.ToolLink.Name);
+        public Transform Flange => Link(_model.FlangeLink.Name);
+
+        /// <returns>Null when the robot has no such link.</returns>
+        public Transform Link(string name)
+        {
+            var index = _model.IndexOfLink(name);
+            return index < 0 ? null : _links[index];
+        }
+
+        /// <param name="joints">One per moving joint of the model, rad or m.</param>
+        public void Apply(ReadOnlySpan<double> joints)
+        {
+            for (var i = 0; i < _drives.Length; i++) _drives[i].Apply(joints[i]);
+        }
+
+        /// <returns>Null when no transform below is named as the robot's root link.</returns>
+        /// <exception cref="InputException">There is such a transform, and a link below it is missing or not nested as the URDF says.</exception>
+        public static RigHierarchy Find(RobotModel model, Transform rig)
+        {
+            var root = Below(rig, model.Root.Name);
+            if (root == null) return null;
+            var links = new Transform[model.Links.Count];
+            links[0] = root;
+            for (var i = 1; i < links.Length; i++)
+            {
+                var link = model.Links[i];
+                var parent = links[link.ParentIndex];
+                links[i] = Below(parent, link.Name);
+                if (links[i] == null) throw Missing(model, link, rig);
+                RequireUnmoved(model, links[i], parent);
+            }
+            return new RigHierarchy(model, links);
+        }
+
+        // Objects between two links may group, but not move: the joint's origin is written in the direct parent's axes.
+        static void RequireUnmoved(RobotModel model, Transform link, Transform parent)
+        {
+            for (var at = link.parent; at != parent; at = at.parent)
+            {
+                if (at.localPosition != Vector3.zero || at.localRotation != Quaternion.identity || at.localScale != Vector3.one)
+                    throw new InputException("robot '" + model.Name + "': '" + at.name + "' stands between the links '" + parent.name + "' and '"
+                        + link.name + "' and is moved, turned or scaled; reset its transform");
+            }
+            if (link.localScale != Vector3.one)
+                throw new InputException("robot '" + model.Name + "': link '" + link.name
+                    + "' is scaled, and everything that hangs on it with it; scale what shows it instead");
+        }
+
+        static InputException Missing(RobotModel model, RobotLink link, Transform rig)
+        {
+            var joint = link.ParentJoint;
+            var where = Below(rig, link.Name) == null ? "is missing" : "is elsewhere";
+            return new InputException("robot '" + model.Name + "': below link '" + joint.ParentLink + "' in '" + rig.name + "' link '" + link.Name
+                + "' of joint '" + joint.Name + "' " + where + "; name an object after each link of the URDF and nest them as it does");
+        }
+
+        // What stands below another rig is that one's.
+        static Transform Below(Transform parent, string name)
+        {
+            for (var i = 0; i < parent.childCount; i++)
+            {
+                var child = parent.GetChild(i);
+                if (child.name == name) return child;
+                if (child.TryGetComponent<RobotRig>(out _)) continue;
+                var found = Below(child, name);
+                if (found != null) return found;
+            }
+            return null;
+        }
+    }
+}

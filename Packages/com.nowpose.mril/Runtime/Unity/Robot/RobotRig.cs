@@ -1,0 +1,152 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Shows a robot: transforms named and nested as its links, moved by a session or by a script.</summary>
+    /// <remarks>
+    /// Its own transform is the robot's base frame. Where none of its children is named as the robot's root link, it builds
+    /// the robot of primitives.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Robot Rig")]
+    [DisallowMultipleComponent]
+    public sealed class RobotRig : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The session that moves this robot. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("Displayed: where the robot is when the light reaches the eye. Held: the newest sample as it came, to compare.")]
+        RigPose _shows = RigPose.Displayed;
+
+        [SerializeField, Tooltip("For a robot built of primitives: its links up to the flange. An occluder, where the real arm is to hide what "
+            + "is behind it.")]
+        Material _armMaterial = null;
+
+        [SerializeField, Tooltip("For a robot built of primitives: the links that its flange carries.")]
+        Material _toolMaterial = null;
+
+        MrilSession _source;
+        RobotModel _refused;
+        RigHierarchy _hierarchy;
+        GameObject _built;
+        double[] _joints = Array.Empty<double>();
+
+        /// <summary>The transforms were bound to a robot, or to another one than before.</summary>
+        public event Action Bound;
+
+        /// <summary>The transforms have been moved; raised each time, so possibly twice a frame.</summary>
+        public event Action Posed;
+
+        /// <summary>The robot that is shown; null before <see cref="Bind"/>.</summary>
+        public RobotModel Model { get; private set; }
+
+        /// <summary>The session that moves this rig; null while disabled, or where a script moves it.</summary>
+        public MrilSession Session => _source;
+
+        public RigPose Shows => _shows;
+
+        /// <summary>Joint positions shown last, one per moving joint of the model, rad or m; zeros before the first.</summary>
+        public ReadOnlySpan<double> Joints => _joints;
+
+        /// <summary>The tool centre point, or the flange where the robot has no tool; null before <see cref="Bind"/>.</summary>
+        public Transform Tool => _hierarchy?.Tool;
+
+        /// <summary>The link that a tool is mounted on; null before <see cref="Bind"/>.</summary>
+        public Transform Flange => _hierarchy?.Flange;
+
+        /// <returns>Null when the robot has no such link, or before <see cref="Bind"/>.</returns>
+        public Transform Link(string name) => _hierarchy?.Link(name);
+
+        /// <summary>Takes the children as the robot's links, or builds them, and puts all joints to 0.</summary>
+        /// <exception cref="InputException">
+        /// The root link is among the children, but a link below it is missing, elsewhere or scaled; the rig is bound to none then.
+        /// </exception>
+        public void Bind(RobotModel model)
+        {
+            if (model == null) throw new ArgumentNullException(nameof(model));
+            if (model != Model) Unbuild();
+            Model = null;
+            _hierarchy = null;
+            _hierarchy = RigHierarchy.Find(model, transform) ?? Built(model);
+            _joints = new double[model.MovingJoints.Count];
+            Model = model;
+            Bound?.Invoke();
+        }
+
+        /// <summary>Moves the links.</summary>
+        /// <param name="joints">One per moving joint of the model, mimic joints included, rad or m.</param>
+        public void Apply(ReadOnlySpan<double> joints)
+        {
+            if (Model == null) throw new InvalidOperationException("rig '" + name + "': bind it to a robot before joints are applied");
+            if (joints.Length != _joints.Length)
+                throw new ArgumentException(
+                    "rig '" + name + "': " + joints.Length + " values for " + _joints.Length + " moving joints", nameof(joints));
+            joints.CopyTo(_joints);
+            _hierarchy.Apply(joints);
+            Posed?.Invoke();
+        }
+
+        void OnEnable()
+        {
+            _source = _session != null ? _session : GetComponentInParent<MrilSession>();
+            if (_source != null) _source.Shown += Show;
+        }
+
+        void OnDisable()
+        {
+            if (_source is null) return;
+            _source.Shown -= Show;
+            _source = null;
+        }
+
+        void Start()
+        {
+            if (_source != null) FollowRobot();
+            else if (Model == null)
+                Debug.LogWarning("[Nowpose] rig '" + name + "' has no session above it to move it; assign one, or call Bind and Apply", this);
+        }
+
+        void OnDestroy() => Destroy(_built);
+
+        void Show(DisplayFrame frame)
+        {
+            FollowRobot();
+            if (Model == _source.Robot) Apply(_shows == RigPose.Held ? frame.HeldJoints : frame.Joints);
+        }
+
+        // Not while objects are being enabled: the engine lets nobody take children away then.
+        void FollowRobot()
+        {
+            var robot = _source.Robot;
+            if (robot == null || robot == Model || robot == _refused) return;
+            _refused = null;
+            try
+            {
+                Bind(robot);
+            }
+            catch (InputException fault)
+            {
+                _refused = robot;
+                Debug.LogError("[Nowpose] " + fault.Message, this);
+            }
+        }
+
+        RigHierarchy Built(RobotModel model)
+        {
+            _built = RigBuilder.Build(model, transform, _armMaterial, _toolMaterial);
+            return RigHierarchy.Find(model, transform);
+        }
+
+        // Taken out at once: it is destroyed at the end of the frame, and until then its links would be found.
+        void Unbuild()
+        {
+            if (_built == null) return;
+            _built.transform.SetParent(null, worldPositionStays: false);
+            if (Application.isPlaying) Destroy(_built);
+            else DestroyImmediate(_built);
+            _built = null;
+        }
+    }
+}

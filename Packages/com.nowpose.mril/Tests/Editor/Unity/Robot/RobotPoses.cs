@@ -1,0 +1,53 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using Random = System.Random;
+
+namespace Nowpose.Tests
+{
+    /// <summary>Random joint positions of a robot, and whether a rig stands as Core computes.</summary>
+    static class RobotPoses
+    {
+        const double ToleranceMetres = 1e-5;
+
+        /// <summary>Beyond the limits too, mimic joints completed.</summary>
+        public static double[] Any(RobotModel model, Random random)
+        {
+            var positions = new double[model.MovingJoints.Count];
+            for (var i = 0; i < positions.Length; i++)
+            {
+                var greatest = model.MovingJoints[i].Kind == JointKind.Prismatic ? 0.5 : 2 * Math.PI;
+                positions[i] = (2 * random.NextDouble() - 1) * greatest;
+            }
+            model.CompleteMimics(positions, new bool[positions.Length]);
+            return positions;
+        }
+
+        /// <summary>Compares four points of each link, the farthest half a metre from its origin, in the rig's axes.</summary>
+        public static void RequireAgreement(RobotRig rig, double[] positions, string message)
+        {
+            var poses = new RigidTransform[rig.Model.Links.Count];
+            new ForwardKinematics(rig.Model).Compute(positions, poses);
+            for (var i = 0; i < poses.Length; i++)
+            {
+                var link = rig.Link(rig.Model.Links[i].Name);
+                RequireAt(rig, link, poses[i], (0, 0, 0), message);
+                RequireAt(rig, link, poses[i], (0.5, 0, 0), message);
+                RequireAt(rig, link, poses[i], (0, 0.5, 0), message);
+                RequireAt(rig, link, poses[i], (0, 0, 0.5), message);
+            }
+        }
+
+        static void RequireAt(RobotRig rig, Transform link, in RigidTransform pose, (double X, double Y, double Z) point, string message)
+        {
+            var moved = pose * RigidTransform.FromXyzRpy(point.X, point.Y, point.Z, 0, 0, 0);
+            var expected = Vector(UnityFrame.DirectionToUnity((moved.X, moved.Y, moved.Z)));
+            var actual = rig.transform.InverseTransformPoint(link.TransformPoint(Vector(UnityFrame.DirectionToUnity(point))));
+            Assert.That(Vector3.Distance(actual, expected), Is.LessThan(ToleranceMetres), message + ", " + link.name + " " + point);
+        }
+
+        static Vector3 Vector((double X, double Y, double Z) v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
+    }
+}

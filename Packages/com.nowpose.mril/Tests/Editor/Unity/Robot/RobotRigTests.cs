@@ -1,0 +1,244 @@
+using System;
+using System.Linq;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using Random = System.Random;
+
+namespace Nowpose.Tests
+{
+    public class RobotRigTests
+    {
+        readonly SceneObjects _scene = new SceneObjects();
+
+        [TearDown]
+        public void Clean() => _scene.Destroy();
+
+        RobotRig NewRig() => _scene.New<RobotRig>("Robot");
+
+        [TestCase("youbot")]
+        [TestCase("ur5")]
+        [TestCase("odd_axes")]
+        public void Apply_BuiltRig_StandsAsCoreComputes(string robot)
+        {
+            var rig = NewRig();
+            rig.transform.SetPositionAndRotation(new Vector3(0.4f, -0.2f, 1.1f), Quaternion.Euler(10, 130, -20));
+            rig.Bind(UrdfFiles.Robot(robot));
+            for (var seed = 1; seed <= 100; seed++)
+            {
+                var positions = RobotPoses.Any(rig.Model, new Random(seed));
+
+                rig.Apply(positions);
+
+                RobotPoses.RequireAgreement(rig, positions, robot + ", seed " + seed);
+            }
+        }
+
+        [TestCase("youbot")]
+        [TestCase("odd_axes")]
+        public void Apply_HierarchyOfTheScene_StandsAsCoreComputes(string robot)
+        {
+            var model = UrdfFiles.Robot(robot);
+            var rig = NewRig();
+            var links = _scene.Links(model, rig.transform);
+            rig.Bind(model);
+            var positions = RobotPoses.Any(model, new Random(7));
+
+            rig.Apply(positions);
+
+            RobotPoses.RequireAgreement(rig, positions, robot);
+            foreach (var link in links) Assert.That(rig.Link(link.Key), Is.SameAs(link.Value));
+            Assert.That(rig.transform.childCount, Is.EqualTo(1), "nothing was built beside it");
+        }
+
+        [Test]
+        public void Apply_MimicJoints_FollowTheirMasterAsGiven()
+        {
+            var rig = NewRig();
+            rig.Bind(UrdfFiles.Robot("youbot"));
+            var positions = new double[rig.Model.MovingJoints.Count];
+            positions[rig.Model.IndexOfMovingJoint("gripper_finger_joint_l")] = 0.01;
+            rig.Model.CompleteMimics(positions, new bool[positions.Length]);
+
+            rig.Apply(positions);
+
+            var opening = Vector3.Distance(rig.Link("gripper_finger_link_l").position, rig.Link("gripper_finger_link_r").position);
+            Assert.That(opening, Is.EqualTo(0.016 + 2 * 0.01).Within(1e-6));
+        }
+
+        [TestCase("youbot", "tool_centre_point", "arm_link_5")]
+        [TestCase("ur5", "tool0", "wrist_3_link")]
+        public void Bind_Robot_KnowsToolAndFlange(string robot, string tool, string flange)
+        {
+            var rig = NewRig();
+            var bound = 0;
+            rig.Bound += () => bound++;
+
+            rig.Bind(UrdfFiles.Robot(robot));
+
+            Assert.That(rig.Tool.name, Is.EqualTo(tool));
+            Assert.That(rig.Flange.name, Is.EqualTo(flange));
+            Assert.That(rig.Link("no such link"), Is.Null);
+            Assert.That(bound, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Bind_LinkMissing_NamesRobotLinkAndJoint()
+        {
+            var model = UrdfFiles.Robot("ur5");
+            var rig = NewRig();
+            UnityEngine.Object.DestroyImmediate(_scene.Links(model, rig.transform)["wrist_1_link"].gameObject);
+
+            var fault = Assert.Throws<InputException>(() => rig.Bind(model));
+
+            Assert.That(fault.Message, Does.Contain("'ur5'").And.Contain("'wrist_1_link'").And.Contain("'wrist_1_joint'").And.Contain("missing"));
+            Assert.That(rig.Model, Is.Null);
+            Assert.That(rig.Tool, Is.Null);
+        }
+
+        [Test]
+        public void Bind_LinkNestedElsewhere_SaysSo()
+        {
+            var model = UrdfFiles.Robot("ur5");
+            var rig = NewRig();
+            var links = _scene.Links(model, rig.transform);
+            links["tool0"].SetParent(links["base_link"], false);
+
+            var fault = Assert.Throws<InputException>(() => rig.Bind(model));
+
+            Assert.That(fault.Message, Does.Contain("'tool0'").And.Contain("'wrist_3_link'").And.Contain("elsewhere"));
+        }
+
+        [Test]
+        public void Bind_LinkIsScaled_SaysSo()
+        {
+            var model = UrdfFiles.Robot("ur5");
+            var rig = NewRig();
+            _scene.Links(model, rig.transform)["forearm_link"].localScale = new Vector3(1, 2, 1);
+
+            var fault = Assert.Throws<InputException>(() => rig.Bind(model));
+
+            Assert.That(fault.Message, Does.Contain("'forearm_link'").And.Contain("scaled"));
+        }
+
+        [TestCase(0f, true)]
+        [TestCase(0.01f, false)]
+        public void Bind_ObjectBetweenLinks_MayGroupButNotMove(float metres, bool isTaken)
+        {
+            var model = UrdfFiles.Robot("youbot");
+            var rig = NewRig();
+            var links = _scene.Links(model, rig.transform);
+            var group = _scene.New("Virtual Gripper", links["arm_link_5"]);
+            group.localPosition = new Vector3(0, metres, 0);
+            links["gripper_palm_link"].SetParent(group, false);
+
+            if (isTaken) Assert.DoesNotThrow(() => rig.Bind(model));
+            else Assert.That(Assert.Throws<InputException>(() => rig.Bind(model)).Message, Does.Contain("'Virtual Gripper'"));
+        }
+
+        [Test]
+        public void Bind_LinksOfAnotherRigBelow_AreNotTaken()
+        {
+            var model = UrdfFiles.Robot("ur5");
+            var rig = NewRig();
+            var other = _scene.New<RobotRig>("Ghost", rig.transform);
+            other.Bind(model);
+
+            rig.Bind(model);
+
+            Assert.That(rig.Link("base_link"), Is.Not.SameAs(other.Link("base_link")));
+        }
+
+        [Test]
+        public void Bind_AnotherRobot_TakesTheBuiltOneAway()
+        {
+            var rig = NewRig();
+            rig.Bind(UrdfFiles.Robot("ur5"));
+            var old = rig.Link("base_link");
+
+            rig.Bind(UrdfFiles.Robot("youbot"));
+
+            Assert.That(old == null, Is.True);
+            Assert.That(rig.transform.childCount, Is.EqualTo(1));
+            Assert.That(rig.Model.Name, Is.EqualTo("youbot"));
+            Assert.That(rig.Joints.Length, Is.EqualTo(7));
+        }
+
+        [Test]
+        public void Bind_SameRobotAgain_KeepsTheBuiltOne()
+        {
+            var model = UrdfFiles.Robot("ur5");
+            var rig = NewRig();
+            rig.Bind(model);
+            var root = rig.Link("base_link");
+
+            rig.Bind(model);
+
+            Assert.That(rig.Link("base_link"), Is.SameAs(root));
+        }
+
+        [Test]
+        public void Bind_NoHierarchy_ShowsLinksByTheirShapes()
+        {
+            var (arm, tool) = (_scene.Material("arm"), _scene.Material("tool"));
+            var rig = NewRig().With("_armMaterial", arm).With("_toolMaterial", tool);
+
+            rig.Bind(UrdfFiles.Robot("youbot"));
+
+            // A box of 0.19 × 0.13 × 0.024 m forward, left and up, 12 mm up.
+            var plate = rig.Link("arm_link_0").GetChild(0);
+            Assert.That(plate.name, Is.EqualTo("visual"));
+            Assert.That(Vector3.Distance(plate.localScale, new Vector3(0.13f, 0.024f, 0.19f)), Is.LessThan(1e-6));
+            Assert.That(Vector3.Distance(plate.localPosition, new Vector3(0, 0.012f, 0)), Is.LessThan(1e-6));
+            // A cylinder of 72 mm: the engine's is 2 m high.
+            var cylinder = rig.Link("arm_link_0").GetChild(1);
+            Assert.That(Vector3.Distance(cylinder.localScale, new Vector3(0.12f, 0.036f, 0.12f)), Is.LessThan(1e-6));
+            Assert.That(MaterialOf(rig, "arm_link_5"), Is.SameAs(arm));
+            Assert.That(MaterialOf(rig, "gripper_palm_link"), Is.SameAs(tool));
+            Assert.That(MaterialOf(rig, "gripper_finger_link_r"), Is.SameAs(tool));
+            Assert.That(rig.GetComponentsInChildren<MeshFilter>().Select(filter => filter.sharedMesh), Is.All.Not.Null);
+        }
+
+        [Test]
+        public void Bind_LinkOfMeshesOnly_IsABarToEachJointBelow()
+        {
+            const string mesh = "<visual><geometry><mesh filename='package://a/b.dae'/></geometry></visual>";
+            var model = UrdfFiles.Read("<link name='a'>" + mesh + "</link>" + UrdfFiles.Links("b", "c")
+                + UrdfFiles.Joint("ab", "a", "b", "fixed", "<origin xyz='0 0 0.4'/>")
+                + UrdfFiles.Joint("ac", "a", "c", "fixed", "<origin xyz='0.3 0 0'/>"));
+            var rig = NewRig();
+
+            rig.Bind(model);
+
+            var bars = rig.GetComponentsInChildren<MeshRenderer>().Select(renderer => renderer.transform).ToArray();
+            Assert.That(bars.Length, Is.EqualTo(2));
+            foreach (var (bar, end) in bars.Zip(new[] { new Vector3(0, 0.4f, 0), new Vector3(0, 0, 0.3f) }, ValueTuple.Create))
+            {
+                Assert.That(Vector3.Distance(bar.TransformPoint(Vector3.up), end), Is.LessThan(1e-6), "one end");
+                Assert.That(bar.TransformPoint(Vector3.down).magnitude, Is.LessThan(1e-6), "the other");
+            }
+        }
+
+        [Test]
+        public void Apply_NotBound_SaysSo()
+        {
+            Assert.That(Assert.Throws<InvalidOperationException>(() => NewRig().Apply(new double[6])).Message, Does.Contain("'Robot'"));
+        }
+
+        [TestCase(5)]
+        [TestCase(7)]
+        public void Apply_OtherNumberOfJoints_IsRefused(int count)
+        {
+            var rig = NewRig();
+            rig.Bind(UrdfFiles.Robot("ur5"));
+
+            Assert.Throws<ArgumentException>(() => rig.Apply(new double[count]));
+        }
+
+        [Test]
+        public void Bind_Null_IsRefused() => Assert.Throws<ArgumentNullException>(() => NewRig().Bind(null));
+
+        static Material MaterialOf(RobotRig rig, string link) => rig.Link(link).GetChild(0).GetComponent<MeshRenderer>().sharedMaterial;
+    }
+}
