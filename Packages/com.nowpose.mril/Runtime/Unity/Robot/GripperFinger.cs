@@ -1,0 +1,40 @@
+using System;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>One finger of a virtual gripper.</summary>
+    [Serializable]
+    public sealed class GripperFinger
+    {
+        [SerializeField, Tooltip("Name of the joint that moves this finger, as in the robot's URDF.")]
+        string joint = "";
+
+        [SerializeField, Tooltip("What moves, as it stands at joint position 0 (closed, on the youBot), turned as the joint's own frame.")]
+        Transform finger = null;
+
+        [NonSerialized] Pose _rest;
+        [NonSerialized] bool _isRestKnown;
+
+        public GripperFinger() { }
+
+        public GripperFinger(string joint, Transform finger)
+        {
+            this.joint = joint;
+            this.finger = finger;
+        }
+
+        public string Joint => joint;
+        public Transform Finger => finger;
+
+        /// <summary>Puts the finger back to where it stood when first asked: later it stands where a robot's joint left it.</summary>
+        /// <returns>In its parent's axes.</returns>
+        internal Pose Rest()
+        {
+            if (!_isRestKnown) _rest = new Pose(finger.localPosition, finger.localRotation);
+            _isRestKnown = true;
+            finger.SetLocalPositionAndRotation(_rest.position, _rest.rotation);
+            return _rest;
+        }
+    }
+}
