@@ -28,6 +28,7 @@ namespace Nowpose.Session
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
         readonly ConstantLatencyMonitor _monitor;
+        readonly HindcastMonitor _hindcast;
         readonly ApplicationLatency _latency = new ApplicationLatency();
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
         readonly object _gate = new object();
@@ -55,6 +56,7 @@ namespace Nowpose.Session
             _monitor = new ConstantLatencyMonitor(settings.Range);
             _tracks = new JointTracks(robot, settings.Prediction);
             _frame = new DisplayFrame(robot, _tracks);
+            _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
         }
 
         public RobotModel Robot { get; }
@@ -133,6 +135,7 @@ namespace Nowpose.Session
                 while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
                 var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;
                 _frame.Update(start, light, IsTrusted(clock), _monitor.State);
+                _hindcast.Shown(_frame);
                 return _frame;
             }
         }
@@ -184,6 +187,7 @@ namespace Nowpose.Session
             {
                 FillClock(into, now);
                 FillLatency(into);
+                FillError(into);
                 into.Pose = _frame.State;
                 into.RobotDescriptionMatch = RobotDescriptionMatch;
                 into.Samples = _samples;
@@ -226,6 +230,13 @@ namespace Nowpose.Session
             into.RangeDoubt = _monitor.Doubt;
         }
 
+        void FillError(SessionStatistics into)
+        {
+            into.ErrorMm = _hindcast.ErrorMm;
+            into.HoldErrorMm = _hindcast.HoldErrorMm;
+            into.ErrorReduction = _hindcast.Reduction;
+        }
+
         // Stamps from before a step belong to another time line, and stamps from before the first exchange were never
         // checked: one from the future would hold the display for as long.
         void ForgetWhatAnotherClockStamped(in ClockModel clock)
@@ -235,6 +246,7 @@ namespace Nowpose.Session
             _wasKnown = clock.IsKnown;
             _tracks.Reset();
             _latency.Reset();
+            _hindcast.Reset();
         }
 
         bool IsTrusted(in ClockModel clock) => clock.State == ClockState.Synchronised
@@ -253,6 +265,7 @@ namespace Nowpose.Session
             Drops.Count(overtaken);
             if (reason != DropReason.None) return;
             _samples++;
+            _hindcast.Add(arrival.Message);
             if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);
             SampleTaken?.Invoke(arrival, clock.IsKnown ? _latency.Newest : (TimeSpan?)null);
         }

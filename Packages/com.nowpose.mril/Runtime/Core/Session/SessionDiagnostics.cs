@@ -13,10 +13,11 @@ namespace Nowpose.Session
         {
             var values = new List<KeyValuePair<string, string>>();
             void Add(string key, string value) => values.Add(new KeyValuePair<string, string>(key, value));
-            void AddMs(string key, TimeSpan? length)
+            void AddNumber(string key, double? value)
             {
-                if (length.HasValue) Add(key, Number(length.Value.TotalMilliseconds));
+                if (value.HasValue) Add(key, Number(value.Value));
             }
+            void AddMs(string key, TimeSpan? length) => AddNumber(key, length?.TotalMilliseconds);
 
             Add("state", statistics.Clock.State.ToString().ToLowerInvariant());
             if (statistics.Offset.HasValue)
@@ -32,6 +33,9 @@ namespace Nowpose.Session
             AddMs("horizon_ms", statistics.Horizon);
             AddMs("render_ms", statistics.RenderTime);
             if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());
+            AddNumber("error_mm_hold", statistics.HoldErrorMm);
+            AddNumber("error_mm", statistics.ErrorMm);
+            AddNumber("reduction", statistics.ErrorReduction);
             Add("samples", statistics.Samples.ToString(CultureInfo.InvariantCulture));
             Add("dropped", statistics.Dropped.ToString(CultureInfo.InvariantCulture));
             return new DiagnosticsMessage(now, headsetName, values);

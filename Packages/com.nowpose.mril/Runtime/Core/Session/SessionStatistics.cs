@@ -44,6 +44,21 @@ namespace Nowpose.Session
         /// <summary>Why <see cref="Range"/> is unknown.</summary>
         public RangeDoubt RangeDoubt { get; internal set; }
 
+        /// <summary>
+        /// RMS distance of the displayed tool from where the samples that came later say it was, over the newest ten seconds,
+        /// mm. What those samples cannot see is not in it: an error of the clock's offset or of the visualisation latency.
+        /// </summary>
+        public double? ErrorMm { get; internal set; }
+
+        /// <summary>The same distance for a headset without compensation, that shows the newest sample; mm.</summary>
+        public double? HoldErrorMm { get; internal set; }
+
+        /// <summary>
+        /// 1 − <see cref="ErrorMm"/> ÷ <see cref="HoldErrorMm"/>: 0.8 when a fifth of the error is left, negative when it has
+        /// grown. Null also while the robot rests, for then there is no error to reduce.
+        /// </summary>
+        public double? ErrorReduction { get; internal set; }
+
         public PoseState Pose { get; internal set; }
         public RobotDescriptionMatch RobotDescriptionMatch { get; internal set; }
 

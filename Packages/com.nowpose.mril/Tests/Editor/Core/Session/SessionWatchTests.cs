@@ -13,10 +13,8 @@ namespace Nowpose.Tests
         // One letter is one frame of 1/60 s; a capital letter stands for 40 of them.
         static string Run(string frames, Func<int, char, SessionChange> changed)
         {
-            var changes = new List<SessionChange>();
-            foreach (var letter in frames.SelectMany(c => Enumerable.Repeat(char.ToLowerInvariant(c), char.IsUpper(c) ? 40 : 1)).Select((c, i) => (c, i)))
-                changes.Add(changed(letter.i, letter.c));
-            return string.Join(" ", changes.Where(c => c != SessionChange.None));
+            var letters = frames.SelectMany(c => Enumerable.Repeat(char.ToLowerInvariant(c), char.IsUpper(c) ? 40 : 1));
+            return string.Join(" ", letters.Select((letter, i) => changed(i, letter)).Where(c => c != SessionChange.None));
         }
 
         static HeadsetTime At(int frame) => HeadsetTime.FromSeconds(100 + frame / 60.0);

@@ -25,6 +25,7 @@ namespace Nowpose.Tests
         SyncExchange? _exchange;
         double _nextFrame, _nextSample, _nextExchange;
         HeadsetTime _lastArrival;
+        bool _isElbowNext;
 
         public SimulatedSession(NetworkProfile network, int seed, string predictor = "quadratic", ConstantLatencyRange range = null)
         {
@@ -45,6 +46,9 @@ namespace Nowpose.Tests
 
         /// <summary>Whether sync exchanges come through.</summary>
         public bool IsSyncUp { get; set; } = true;
+
+        /// <summary>Whether each joint arrives in a message of its own, sampled at another time.</summary>
+        public bool IsEachJointApart { get; set; }
 
         /// <summary>Whether a test sends the samples itself.</summary>
         public bool IsSamplingByTest { get; set; }
@@ -88,10 +92,14 @@ namespace Nowpose.Tests
 
         void Sample(HeadsetTime now)
         {
-            _nextSample += SampleSeconds;
+            _nextSample += IsEachJointApart ? SampleSeconds / 2 : SampleSeconds;
             if (!IsGatewayUp || IsSamplingByTest) return;
             var (shoulder, elbow) = TruthAt(now.SinceEpoch.TotalSeconds);
-            var message = new JointStateMessage(Link.TrueOffset(now).ToControl(now), new[] { "elbow", "shoulder" }, new[] { elbow, shoulder });
+            var stamp = Link.TrueOffset(now).ToControl(now);
+            var message = new JointStateMessage(stamp, new[] { "elbow", "shoulder" }, new[] { elbow, shoulder });
+            _isElbowNext = !_isElbowNext;
+            if (IsEachJointApart && _isElbowNext) message = new JointStateMessage(stamp, new[] { "elbow" }, new[] { elbow });
+            else if (IsEachJointApart) message = new JointStateMessage(stamp, new[] { "shoulder" }, new[] { shoulder });
             var acquisition = TimeSpan.FromMilliseconds(55 + 50 * _random.NextDouble());
             var at = now + acquisition + _sampleDelay.Next();
             if (at < _lastArrival) at = _lastArrival;

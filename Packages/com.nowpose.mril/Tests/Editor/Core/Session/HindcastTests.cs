@@ -1,0 +1,264 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class HindcastTests
+    {
+        const int Seed = 7;
+        static readonly ForwardKinematics Kinematics = new ForwardKinematics(TestRobot.Model);
+        static readonly int Tool = TestRobot.Model.IndexOfLink(TestRobot.Model.ToolLink.Name);
+
+        static RigidTransform ToolOf(ReadOnlySpan<double> joints)
+        {
+            var poses = new RigidTransform[TestRobot.Model.Links.Count];
+            Kinematics.Compute(joints, poses);
+            return poses[Tool];
+        }
+
+        static RigidTransform TrueTool(double seconds)
+        {
+            var joints = new double[TestRobot.Model.MovingJoints.Count];
+            var (shoulder, elbow) = SimulatedSession.TruthAt(seconds);
+            joints[TestRobot.Model.IndexOfMovingJoint("shoulder")] = shoulder;
+            joints[TestRobot.Model.IndexOfMovingJoint("elbow")] = elbow;
+            return ToolOf(joints);
+        }
+
+        static double SquareMm(in RigidTransform a, in RigidTransform b) =>
+            1e6 * (Math.Pow(a.X - b.X, 2) + Math.Pow(a.Y - b.Y, 2) + Math.Pow(a.Z - b.Z, 2));
+
+        static SessionStatistics Statistics(SimulatedSession simulated) =>
+            simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now));
+
+        // RMS against the truth that the simulation knows, of the frames that can be judged: up to the newest sample, from the
+        // beginning of the ninth second before the newest frame's.
+        static (double Mm, double HoldMm) TrueErrors(SimulatedSession simulated, double seconds)
+        {
+            var squares = new List<(ControlTime At, double Displayed, double Held)>();
+            var (first, last) = (default(ControlTime), default(ControlTime));
+            simulated.Run(seconds, (frame, light) =>
+            {
+                var truth = TrueTool(light);
+                squares.Add((frame.DisplayTime.Value, SquareMm(frame.ToolPose, truth), SquareMm(ToolOf(frame.HeldJoints), truth)));
+                last = frame.DisplayTime.Value - frame.Horizon.Value;
+                first = ControlTime.FromSeconds(Math.Floor(frame.DisplayTime.Value.SinceEpoch.TotalSeconds) - 9);
+            });
+            var judged = squares.Where(s => s.At >= first && s.At <= last).ToList();
+            return (Math.Sqrt(judged.Average(s => s.Displayed)), Math.Sqrt(judged.Average(s => s.Held)));
+        }
+
+        [Test]
+        public void Statistics_SimulatedSession_KnowTheErrorAsTheTruthDoes(
+            [Values("lan", "wifi")] string network, [Values("linear", "quadratic", "quadratic-h4")] string predictor, [Values] bool apart)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Named(network), Seed, predictor) { IsEachJointApart = apart };
+            simulated.Run(8);
+            var truth = TrueErrors(simulated, 20);
+
+            var statistics = Statistics(simulated);
+
+            var message = $"{truth.Mm:0.00} of {truth.HoldMm:0.00} mm, seed {Seed}";
+            Assert.That(truth.HoldMm, Is.GreaterThan(50), "the effect is there");
+            Assert.That(statistics.HoldErrorMm.Value, Is.EqualTo(truth.HoldMm).Within(1).Percent, message);
+            Assert.That(statistics.ErrorMm.Value, Is.EqualTo(truth.Mm).Within(0.03 * truth.Mm + 0.1), message + "; straight lines err too");
+            Assert.That(statistics.ErrorReduction.Value, Is.EqualTo(1 - truth.Mm / truth.HoldMm).Within(0.003), message);
+        }
+
+        [Test]
+        public void Statistics_HoldPredictor_ReducesNothing()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed, "hold");
+            simulated.Run(20);
+
+            var statistics = Statistics(simulated);
+
+            Assert.That(statistics.ErrorReduction.Value, Is.EqualTo(0).Within(1e-12));
+            Assert.That(statistics.ErrorMm.Value, Is.GreaterThan(50));
+        }
+
+        [Test]
+        public void Statistics_Unsynchronised_KnowNoError()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSyncUp = false };
+            simulated.Run(10);
+
+            var statistics = Statistics(simulated);
+
+            Assert.That(statistics.Samples, Is.GreaterThan(100));
+            Assert.That(statistics.ErrorMm, Is.Null);
+            Assert.That(statistics.HoldErrorMm, Is.Null);
+            Assert.That(statistics.ErrorReduction, Is.Null);
+        }
+
+        [TestCase(3600)]
+        [TestCase(-3600)]
+        [TestCase(0.2)]
+        [TestCase(-0.2)]
+        public void Statistics_ControlClockSteps_JudgeOnlyWhatIsShownSince(double stepSeconds)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
+            simulated.Run(20);
+            var before = Statistics(simulated).HoldErrorMm.Value;
+            var known = new List<double?>();
+
+            simulated.Link.Step = TimeSpan.FromSeconds(stepSeconds);
+            simulated.Run(20, (frame, light) => known.Add(simulated.Session.Statistics(frame.Start).HoldErrorMm));
+
+            Assert.That(known.Last().Value, Is.EqualTo(before).Within(20).Percent);
+            Assert.That(known.Where(k => k.HasValue).Max(), Is.LessThan(2 * before), "nothing is judged across the step");
+        }
+
+        [TestCase(3600)]
+        [TestCase(-3600)]
+        [TestCase(-0.2)]
+        public void Statistics_ControlClockSteps_ForgetWhatWasBefore(double stepSeconds)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(20);
+
+            simulated.Link.Step = TimeSpan.FromSeconds(stepSeconds);
+            simulated.Run(0.3);
+            simulated.IsSamplingByTest = true;
+            simulated.Run(6);
+
+            Assert.That(simulated.Session.Tick(HeadsetTime.FromSeconds(simulated.Now)).IsTimeTrusted, Is.True);
+            Assert.That(Statistics(simulated).HoldErrorMm, Is.Null);
+        }
+
+        [Test]
+        public void Statistics_SamplesStop_KnowNothingTenSecondsLater()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(15);
+            simulated.IsSamplingByTest = true;
+            simulated.Run(8);
+            var soon = Statistics(simulated).ErrorMm;
+
+            simulated.Run(3);
+
+            Assert.That(soon, Is.Not.Null);
+            Assert.That(Statistics(simulated).ErrorMm, Is.Null);
+        }
+
+        [Test]
+        public void Statistics_LongGapBetweenSamples_IsNotJudged()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(18.1);
+            var greatest = 0.0;
+            simulated.IsSamplingByTest = true;
+            simulated.Run(2.4, (frame, light) => greatest = Math.Max(greatest, SquareMm(ToolOf(frame.HeldJoints), TrueTool(light))));
+            simulated.IsSamplingByTest = false;
+
+            simulated.Run(2);
+
+            Assert.That(Math.Sqrt(greatest), Is.GreaterThan(500), "from one end of the sine to the other");
+            Assert.That(Statistics(simulated).HoldErrorMm.Value, Is.LessThan(400),
+                "665 with the gap; the tenth of a second in which the samples after it are on their way is judged");
+        }
+
+        [Test]
+        public void Statistics_RenderTimeOutsideTheRange_AreNotMixedWithFramesOfUnknownLight()
+        {
+            var range = new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime);
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: range);
+            simulated.Run(8);
+            for (var i = 0; i < 20; i++) simulated.Session.Rendered(TimeSpan.FromMilliseconds(30), RenderTimeSourceKind.GpuTime);
+
+            simulated.Run(12);
+
+            Assert.That(Statistics(simulated).ErrorMm, Is.Null);
+        }
+
+        [Test]
+        public void Statistics_RobotAtRest_HaveNoErrorAndNoReduction()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
+            for (var i = 0; i < 200; i++)
+            {
+                var now = HeadsetTime.FromSeconds(simulated.Now);
+                simulated.Session.Received(new JointStateMessage(
+                    simulated.Link.TrueOffset(now).ToControl(now), new[] { "shoulder", "elbow" }, new[] { 0.5, 0.5 }), now);
+                simulated.Run(0.05);
+            }
+
+            var statistics = Statistics(simulated);
+
+            Assert.That(statistics.ErrorMm.Value, Is.EqualTo(0).Within(1e-6));
+            Assert.That(statistics.ErrorReduction, Is.Null);
+        }
+
+        [Test]
+        public void Statistics_SamplesAheadOfTheLightForAWhile_JudgeTheFramesAfter()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(8);
+            simulated.IsSamplingByTest = true;
+            var known = 0;
+            for (var i = 0; i < 240; i++)
+            {
+                var now = HeadsetTime.FromSeconds(simulated.Now);
+                var ahead = TimeSpan.FromMilliseconds(i < 60 ? 300 : 0);
+                simulated.Session.Received(new JointStateMessage(
+                    simulated.Link.TrueOffset(now).ToControl(now) + ahead, new[] { "shoulder", "elbow" }, new[] { 0.01 * i, 0 }), now);
+                simulated.Run(0.05);
+                if (i >= 60 && Statistics(simulated).HoldErrorMm.HasValue) known++;
+            }
+
+            Assert.That(known, Is.GreaterThan(170), "frames that nobody can judge do not keep those after them waiting");
+        }
+
+        [Test]
+        public void Statistics_OneJointSilent_WaitForIt()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
+            for (var i = 0; i < 200; i++)
+            {
+                var now = HeadsetTime.FromSeconds(simulated.Now);
+                var stamp = simulated.Link.TrueOffset(now).ToControl(now);
+                simulated.Session.Received(new JointStateMessage(stamp, new[] { "shoulder" }, new[] { 0.1 * (i % 7) }), now);
+                if (i == 3) simulated.Session.Received(new JointStateMessage(stamp, new[] { "elbow" }, new[] { 0.5 }), now);
+                simulated.Run(0.05);
+            }
+
+            Assert.That(Statistics(simulated).ErrorMm, Is.Null, "where the elbow went nobody said");
+        }
+
+        [Test]
+        public void Diagnostics_KnownError_IsSaidInMillimetres()
+        {
+            var clock = new SetClock();
+            var session = new CompensationSession(
+                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+                TestRobot.Model, clock);
+            for (var frame = 0; frame < 1200; frame++)
+            {
+                clock.Now = HeadsetTime.FromSeconds(10 + frame / 60.0);
+                var control = new ControlTime(clock.Now.SinceEpoch);
+                var taken = control - TimeSpan.FromMilliseconds(60);
+                session.Clock.Add(new SyncExchange(clock.Now - TimeSpan.FromMilliseconds(2), control, control, clock.Now), out _);
+                session.Received(
+                    new JointStateMessage(taken, new[] { "shoulder", "elbow" }, new[] { Math.Sin(taken.SinceEpoch.TotalSeconds), 0 }), clock.Now);
+                session.Tick(clock.Now);
+            }
+
+            var values = session.Diagnostics().Values.ToDictionary(v => v.Key, v => double.TryParse(v.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var n) ? n : double.NaN);
+
+            // One metre of arm, 1/√2 rad/s on average, 100 ms of latency.
+            Assert.That(values["error_mm_hold"], Is.EqualTo(71).Within(5));
+            Assert.That(values["error_mm"], Is.LessThan(5));
+            Assert.That(values["reduction"], Is.EqualTo(1 - values["error_mm"] / values["error_mm_hold"]).Within(0.001).And.GreaterThan(0.9));
+        }
+    }
+}
