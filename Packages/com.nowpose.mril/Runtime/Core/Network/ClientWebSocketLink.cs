@@ -26,17 +26,12 @@ namespace Nowpose.Network
             catch (Exception failure)
             {
                 socket.Dispose();
-                if (failure is WebSocketException refused) throw new GatewayRefusalException(Reason(refused), refused);
+                if (failure is WebSocketException refused) throw GatewayRefusalException.OfHandshake(Reason(refused), refused);
                 throw;
             }
         }
 
-        // This client tells the status code in its message only, between quotation marks; a port may be 40111 as well.
-        static string Reason(WebSocketException failure)
-        {
-            if (failure.Message.Contains("'401'")) return WebSocketUpgrade.RefusalOf(401);
-            if (failure.Message.Contains("'403'")) return WebSocketUpgrade.RefusalOf(403);
-            return failure.InnerException == null ? failure.Message : failure.Message + " (" + failure.InnerException.Message + ")";
-        }
+        static string Reason(WebSocketException failure) =>
+            failure.InnerException == null ? failure.Message : failure.Message + " (" + failure.InnerException.Message + ")";
     }
 }

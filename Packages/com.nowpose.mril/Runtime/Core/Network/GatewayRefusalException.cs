@@ -8,5 +8,14 @@ namespace Nowpose.Network
     {
         public GatewayRefusalException(string message) : base(message) { }
         public GatewayRefusalException(string message, Exception innerException) : base(message, innerException) { }
+
+        /// <summary>Of a WebSocket that was not opened, in the words of .NET's client, which tells the status code in them only.</summary>
+        internal static GatewayRefusalException OfHandshake(string message, Exception innerException = null)
+        {
+            // Between quotation marks: a port may be 40111 as well.
+            foreach (var status in new[] { 401, 403 })
+                if (message.Contains("'" + status + "'")) return new GatewayRefusalException(WebSocketUpgrade.RefusalOf(status), innerException);
+            return new GatewayRefusalException(message, innerException);
+        }
     }
 }

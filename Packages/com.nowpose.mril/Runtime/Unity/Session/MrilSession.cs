@@ -222,7 +222,7 @@ namespace Nowpose.Unity
                 return;
             }
             _clock = _nextClock;
-            Session = new CompensationSession(Settings, Robot ?? NoRobot, _clock);
+            Session = new CompensationSession(Settings, Robot ?? NoRobot, _clock, Transport.Create);
             if (_isWanted) Session.Connect();
         }
 

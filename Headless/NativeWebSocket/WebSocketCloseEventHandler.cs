@@ -1,0 +1,4 @@
+namespace NativeWebSocket
+{
+    public delegate void WebSocketCloseEventHandler(WebSocketCloseCode closeCode);
+}

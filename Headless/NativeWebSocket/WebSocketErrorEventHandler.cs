@@ -1,0 +1,4 @@
+namespace NativeWebSocket
+{
+    public delegate void WebSocketErrorEventHandler(string errorMsg);
+}

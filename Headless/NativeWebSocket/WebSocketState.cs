@@ -1,0 +1,10 @@
+namespace NativeWebSocket
+{
+    public enum WebSocketState
+    {
+        Connecting,
+        Open,
+        Closing,
+        Closed,
+    }
+}

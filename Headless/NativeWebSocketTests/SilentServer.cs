@@ -1,0 +1,43 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace Nowpose.Headless.Tests;
+
+/// <summary>Accepts and says nothing.</summary>
+sealed class SilentServer : IDisposable
+{
+    readonly TcpListener _listener = new(IPAddress.Loopback, 0);
+    TcpClient _client;
+
+    public SilentServer() => _listener.Start();
+
+    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+    public bool HasCaller => _listener.Pending();
+
+    /// <summary>Until somebody has asked for something.</summary>
+    public async Task AskedAsync()
+    {
+        _client = await _listener.AcceptTcpClientAsync().Bounded();
+        await _client.GetStream().ReadAsync(new byte[1]).AsTask().Bounded();
+    }
+
+    /// <summary>Until the caller has hung up.</summary>
+    public async Task EndAsync()
+    {
+        var said = new byte[1000];
+        try
+        {
+            while (await _client.GetStream().ReadAsync(said).AsTask().Bounded() > 0) { }
+        }
+        catch (IOException)
+        {
+            // Hung up without a word.
+        }
+    }
+
+    public void Dispose()
+    {
+        _client?.Dispose();
+        _listener.Stop();
+    }
+}

@@ -1,0 +1,89 @@
+using System.Reflection;
+using NativeWebSocket;
+using Nowpose.Headless.Tests.Network;
+using NUnit.Framework;
+using Socket = NativeWebSocket.WebSocket;
+
+namespace Nowpose.Headless.Tests;
+
+/// <summary>The stand-in has the manners of the package it stands for, the awkward ones too: the link is tested against them.</summary>
+public class StandInTests
+{
+    [Test]
+    public void Socket_PublicMembers_AreThePackages()
+    {
+        var members = typeof(Socket).GetMembers(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly)
+            .Where(member => member is not MethodInfo { IsSpecialName: true })
+            .Select(member => member is ConstructorInfo made ? string.Join(",", made.GetParameters().Select(p => p.ParameterType.Name)) : member.Name);
+
+        Assert.That(members, Is.EquivalentTo(new[]
+        {
+            "String,Dictionary`2", "String,String,Dictionary`2", "String,List`1,Dictionary`2",
+            "OnOpen", "OnMessage", "OnError", "OnClose", "State",
+            "Connect", "Send", "SendText", "Receive", "Close", "CancelConnection", "DispatchMessageQueue",
+        }));
+    }
+
+    [Test]
+    public async Task Events_MadeWithoutAContext_WaitUntilTheyAreDispatched()
+    {
+        using var server = new FakeWebSocketServer();
+        var socket = await Task.Run(() => new Socket($"ws://127.0.0.1:{server.Port}/"));
+        var events = new List<string>();
+        Listen(socket, events);
+        var connected = socket.Connect();
+        (await server.AcceptStreamAsync()).Close();
+        await connected.Bounded();
+        Assert.That(events, Is.Empty);
+
+        socket.DispatchMessageQueue();
+
+        Assert.That(events, Is.EqualTo(new[] { "open", "close Abnormal" }));
+    }
+
+    [Test]
+    public async Task Events_MadeUnderAContext_ArePostedThere()
+    {
+        using var server = new FakeWebSocketServer();
+        var frame = new FrameContext();
+        var socket = frame.Run(() => new Socket($"ws://127.0.0.1:{server.Port}/"));
+        var events = new List<string>();
+        Listen(socket, events);
+
+        var connected = socket.Connect();
+        (await server.AcceptStreamAsync()).Close();
+        await connected.Bounded();
+        socket.DispatchMessageQueue();
+
+        Assert.That(frame.Posts, Is.EqualTo(2));
+        Assert.That(events, Is.Empty);
+    }
+
+    [Test]
+    public async Task Connect_Refused_IsAnErrorThenACloseAndNoException()
+    {
+        using var server = new FakeWebSocketServer();
+        var socket = await Task.Run(() => new Socket($"ws://127.0.0.1:{server.Port}/"));
+        var events = new List<string>();
+        Listen(socket, events);
+
+        var connected = socket.Connect();
+        await server.AnswerAsync("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n");
+        await connected.Bounded();
+        socket.DispatchMessageQueue();
+
+        Assert.That(events, Has.Count.EqualTo(2));
+        Assert.That(events[0], Does.StartWith("error ").And.Contain("'401'"));
+        Assert.That(events[1], Is.EqualTo("close Abnormal"));
+        Assert.That(socket.State, Is.EqualTo(WebSocketState.Closed));
+        await socket.SendText("lost without a word");
+    }
+
+    static void Listen(Socket socket, List<string> events)
+    {
+        socket.OnOpen += () => events.Add("open");
+        socket.OnMessage += data => events.Add("message " + data.Length);
+        socket.OnError += message => events.Add("error " + message);
+        socket.OnClose += code => events.Add("close " + code);
+    }
+}

@@ -1,0 +1,131 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using System.Threading;
+using System.Threading.Tasks;
+using NativeWebSocket;
+using Nowpose.Protocol;
+
+namespace Nowpose.Network
+{
+    /// <summary>ws://, or wss:// with a certificate that the device's own store trusts, over the NativeWebSocket package.</summary>
+    /// <remarks>
+    /// Messages are stamped where that package reads them, not when a frame comes round. It hands messages over whole, so of
+    /// the protocol's limits these are not held here: fragments are not counted, a message has to be complete before it is
+    /// refused for its length (one that never ends is noticed as silence), and a binary message passes for text and is
+    /// refused only if it is none. It sends no pings of the protocol's interval either; the client asks the gateway's time
+    /// instead. A pin cannot be checked through it.
+    /// </remarks>
+    public sealed class NativeWebSocketLink : IWebSocketLink
+    {
+        static readonly TimeSpan Goodbye = TimeSpan.FromSeconds(1);
+
+        readonly ConnectionSettings _settings;
+        readonly IHeadsetClock _clock;
+        readonly ArrivedMessages _arrived = new ArrivedMessages();
+        readonly TaskCompletionSource<bool> _opening = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        volatile WebSocket _socket;
+        volatile string _error = "the connection was lost";
+        volatile int _isDisposed;
+
+        /// <exception cref="ArgumentException">The settings ask for a pin.</exception>
+        public NativeWebSocketLink(ConnectionSettings settings, IHeadsetClock clock)
+        {
+            if (settings.Security == TransportSecurity.Pinned)
+                throw new ArgumentException("NativeWebSocket cannot check a pin; use " + nameof(PinnedWebSocketLink), nameof(settings));
+            _settings = settings;
+            _clock = clock;
+        }
+
+        public async Task OpenAsync(CancellationToken cancel)
+        {
+            cancel.ThrowIfCancellationRequested();
+            _socket = NewSocket();
+            // Ends with the connection, and never fails: failures come as events.
+            _ = _socket.Connect();
+            // Who disposed of the link before the connection was begun had nothing to cancel.
+            if (_isDisposed != 0) _socket.CancelConnection();
+            using (cancel.Register(Cancel)) await _opening.Task.ConfigureAwait(false);
+
+            void Cancel()
+            {
+                _opening.TrySetCanceled(cancel);
+                _socket.CancelConnection();
+            }
+        }
+
+        public async Task SendAsync(string text, CancellationToken cancel)
+        {
+            // It would be lost without a word.
+            if (_socket.State != WebSocketState.Open) throw new IOException(_error);
+            await _socket.SendText(text).OrCancelled(cancel).ConfigureAwait(false);
+        }
+
+        public Task<ReceivedText> ReceiveAsync(CancellationToken cancel) => _arrived.NextAsync(cancel);
+
+        /// <summary>Says goodbye and closes, in the background and within a second.</summary>
+        public void Dispose()
+        {
+            if (Interlocked.Exchange(ref _isDisposed, 1) != 0) return;
+            _arrived.End(null);
+            if (_socket != null) Task.Run(CloseAsync);
+        }
+
+        WebSocket NewSocket()
+        {
+            var headers = new Dictionary<string, string>();
+            if (_settings.Token != null) headers.Add("Authorization", "Bearer " + _settings.Token);
+            var socket = Make(_settings.WebSocketUri.ToString(), headers);
+            socket.OnOpen += () => _opening.TrySetResult(true);
+            socket.OnMessage += Arrive;
+            socket.OnError += message => _error = message;
+            socket.OnClose += End;
+            return socket;
+        }
+
+        static WebSocket Make(string url, Dictionary<string, string> headers)
+        {
+            var before = SynchronizationContext.Current;
+            SynchronizationContext.SetSynchronizationContext(new AtOnce());
+            try
+            {
+                return new WebSocket(url, headers);
+            }
+            finally
+            {
+                SynchronizationContext.SetSynchronizationContext(before);
+            }
+        }
+
+        void Arrive(byte[] data)
+        {
+            var arrival = _clock.Now;
+            _arrived.Add(data.Length > ProtocolLimits.DescriptionBytes
+                ? ReceivedText.Drop(DropReason.TooLarge, arrival)
+                : ReceivedText.Message(Encoding.UTF8.GetString(data), arrival));
+        }
+
+        void End(WebSocketCloseCode code)
+        {
+            _opening.TrySetException(GatewayRefusalException.OfHandshake(_error));
+            _arrived.End(code == WebSocketCloseCode.Abnormal ? new IOException(_error) : null);
+        }
+
+        async Task CloseAsync()
+        {
+            using (var patience = new CancellationTokenSource(Goodbye))
+            {
+                try
+                {
+                    await _socket.Close().OrCancelled(patience.Token).ConfigureAwait(false);
+                }
+                catch (Exception)
+                {
+                    // It is over either way.
+                }
+            }
+            _socket.CancelConnection();
+        }
+    }
+}
