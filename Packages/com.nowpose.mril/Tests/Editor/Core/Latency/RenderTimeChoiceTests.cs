@@ -1,0 +1,159 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class RenderTimeChoiceTests
+    {
+        const RenderTimeSourceKind Gpu = RenderTimeSourceKind.GpuTime;
+        const RenderTimeSourceKind Completion = RenderTimeSourceKind.GpuCompletion;
+        const RenderTimeSourceKind Cpu = RenderTimeSourceKind.CameraCpu;
+        const RenderTimeSourceKind Nothing = RenderTimeSourceKind.None;
+
+        RenderTimeChoice _choice;
+        List<RenderTimeSourceKind> _changes;
+
+        [SetUp]
+        public void Begin()
+        {
+            _choice = new RenderTimeChoice(Gpu, Gpu, Completion, Cpu);
+            _changes = new List<RenderTimeSourceKind>();
+        }
+
+        // Which of the four ways give a time in a frame: 1 + index, ms.
+        void Frames(int count, string giving)
+        {
+            for (var frame = 0; frame < count; frame++)
+            {
+                foreach (var way in giving) _choice.Report(way - '0', TimeSpan.FromMilliseconds(1 + way - '0'));
+                if (_choice.EndFrame()) _changes.Add(_choice.Source);
+            }
+        }
+
+        [Test]
+        public void EndFrame_AllGiveTimes_TheBestIsUsedFromItsThirtiethOn()
+        {
+            Frames(29, "0123");
+            var early = _choice.Source;
+
+            Frames(1, "0123");
+
+            Assert.That(early, Is.EqualTo(Nothing));
+            Assert.That(_choice.Source, Is.EqualTo(Gpu));
+            Assert.That(_choice.RenderTime, Is.EqualTo(TimeSpan.FromMilliseconds(1)));
+            Assert.That(_changes, Is.EqualTo(new[] { Gpu }));
+        }
+
+        [TestCase("13", 2, Gpu)]
+        [TestCase("23", 3, Completion)]
+        [TestCase("3", 4, Cpu)]
+        [TestCase("", 0, Nothing)]
+        public void EndFrame_SomeGiveNone_TheBestThatDoesIsUsed(string giving, int expectedMs, RenderTimeSourceKind expected)
+        {
+            Frames(100, giving);
+
+            Assert.That(_choice.Source, Is.EqualTo(expected));
+            Assert.That(_choice.RenderTime?.TotalMilliseconds, Is.EqualTo(expectedMs == 0 ? (double?)null : expectedMs));
+        }
+
+        [Test]
+        public void EndFrame_BetterOneBeginsAFewFramesLater_IsWaitedFor()
+        {
+            Frames(5, "3");
+
+            Frames(100, "23");
+
+            Assert.That(_changes, Is.EqualTo(new[] { Completion }), "and never the processor's time");
+        }
+
+        [Test]
+        public void EndFrame_BetterOneGivesASingleTime_IsNotWaitedForForEver()
+        {
+            Frames(20, "3");
+            Frames(1, "03");
+
+            Frames(29, "3");
+            var waiting = _choice.Source;
+            Frames(1, "3");
+
+            Assert.That(waiting, Is.EqualTo(Nothing));
+            Assert.That(_choice.Source, Is.EqualTo(Cpu));
+        }
+
+        [Test]
+        public void EndFrame_BetterOneComesLater_TakesOverOnceItIsSteady()
+        {
+            Frames(100, "3");
+            Frames(29, "13");
+            var before = _choice.Source;
+
+            Frames(1, "13");
+
+            Assert.That(before, Is.EqualTo(Cpu), "used on while the better one proves itself");
+            Assert.That(_changes, Is.EqualTo(new[] { Cpu, Gpu }));
+        }
+
+        [Test]
+        public void EndFrame_SourceInUseFallsSilent_IsGivenUpAfterThirtyFrames()
+        {
+            Frames(100, "03");
+            Frames(29, "3");
+            var (before, time) = (_choice.Source, _choice.RenderTime);
+
+            Frames(1, "3");
+
+            Assert.That(before, Is.EqualTo(Gpu));
+            Assert.That(time, Is.Null, "no time stands for one that was not measured");
+            Assert.That(_choice.Source, Is.EqualTo(Cpu));
+            Assert.That(_choice.RenderTime, Is.EqualTo(TimeSpan.FromMilliseconds(4)));
+        }
+
+        [Test]
+        public void EndFrame_AllFallSilent_NothingIsUsedAndItIsSaidOnce()
+        {
+            Frames(100, "3");
+
+            Frames(1000, "");
+
+            Assert.That(_changes, Is.EqualTo(new[] { Cpu, Nothing }));
+        }
+
+        [Test]
+        public void EndFrame_SourceGivesTimesNowAndThen_DoesNotFlap()
+        {
+            for (var i = 0; i < 200; i++)
+            {
+                Frames(1, "03");
+                Frames(i % 25, "3");
+            }
+
+            Assert.That(_changes, Is.EqualTo(new[] { Gpu }));
+        }
+
+        [Test]
+        public void EndFrame_OneWayOfTheSameKindReplacesTheOther_IsNoChange()
+        {
+            Frames(100, "01");
+
+            Frames(100, "1");
+
+            Assert.That(_changes, Is.EqualTo(new[] { Gpu }));
+            Assert.That(_choice.RenderTime, Is.EqualTo(TimeSpan.FromMilliseconds(2)));
+        }
+
+        [TestCase(0)]
+        [TestCase(-1)]
+        public void Report_NoTime_SaysNothing(int ticks)
+        {
+            for (var i = 0; i < 100; i++)
+            {
+                _choice.Report(0, TimeSpan.FromTicks(ticks));
+                _choice.EndFrame();
+            }
+
+            Assert.That(_choice.Source, Is.EqualTo(Nothing));
+        }
+    }
+}
