@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.UnityPlayer.Assets;
 using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
@@ -14,9 +15,18 @@ public sealed class Player : IDisposable
     readonly PlayerLog _log = new();
     readonly World _world;
     readonly FrameLoop _loop;
+    readonly AssetLibrary _assets;
     bool _disposed;
 
     /// <summary>With an empty scene.</summary>
+    /// <param name="assets">Where scenes come from.</param>
+    public Player(AssetLibrary assets)
+        : this()
+    {
+        _assets = assets;
+    }
+
+    /// <summary>With an empty scene, and without assets.</summary>
     public Player()
     {
         _world = new World(isPlaying: true, _log.Add);
@@ -34,6 +44,18 @@ public sealed class Player : IDisposable
     public int SubscriberCount => _world.SubscriberCount;
 
     internal World World => _world;
+
+    /// <summary>Loads a scene, which becomes the active one; what is active in it wakes.</summary>
+    /// <param name="path">As Unity calls it (<c>Assets/Scenes/Demo.unity</c>), or in full.</param>
+    /// <exception cref="AssetException">There is no such scene, or something in it is broken.</exception>
+    public void LoadScene(string path)
+    {
+        if (_assets == null) throw new InvalidOperationException("this player was made without assets");
+
+        using var scope = _world.Enter();
+        var scene = _assets.LoadScene(path);
+        _loop.LoadScene(scene.Name, scene.Path, scene.Roots);
+    }
 
     /// <summary>Takes over objects that are in no scene, as a scene of that name; what is active in them wakes.</summary>
     internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)

@@ -1,0 +1,62 @@
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Objects;
+using Nowpose.UnityPlayer.Assets.Prefabs;
+using Nowpose.UnityPlayer.Assets.Yaml;
+
+namespace Nowpose.UnityPlayer.Assets.Files;
+
+/// <summary>The files of a library, each read and parsed once.</summary>
+sealed class AssetFiles
+{
+    readonly Dictionary<string, IReadOnlyList<UnityDocument>> _documents = new Dictionary<string, IReadOnlyList<UnityDocument>>();
+    readonly Dictionary<string, ObjectFile> _hierarchies = new Dictionary<string, ObjectFile>();
+    readonly Dictionary<string, ShaderDeclaration> _shaders = new Dictionary<string, ShaderDeclaration>();
+
+    public AssetFiles(AssetIndex index)
+    {
+        Index = index;
+        Scripts = new ScriptTypes(index);
+    }
+
+    public AssetIndex Index { get; }
+
+    public ScriptTypes Scripts { get; }
+
+    public IReadOnlyList<UnityDocument> Documents(AssetFile file)
+    {
+        if (!_documents.TryGetValue(file.Guid, out var documents))
+            _documents.Add(file.Guid, documents = UnityDocumentReader.Read(file.ReadText(), file.Path));
+        return documents;
+    }
+
+    /// <summary>The objects of a prefab or scene; what a scene sets as a whole is not among them.</summary>
+    public ObjectFile Hierarchy(AssetFile file)
+    {
+        if (_hierarchies.TryGetValue(file.Guid, out var known)) return known ?? throw new AssetException(file.Path + ": is an instance of itself");
+        _hierarchies.Add(file.Guid, null);
+        try
+        {
+            var read = ObjectFile.Read(Documents(file).Where(d => !SceneSettings.Holds(d)).ToList(), file.Path, PrefabAt);
+            return _hierarchies[file.Guid] = read;
+        }
+        catch (AssetException)
+        {
+            _hierarchies.Remove(file.Guid);
+            throw;
+        }
+    }
+
+    public ShaderDeclaration Shader(AssetFile file)
+    {
+        if (!_shaders.TryGetValue(file.Guid, out var declaration))
+            _shaders.Add(file.Guid, declaration = ShaderDeclaration.Read(file.ReadText(), file.Path));
+        return declaration;
+    }
+
+    ObjectFile PrefabAt(string guid)
+    {
+        var file = Index.ByGuid(guid);
+        return file?.Extension == ".prefab" ? Hierarchy(file) : throw new AssetException("no prefab has the GUID " + guid);
+    }
+}

@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using Nowpose.UnityPlayer.Assets.Values;
+
+namespace Nowpose.UnityPlayer.Assets.Files;
+
+/// <summary>
+/// The class that a script file holds: the one named as the file, in the assembly of the nearest assembly definition above it (which is
+/// named as that), or in any assembly where there is none.
+/// </summary>
+sealed class ScriptTypes
+{
+    readonly AssetIndex _index;
+    readonly Dictionary<string, string> _assemblyOfFolder;
+    readonly ConcurrentDictionary<string, Type> _types = new ConcurrentDictionary<string, Type>();
+
+    public ScriptTypes(AssetIndex index)
+    {
+        _index = index;
+        _assemblyOfFolder = index.Files.Where(f => f.Extension == ".asmdef").ToDictionary(f => FolderOf(f.Path), f => f.Name);
+    }
+
+    /// <exception cref="AssetException">No such assembly or class, or one that Unity would not find.</exception>
+    public Type Of(AssetFile script, Type baseType, Place place)
+    {
+        var type = _types.GetOrAdd(script.Guid, _ => Find(script, place));
+        return baseType.IsAssignableFrom(type) ? type : throw place.Error(script.Path + " holds no " + baseType.Name);
+    }
+
+    /// <exception cref="AssetException">No script file, or more than one, holds this class.</exception>
+    public AssetFile FileOf(Type type, Place place)
+    {
+        var files = _index.Files.Where(f => f.Extension == ".cs" && f.Name == type.Name && AssemblyOf(f) is var a && (a == null || a == type.Assembly.GetName().Name));
+        var found = files.ToList();
+        return found.Count == 1 ? found[0] : throw place.Error("the class " + type.FullName + " is in " + found.Count + " script files of its name; Unity needs one");
+    }
+
+    Type Find(AssetFile script, Place place)
+    {
+        var assemblies = AssemblyOf(script) is { } name ? new[] { Load(name, script, place) } : AppDomain.CurrentDomain.GetAssemblies();
+        var found = assemblies.SelectMany(TypesOf).Where(t => t.Name == script.Name && typeof(UnityEngine.Object).IsAssignableFrom(t) && !t.IsAbstract).ToList();
+        return found.Count == 1
+            ? found[0]
+            : throw place.Error(script.Path + " has to hold one class " + script.Name + "; there are " + found.Count);
+    }
+
+    /// <summary>Null where no assembly definition is above the file.</summary>
+    string AssemblyOf(AssetFile script)
+    {
+        for (var folder = FolderOf(script.Path); folder.Length > 0; folder = FolderOf(folder))
+        {
+            if (_assemblyOfFolder.TryGetValue(folder, out var name)) return name;
+        }
+        return null;
+    }
+
+    static Assembly Load(string name, AssetFile script, Place place)
+    {
+        try
+        {
+            return Assembly.Load(name);
+        }
+        catch (FileNotFoundException exception)
+        {
+            throw new AssetException(place + ": the assembly of " + script.Path + ", " + name + ", is not here", exception);
+        }
+    }
+
+    static Type[] TypesOf(Assembly assembly)
+    {
+        try
+        {
+            return assembly.GetTypes();
+        }
+        catch (ReflectionTypeLoadException exception)
+        {
+            return exception.Types.Where(t => t != null).ToArray();
+        }
+    }
+
+    static string FolderOf(string path)
+    {
+        var slash = path.LastIndexOf('/');
+        return slash < 0 ? "" : path.Substring(0, slash);
+    }
+}

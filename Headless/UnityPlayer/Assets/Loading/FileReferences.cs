@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Loading;
+
+/// <summary>The references of one file, to its own objects and to other assets.</summary>
+sealed class FileReferences : IReferences
+{
+    readonly LoadedAssets _assets;
+    readonly IReadOnlyDictionary<long, Object> _objects;
+    readonly Dictionary<Object, long> _ids = new Dictionary<Object, long>();
+    readonly Dictionary<Transform, int> _roots = new Dictionary<Transform, int>();
+
+    /// <param name="assets">All others.</param>
+    /// <param name="objects">The file's own, by fileID.</param>
+    /// <param name="roots">Of its hierarchy, in order.</param>
+    public FileReferences(LoadedAssets assets, IReadOnlyDictionary<long, Object> objects, IReadOnlyList<GameObject> roots)
+    {
+        _assets = assets;
+        _objects = objects;
+        foreach (var (id, target) in objects) _ids.Add(target, id);
+        for (var i = 0; i < roots.Count; i++) _roots.Add(roots[i].transform, i);
+    }
+
+    public Object ObjectAt(AssetReference reference, Type type, Place place)
+    {
+        var found = reference.Guid != null ? _assets.ObjectAt(reference, place) : OwnObject(reference.FileId, place);
+        return type.IsInstanceOfType(found)
+            ? found
+            : throw place.Error(reference + " is a " + found.GetType().Name + ", the field takes a " + type.Name);
+    }
+
+    public AssetReference ReferenceTo(Object target, Place place)
+    {
+        return _ids.TryGetValue(target, out var id) ? new AssetReference(id) : _assets.ReferenceTo(target, place);
+    }
+
+    public AssetReference ScriptOf(Type type, Place place) => _assets.ScriptOf(type, place);
+
+    public int SiblingIndex(Transform transform) => _roots.TryGetValue(transform, out var index) ? index : transform.GetSiblingIndex();
+
+    Object OwnObject(long fileId, Place place)
+    {
+        return _objects.TryGetValue(fileId, out var found) ? found : throw place.Error("the file has no object " + Numbers.Write(fileId));
+    }
+}

@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Objects;
+using Nowpose.UnityPlayer.Assets.Prefabs;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+using YamlDotNet.RepresentationModel;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Loading;
+
+/// <summary>
+/// Makes the objects of a prefab or scene, in no scene yet and asleep. First all of them with their components and parents, then their
+/// fields, since those may refer to any of them.
+/// </summary>
+sealed class HierarchyBuilder
+{
+    readonly LoadedAssets _assets;
+    readonly ObjectFile _file;
+    readonly Dictionary<long, Object> _objects = new Dictionary<long, Object>();
+    readonly Dictionary<long, ObjectClass> _classes = new Dictionary<long, ObjectClass>();
+    readonly Dictionary<PrefabInstance, PrefabOrigin.Group> _groups = new Dictionary<PrefabInstance, PrefabOrigin.Group>();
+
+    HierarchyBuilder(LoadedAssets assets, ObjectFile file)
+    {
+        _assets = assets;
+        _file = file;
+    }
+
+    /// <summary>By fileID.</summary>
+    public IReadOnlyDictionary<long, Object> Objects => _objects;
+
+    public IReadOnlyList<GameObject> Roots { get; private set; }
+
+    /// <param name="assets">What the file may refer to.</param>
+    /// <param name="file">Its objects.</param>
+    /// <param name="made">Called with all objects before any of their fields is read.</param>
+    public static HierarchyBuilder Build(LoadedAssets assets, ObjectFile file, Action<HierarchyBuilder> made = null)
+    {
+        var builder = new HierarchyBuilder(assets, file);
+        builder.MakeObjects();
+        builder.MakeHierarchy();
+        made?.Invoke(builder);
+        builder.ReadFields();
+        return builder;
+    }
+
+    IEnumerable<FileObject> Of(string className) => _file.Objects.Where(o => o.ClassName == className);
+
+    void MakeObjects()
+    {
+        foreach (var described in Of("GameObject"))
+        {
+            var made = GameObject.Detached("");
+            Add(described, EngineClasses.Find(described.ClassId, described.ClassName), made);
+            var components = described.Place.In("m_Component").Sequence(Nodes.Find(described.Fields, "m_Component")).Children;
+            for (var i = 0; i < components.Count; i++) MakeComponent(ComponentAt(described, components[i]), made, isFirst: i == 0);
+        }
+        foreach (var described in _file.Objects.Where(o => !_objects.ContainsKey(o.FileId)))
+            throw described.Place.Error("is a component that no GameObject lists, or of a class that the stand-in does not know");
+    }
+
+    FileObject ComponentAt(FileObject owner, YamlNode entry)
+    {
+        var place = owner.Place.In("m_Component");
+        if (!AssetReference.TryRead(Nodes.Find(place.Mapping(entry), "component"), out var reference) || reference.Guid != null)
+            throw place.Error("has to be a list of - component: {fileID: …}");
+        var component = _file.Find(reference.FileId) ?? throw place.Error("the file has no object " + Numbers.Write(reference.FileId));
+        if (component.Reference("m_GameObject").FileId != owner.FileId)
+            throw component.Place.In("m_GameObject").Error("is another object than the one that lists this component, &" + Numbers.Write(owner.FileId));
+        return component;
+    }
+
+    void MakeComponent(FileObject described, GameObject owner, bool isFirst)
+    {
+        if (_objects.ContainsKey(described.FileId)) throw described.Place.Error("is listed twice as a component");
+        if (isFirst != (described.ClassName == "Transform")) throw described.Place.Error("a GameObject has one Transform, its first component");
+        var known = described.ClassName == ScriptClass.ClassName
+            ? ScriptClass.Of(_assets.ScriptAt(described, typeof(MonoBehaviour)))
+            : EngineClasses.Find(described.ClassId, described.ClassName)
+                ?? throw described.Place.Error("the stand-in knows no class " + described.ClassName + " with number " + Numbers.Write(described.ClassId));
+        var component = owner.Add(known.Type);
+        if (component is OpaqueComponent opaque) opaque.ClassName = described.ClassName;
+        Add(described, known, component);
+    }
+
+    void Add(FileObject described, ObjectClass known, Object made)
+    {
+        _objects.Add(described.FileId, made);
+        _classes.Add(described.FileId, known);
+        if (described.Link == null) return;
+        if (!_groups.TryGetValue(described.Link.Instance, out var group))
+            _groups.Add(described.Link.Instance, group = new PrefabOrigin.Group(described.Link.Instance.SourceGuid, described.Link.Instance.Source));
+        PrefabOrigin.Set(made, group, described.Link.SourceFileId);
+    }
+
+    void MakeHierarchy()
+    {
+        var roots = new List<(int Order, GameObject Root)>();
+        foreach (var described in Of("Transform"))
+        {
+            var father = described.Reference("m_Father").FileId;
+            if (father == 0) roots.Add((RootOrder(described), ((Transform)_objects[described.FileId]).gameObject));
+            else if (!ChildrenOf(TransformAt(father, described)).Contains(described.FileId))
+                throw described.Place.In("m_Father").Error("&" + Numbers.Write(father) + " does not list it in m_Children");
+            foreach (var child in ChildrenOf(described)) Adopt(described, TransformAt(child, described));
+        }
+        Roots = roots.OrderBy(r => r.Order).Select(r => r.Root).ToList();
+        var reached = Roots.Sum(r => r.GetComponentsInChildren<Transform>(true).Length);
+        if (reached != Of("Transform").Count()) throw new AssetException(_file.Name + ": some objects are their own ancestors");
+    }
+
+    void Adopt(FileObject father, FileObject child)
+    {
+        if (child.Reference("m_Father").FileId != father.FileId)
+            throw child.Place.In("m_Father").Error("is not &" + Numbers.Write(father.FileId) + ", which lists it in m_Children");
+        ((Transform)_objects[child.FileId]).SetParent((Transform)_objects[father.FileId], false);
+    }
+
+    static List<long> ChildrenOf(FileObject transform)
+    {
+        var place = transform.Place.In("m_Children");
+        var children = LocalReferences.In(place.Sequence(Nodes.Find(transform.Fields, "m_Children"))).ToList();
+        return children.Distinct().Count() == children.Count ? children : throw place.Error("lists a child twice");
+    }
+
+    FileObject TransformAt(long fileId, FileObject from)
+    {
+        return _file.Find(fileId) is { ClassName: "Transform" } found ? found : throw from.Place.Error("&" + Numbers.Write(fileId) + " is no Transform of this file");
+    }
+
+    static int RootOrder(FileObject root)
+    {
+        var order = Nodes.Find(root.Fields, "m_RootOrder");
+        if (order == null) return 0;
+        var place = root.Place.In("m_RootOrder");
+        return Numbers.TryRead(place.Scalar(order), out long index) ? (int)index : throw place.Error("has to be a number");
+    }
+
+    void ReadFields()
+    {
+        var references = new FileReferences(_assets, _objects, Roots);
+        foreach (var described in _file.Objects)
+        {
+            var made = _objects[described.FileId];
+            var known = _classes[described.FileId];
+            known.Read(described.Fields, made, references, described.PlaceAs(known.Type.Name));
+            if (made is Transform transform) transform.MarkMoved();
+        }
+    }
+}

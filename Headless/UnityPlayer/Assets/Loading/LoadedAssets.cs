@@ -1,0 +1,163 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Files;
+using Nowpose.UnityPlayer.Assets.Objects;
+using Nowpose.UnityPlayer.Assets.Prefabs;
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Loading;
+
+/// <summary>The assets of a library as objects of one world, each loaded when something first refers to it.</summary>
+sealed class LoadedAssets
+{
+    const long ScriptFileId = 11500000;
+    const long ScriptableFileId = 11400000;
+    const long ShaderFileId = 4800000;
+    const long TextFileId = 4900000;
+
+    readonly AssetFiles _files;
+    readonly Dictionary<string, IReadOnlyDictionary<long, Object>> _byGuid = new Dictionary<string, IReadOnlyDictionary<long, Object>>();
+    readonly Dictionary<Object, AssetReference> _references = new Dictionary<Object, AssetReference>();
+
+    public LoadedAssets(AssetFiles files) => _files = files;
+
+    /// <summary>The main object: of a prefab its root.</summary>
+    public Object Main(AssetFile file)
+    {
+        var objects = Load(file);
+        return file.Extension == ".prefab" ? objects.Values.OfType<GameObject>().First(g => g.transform.parent == null) : objects.Values.Single();
+    }
+
+    public Object ObjectAt(AssetReference reference, Place place)
+    {
+        if (BuiltInAssets.Holds(reference)) return BuiltInAssets.Find(reference) ?? throw place.Error("nothing built in that is known here has " + reference);
+        var file = _files.Index.ByGuid(reference.Guid) ?? throw place.Error("no asset has the GUID " + reference.Guid);
+        var type = TypeOf(file) ?? throw place.Error("refers into " + file.Path + ", whose objects have fileIDs that only Unity knows");
+        if (reference.Type != type) throw place.Error("a reference to " + file.Path + " has type: " + Numbers.Write(type));
+        var objects = Load(file, place);
+        var fileId = file.Extension == ".prefab" ? _files.Hierarchy(file).Find(reference.FileId)?.FileId ?? 0 : reference.FileId;
+        return objects.TryGetValue(fileId, out var found) ? found : throw place.Error(file.Path + " has no object " + Numbers.Write(reference.FileId));
+    }
+
+    public AssetReference ReferenceTo(Object target, Place place)
+    {
+        return BuiltInAssets.TryFind(target, out var reference) || _references.TryGetValue(target, out reference)
+            ? reference
+            : throw place.Error("refers to " + target + ", which is neither in this file nor an asset");
+    }
+
+    /// <summary>The class of a component or ScriptableObject.</summary>
+    public Type ScriptAt(FileObject described, Type baseType)
+    {
+        var reference = described.Reference(ScriptClass.ScriptField);
+        var place = described.Place.In(ScriptClass.ScriptField);
+        if (reference.FileId != ScriptFileId || reference.Guid == null || reference.Type != AssetReference.Imported)
+            throw place.Error("has to be {fileID: 11500000, guid: …, type: 3}");
+        var script = _files.Index.ByGuid(reference.Guid);
+        if (script?.Extension != ".cs") throw place.Error("no script has the GUID " + reference.Guid);
+        return _files.Scripts.Of(script, baseType, place);
+    }
+
+    public AssetReference ScriptOf(Type type, Place place)
+    {
+        var file = _files.Scripts.FileOf(type, place);
+        return new AssetReference(ScriptFileId, file.Guid, AssetReference.Imported);
+    }
+
+    public HierarchyBuilder Instantiate(AssetFile file) => HierarchyBuilder.Build(this, _files.Hierarchy(file));
+
+    IReadOnlyDictionary<long, Object> Load(AssetFile file, Place place)
+    {
+        try
+        {
+            return Load(file);
+        }
+        catch (AssetException exception) when (!exception.Message.StartsWith(file.Path, StringComparison.Ordinal))
+        {
+            throw new AssetException(place + ": " + exception.Message, exception);
+        }
+    }
+
+    IReadOnlyDictionary<long, Object> Load(AssetFile file)
+    {
+        if (_byGuid.TryGetValue(file.Guid, out var objects)) return objects;
+        try
+        {
+            LoadNew(file);
+        }
+        catch (AssetException)
+        {
+            // What was made of a broken file must not be found a second time.
+            _byGuid.Remove(file.Guid);
+            throw;
+        }
+        return _byGuid[file.Guid];
+    }
+
+    void LoadNew(AssetFile file)
+    {
+        switch (file.Extension)
+        {
+            case ".prefab":
+                HierarchyBuilder.Build(this, _files.Hierarchy(file), made => Add(file, made.Objects));
+                break;
+            case ".asset":
+                LoadAlone(file, ScriptableFileId, NewScriptable, made => ((ScriptableObject)made).Wake());
+                break;
+            case ".mat":
+                LoadAlone(file, MaterialClass.FileId, _ => (MaterialClass.Class, new Material((Shader)null)), _ => { });
+                break;
+            case ".shader":
+                var shader = MaterialClass.NewShader(_files.Shader(file));
+                World.Current.Shaders[shader.name] = shader;
+                Add(file, ShaderFileId, shader);
+                break;
+            default:
+                Add(file, TextFileId, new TextAsset(file.ReadText()) { name = file.Name });
+                break;
+        }
+    }
+
+    /// <summary>A file with one object.</summary>
+    void LoadAlone(AssetFile file, long fileId, Func<FileObject, (ObjectClass Class, Object Made)> make, Action<Object> wake)
+    {
+        var documents = _files.Documents(file);
+        if (documents.Count != 1 || documents[0].FileId != fileId) throw new AssetException(file.Path + ": has to hold one object, &" + Numbers.Write(fileId));
+        var described = new FileObject(documents[0], file.Path);
+        var (known, made) = make(described);
+        if (described.ClassId != known.Id || described.ClassName != known.Name) throw described.Place.Error("has to be a " + known.Name);
+        Add(file, fileId, made);
+        known.Read(described.Fields, made, new FileReferences(this, _byGuid[file.Guid], Array.Empty<GameObject>()), described.PlaceAs(known.Type.Name));
+        if (made.name != file.Name) throw described.Place.In("m_Name").Error("\"" + made.name + "\" is not the name of its file");
+        wake(made);
+    }
+
+    (ObjectClass Class, Object Made) NewScriptable(FileObject described)
+    {
+        var type = ScriptAt(described, typeof(ScriptableObject));
+        return (ScriptClass.Of(type), ScriptableObject.CreateAsleep(type));
+    }
+
+    void Add(AssetFile file, long fileId, Object made) => Add(file, new Dictionary<long, Object> { [fileId] = made });
+
+    void Add(AssetFile file, IReadOnlyDictionary<long, Object> objects)
+    {
+        _byGuid.Add(file.Guid, objects);
+        foreach (var (id, made) in objects) _references.Add(made, new AssetReference(id, file.Guid, TypeOf(file).Value));
+    }
+
+    /// <summary>What a reference to the asset has as type; null where Unity alone knows the fileIDs.</summary>
+    static int? TypeOf(AssetFile file)
+    {
+        return file.Extension switch
+        {
+            ".asset" or ".mat" => AssetReference.Native,
+            ".prefab" or ".shader" => AssetReference.Imported,
+            _ => file.Importer == "TextScriptImporter" ? AssetReference.Imported : (int?)null,
+        };
+    }
+}

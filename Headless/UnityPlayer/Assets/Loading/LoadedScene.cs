@@ -1,0 +1,24 @@
+using System.Collections.Generic;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+
+namespace Nowpose.UnityPlayer.Assets.Loading;
+
+/// <summary>The objects of a scene, made but asleep and in no scene yet.</summary>
+sealed class LoadedScene
+{
+    public LoadedScene(string name, string path, IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)
+    {
+        Name = name;
+        Path = path;
+        Roots = roots;
+        Settings = settings;
+    }
+
+    public string Name { get; }
+    public string Path { get; }
+    public IReadOnlyList<GameObject> Roots { get; }
+
+    /// <summary>What the scene sets as a whole.</summary>
+    public IReadOnlyList<UnityDocument> Settings { get; }
+}

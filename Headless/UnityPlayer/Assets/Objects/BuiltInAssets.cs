@@ -1,0 +1,38 @@
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+
+namespace Nowpose.UnityPlayer.Assets.Objects;
+
+/// <summary>What Unity brings along, by the fileIDs it has in every project.</summary>
+static class BuiltInAssets
+{
+    const string DefaultResources = "0000000000000000e000000000000000";
+    const string ExtraResources = "0000000000000000f000000000000000";
+
+    static readonly Dictionary<AssetReference, Object> ByReference = new Dictionary<AssetReference, Object>
+    {
+        [Default(10202)] = BuiltIn.Mesh(PrimitiveType.Cube),
+        [Default(10206)] = BuiltIn.Mesh(PrimitiveType.Cylinder),
+        [Default(10207)] = BuiltIn.Mesh(PrimitiveType.Sphere),
+        [Default(10208)] = BuiltIn.Mesh(PrimitiveType.Capsule),
+        [Default(10209)] = BuiltIn.Mesh(PrimitiveType.Plane),
+        [Default(10210)] = BuiltIn.Mesh(PrimitiveType.Quad),
+        [new AssetReference(10303, ExtraResources, AssetReference.BuiltIn)] = BuiltIn.DefaultMaterial,
+    };
+
+    static readonly Dictionary<Object, AssetReference> ByObject = ByReference.ToDictionary(b => b.Value, b => b.Key);
+
+    /// <summary>Of text: Arial, from Unity 2022.2 on LegacyRuntime. The stand-in has no fonts.</summary>
+    public static AssetReference Font { get; } = Default(10102);
+
+    public static bool Holds(AssetReference reference) => reference.Guid == DefaultResources || reference.Guid == ExtraResources;
+
+    /// <summary>Null if it is not known here.</summary>
+    public static Object Find(AssetReference reference) => ByReference.TryGetValue(reference, out var found) ? found : null;
+
+    public static bool TryFind(Object builtIn, out AssetReference reference) => ByObject.TryGetValue(builtIn, out reference);
+
+    static AssetReference Default(long fileId) => new AssetReference(fileId, DefaultResources, AssetReference.BuiltIn);
+}

@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+using YamlDotNet.RepresentationModel;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Objects;
+
+/// <summary>The engine's own classes that may stand in prefabs and scenes, with their fields as Unity 2021 writes them.</summary>
+static class EngineClasses
+{
+    static readonly ObjectClass[] All =
+    {
+        new ObjectClass(1, "GameObject", typeof(GameObject), Headers.Object.Concat(GameObjectSlots()).ToArray()),
+        new ObjectClass(4, "Transform", typeof(Transform), Headers.Component.Concat(TransformSlots()).ToArray()),
+        Component<Camera>(20, "m_Enabled", ("serializedVersion", "2"), ("m_ClearFlags", "2"), "m_BackGroundColor", "near clip plane",
+            "far clip plane", "field of view", "orthographic", "orthographic size", "m_Depth",
+            Slot.Field(typeof(Camera), "m_CullingMask", new BitsFormat()), ("m_RenderingPath", "-1"),
+            Slot.Constant("m_TargetTexture", AssetReference.None.Write()), ("m_TargetDisplay", "0")),
+        Component<MeshRenderer>(23, "m_Enabled", ("m_CastShadows", "1"), "m_ReceiveShadows", "m_Materials"),
+        Component<MeshFilter>(33, "m_Mesh"),
+        Component<TextMesh>(102, ("serializedVersion", "3"), "m_Text", "m_OffsetZ", "m_CharacterSize", "m_LineSpacing", "m_Anchor", "m_Alignment",
+            "m_TabSize", "m_FontSize", ("m_FontStyle", "0"), "m_RichText", Slot.Constant("m_Font", BuiltInAssets.Font.Write()), "m_Color"),
+        new OpaqueClass(108, "Light"),
+    };
+
+    static readonly Dictionary<Type, ObjectClass> ByType = All.Where(c => !(c is OpaqueClass)).ToDictionary(c => c.Type);
+
+    /// <summary>Null if there is none of that number and name.</summary>
+    public static ObjectClass Find(int id, string name) => Array.Find(All, c => c.Id == id && c.Name == name);
+
+    /// <summary>Null for a script or a class that is not in the list.</summary>
+    public static ObjectClass Of(Object target)
+    {
+        if (target is OpaqueComponent opaque) return Array.Find(All, c => c.Name == opaque.ClassName);
+        return ByType.TryGetValue(target.GetType(), out var found) ? found : null;
+    }
+
+    static ObjectClass Component<T>(int id, params FieldSpec[] fields)
+        where T : Component
+    {
+        return new ObjectClass(id, typeof(T).Name, typeof(T), Headers.Component.Concat(fields.Select(f => f.Of(typeof(T)))).ToArray());
+    }
+
+    static IEnumerable<Slot> GameObjectSlots()
+    {
+        yield return Slot.Constant("serializedVersion", Nodes.Number(6));
+        yield return Slot.Checked("m_Component", (GameObject g, IReferences references, Place place) => new YamlSequenceNode(
+            g.GetComponents<Component>().Select(c => Nodes.Lines(("component", references.ReferenceTo(c, place).Write())))));
+        yield return Slot.Property("m_Layer", (GameObject g) => g.layer, (g, v) => g.layer = v);
+        yield return Slot.Property("m_Name", (GameObject g) => g.name, (g, v) => g.name = v);
+        yield return Slot.Property("m_TagString", (GameObject g) => g.tag, (g, v) => g.tag = v);
+        yield return Slot.Constant("m_Icon", AssetReference.None.Write());
+        yield return Slot.Constant("m_NavMeshLayer", Nodes.Number(0));
+        yield return Slot.Constant("m_StaticEditorFlags", Nodes.Number(0));
+        yield return Slot.Property("m_IsActive", (GameObject g) => g.activeSelf, (g, v) => g.SetActiveSelf(v));
+    }
+
+    static IEnumerable<Slot> TransformSlots()
+    {
+        // Not by the properties, which make rotations unit length: what was read has to be written the same.
+        foreach (var name in new[] { "m_LocalRotation", "m_LocalPosition", "m_LocalScale" }) yield return Slot.Field(typeof(Transform), name);
+        yield return Slot.Constant("m_ConstrainProportionsScale", Nodes.Number(0));
+        yield return Slot.Checked("m_Children", (Transform t, IReferences references, Place place) => new YamlSequenceNode(
+            t.Cast<Transform>().Select(c => references.ReferenceTo(c, place).Write())));
+        yield return Slot.Checked("m_Father", (Transform t) => t.parent);
+        yield return Slot.Checked("m_RootOrder", (Transform t, IReferences references, Place place) => Nodes.Number(references.SiblingIndex(t)));
+        yield return Slot.Hint("m_LocalEulerAnglesHint", (Transform t, IReferences references, Place place) =>
+            ValueFormats.For(typeof(Vector3)).Write(EulerHint(t), references, place));
+    }
+
+    /// <summary>What the editor shows; to a thousandth of a degree, in which the last digits of different machines' sines do not show.</summary>
+    static Vector3 EulerHint(Transform transform)
+    {
+        var angles = transform.localEulerAngles;
+        return new Vector3(Short(angles.x), Short(angles.y), Short(angles.z));
+    }
+
+    static float Short(float degrees)
+    {
+        var rounded = Math.Round(degrees, 3);
+        return (float)(rounded > 180 ? Math.Round(rounded - 360, 3) : rounded + 0.0);
+    }
+
+    /// <summary>How a field of a component is told here: a name (one that the stand-in serialises), a name with its only value, or a slot.</summary>
+    readonly struct FieldSpec
+    {
+        readonly Func<Type, Slot> _slot;
+
+        FieldSpec(Func<Type, Slot> slot) => _slot = slot;
+
+        public static implicit operator FieldSpec(string name) => new FieldSpec(type => Slot.Field(type, name));
+
+        public static implicit operator FieldSpec((string Name, string Value) only) => new FieldSpec(_ => Slot.Constant(only.Name, Nodes.Text(only.Value)));
+
+        public static implicit operator FieldSpec(Slot slot) => new FieldSpec(_ => slot);
+
+        public Slot Of(Type type) => _slot(type);
+    }
+}

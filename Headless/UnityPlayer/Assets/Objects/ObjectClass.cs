@@ -1,0 +1,59 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Values;
+using UnityEngine;
+using YamlDotNet.Core.Events;
+using YamlDotNet.RepresentationModel;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Objects;
+
+/// <summary>A class of objects as files have them: its number and name there, and its fields in order.</summary>
+class ObjectClass
+{
+    readonly Slot[] _slots;
+
+    public ObjectClass(int id, string name, Type type, params Slot[] slots)
+    {
+        Id = id;
+        Name = name;
+        Type = type;
+        _slots = slots;
+    }
+
+    public int Id { get; }
+    public string Name { get; }
+
+    /// <summary>What the stand-in makes of it.</summary>
+    public Type Type { get; }
+
+    /// <summary>Sets all that the file has. What it leaves out keeps its default.</summary>
+    /// <exception cref="AssetException">A field that the class does not have, or a value that is none for it.</exception>
+    public void Read(YamlMappingNode fields, Object target, IReferences references, Place place)
+    {
+        var unread = fields.Children.ToDictionary(f => place.Scalar(f.Key), f => f.Value);
+        foreach (var slot in _slots)
+        {
+            if (unread.Remove(slot.Name, out var node)) slot.Read(target, node, references, place);
+        }
+        foreach (var field in unread) ReadOther(field.Key, field.Value, target, references, place);
+        (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
+    }
+
+    public YamlMappingNode Write(Object source, IReferences references, Place place)
+    {
+        (source as ISerializationCallbackReceiver)?.OnBeforeSerialize();
+        var fields = new YamlMappingNode { Style = MappingStyle.Block };
+        foreach (var slot in _slots) fields.Add(slot.Name, slot.Write(source, references, place));
+        foreach (var (name, value) in WriteOthers(source)) fields.Add(name, value);
+        return fields;
+    }
+
+    protected virtual void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
+    {
+        throw place.Error(Type.Name + " has no serialised field " + name);
+    }
+
+    protected virtual IEnumerable<(string Name, YamlNode Value)> WriteOthers(Object source) => Array.Empty<(string, YamlNode)>();
+}

@@ -1,0 +1,26 @@
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Values;
+using YamlDotNet.RepresentationModel;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Objects;
+
+/// <summary>The class of an <see cref="OpaqueComponent"/>.</summary>
+sealed class OpaqueClass : ObjectClass
+{
+    public OpaqueClass(int id, string name)
+        : base(id, name, typeof(OpaqueComponent), Headers.Component.ToArray())
+    {
+    }
+
+    protected override void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
+    {
+        ((OpaqueComponent)target).Fields.Add(name, node);
+    }
+
+    protected override IEnumerable<(string Name, YamlNode Value)> WriteOthers(Object source)
+    {
+        return ((OpaqueComponent)source).Fields.Children.Select(f => (((YamlScalarNode)f.Key).Value, f.Value));
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+using UnityEngine.Serialization;
+using YamlDotNet.RepresentationModel;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Objects;
+
+/// <summary>A class of the user's: a component, or a ScriptableObject as an asset of its own.</summary>
+sealed class ScriptClass : ObjectClass
+{
+    public const int ClassId = 114;
+    public const string ClassName = "MonoBehaviour";
+    public const string ScriptField = "m_Script";
+
+    static readonly ConcurrentDictionary<Type, ScriptClass> Known = new ConcurrentDictionary<Type, ScriptClass>();
+
+    ScriptClass(Type type)
+        : base(ClassId, ClassName, type, Slots(type).ToArray())
+    {
+    }
+
+    public static ScriptClass Of(Type type) => Known.GetOrAdd(type, t => new ScriptClass(t));
+
+    protected override void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
+    {
+        var field = FieldValues.Find(Type, name);
+        if (field == null) base.ReadOther(name, node, target, references, place);
+        FieldValues.Read(field, node, target, references, place);
+    }
+
+    static IEnumerable<Slot> Slots(Type type)
+    {
+        var isComponent = typeof(Component).IsAssignableFrom(type);
+        var head = isComponent
+            ? Headers.Component.Append(Slot.Field(type, "m_Enabled"))
+            : Headers.Object.Append(Slot.Constant("m_GameObject", AssetReference.None.Write())).Append(Slot.Constant("m_Enabled", Nodes.Number(1)));
+        var name = isComponent
+            ? Slot.Constant("m_Name", Nodes.Text(""))
+            : Slot.Property("m_Name", (Object o) => o.name, (o, v) => o.name = v);
+        return head
+            .Append(Slot.Constant("m_EditorHideFlags", Nodes.Number(0)))
+            .Append(Slot.Checked(ScriptField, (Object o, IReferences references, Place place) => references.ScriptOf(o.GetType(), place).Write()))
+            .Append(name)
+            .Append(Slot.Constant("m_EditorClassIdentifier", Nodes.Text("")))
+            .Concat(OwnFields(type));
+    }
+
+    static IEnumerable<Slot> OwnFields(Type type)
+    {
+        return SerializedFields.Of(type).Where(f => f.DeclaringType.Assembly != typeof(Object).Assembly).Select(f => Slot.Field(type, f.Name));
+    }
+}

@@ -1,0 +1,65 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+
+namespace Nowpose.UnityPlayer.Assets.Objects;
+
+/// <summary>What the source of a shader declares: its name and the properties that a material sets.</summary>
+sealed class ShaderDeclaration
+{
+    static readonly Regex Heads = new Regex("^\\s*Shader\\s+\"([^\"]+)\"", RegexOptions.Multiline | RegexOptions.CultureInvariant);
+    static readonly Regex Blocks = new Regex("\\bProperties\\s*\\{(.*?)\\n\\s*\\}", RegexOptions.Singleline | RegexOptions.CultureInvariant);
+    static readonly Regex Comments = new Regex("//[^\n]*|/\\*.*?\\*/", RegexOptions.Singleline | RegexOptions.CultureInvariant);
+
+    static readonly Regex Declarations = new Regex(
+        "(\\w+)\\s*\\(\\s*\"[^\"]*\"\\s*,\\s*(Color|Vector|Float|Range|Int|Integer|2D|3D|Cube)\\b[^=]*=\\s*([^\n]+)", RegexOptions.CultureInvariant);
+
+    ShaderDeclaration(string name, IReadOnlyDictionary<string, float> floats, IReadOnlyDictionary<string, Color> colours)
+    {
+        Name = name;
+        Floats = floats;
+        Colours = colours;
+    }
+
+    public string Name { get; }
+
+    /// <summary>Numbers with their defaults.</summary>
+    public IReadOnlyDictionary<string, float> Floats { get; }
+
+    /// <summary>Colours and vectors with their defaults.</summary>
+    public IReadOnlyDictionary<string, Color> Colours { get; }
+
+    /// <exception cref="AssetException">No shader, or one with textures, which are not needed here yet.</exception>
+    public static ShaderDeclaration Read(string text, string file)
+    {
+        text = Comments.Replace(text, "");
+        var head = Heads.Match(text);
+        if (!head.Success) throw new AssetException(file + ": declares no shader");
+
+        var floats = new Dictionary<string, float>();
+        var colours = new Dictionary<string, Color>();
+        foreach (Match match in Declarations.Matches(Blocks.Match(text).Groups[1].Value))
+        {
+            var (name, type, value) = (match.Groups[1].Value, match.Groups[2].Value, match.Groups[3].Value.Trim());
+            if (type is "2D" or "3D" or "Cube") throw new AssetException(file + ": property " + name + ": textures are not understood here");
+            if (type is "Color" or "Vector") colours.Add(name, Colour(value, name, file));
+            else floats.Add(name, Number(value, name, file));
+        }
+        return new ShaderDeclaration(head.Groups[1].Value, floats, colours);
+    }
+
+    static Color Colour(string value, string name, string file)
+    {
+        var parts = value.Trim('(', ')').Split(',').Select(p => Number(p.Trim(), name, file)).ToArray();
+        return parts.Length == 4
+            ? new Color(parts[0], parts[1], parts[2], parts[3])
+            : throw new AssetException(file + ": property " + name + ": its default needs four numbers");
+    }
+
+    static float Number(string text, string name, string file)
+    {
+        return Numbers.TryRead(text, out float value) ? value : throw new AssetException(file + ": property " + name + ": \"" + text + "\" is no number");
+    }
+}

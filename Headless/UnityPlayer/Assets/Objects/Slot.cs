@@ -1,0 +1,89 @@
+using System;
+using Nowpose.UnityPlayer.Assets.Values;
+using YamlDotNet.RepresentationModel;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Objects;
+
+/// <summary>One field of an object in a file: what reading it does and what is written.</summary>
+sealed class Slot
+{
+    readonly Action<Object, YamlNode, IReferences, Place> _read;
+    readonly Func<Object, IReferences, Place, YamlNode> _write;
+
+    Slot(string name, Action<Object, YamlNode, IReferences, Place> read, Func<Object, IReferences, Place, YamlNode> write)
+    {
+        Name = name;
+        _read = read;
+        _write = write;
+    }
+
+    public string Name { get; }
+
+    /// <summary>A field that the stand-in has no use for: always this value, any other is refused.</summary>
+    public static Slot Constant(string name, YamlNode value)
+    {
+        return new Slot(
+            name,
+            (_, node, _, place) =>
+            {
+                if (!node.Equals(value)) throw place.Error("the stand-in knows only " + value + " here, not " + node);
+            },
+            (_, _, _) => value);
+    }
+
+    /// <summary>A value that the object keeps by itself.</summary>
+    public static Slot Property<TObject, TValue>(string name, Func<TObject, TValue> get, Action<TObject, TValue> set, IValueFormat format = null)
+        where TObject : Object
+    {
+        format ??= ValueFormats.For(typeof(TValue));
+        return new Slot(
+            name,
+            (target, node, references, place) => set((TObject)target, (TValue)format.Read(node, get((TObject)target), references, place)),
+            (target, references, place) => format.Write(get((TObject)target), references, place));
+    }
+
+    /// <summary>A value that follows from the hierarchy: what the file has is compared with what there is.</summary>
+    public static Slot Checked<TObject, TValue>(string name, Func<TObject, TValue> get)
+        where TObject : Object
+    {
+        var format = ValueFormats.For(typeof(TValue));
+        return Checked<TObject>(name, (target, references, place) => format.Write(get(target), references, place));
+    }
+
+    /// <inheritdoc cref="Checked{TObject,TValue}"/>
+    public static Slot Checked<TObject>(string name, Func<TObject, IReferences, Place, YamlNode> write)
+        where TObject : Object
+    {
+        return new Slot(
+            name,
+            (target, node, references, place) =>
+            {
+                var expected = write((TObject)target, references, place);
+                if (!node.Equals(expected)) throw place.Error("is " + node + ", but the hierarchy has " + expected);
+            },
+            (target, references, place) => write((TObject)target, references, place));
+    }
+
+    /// <summary>What Unity's editor keeps for itself: not read.</summary>
+    public static Slot Hint<TObject>(string name, Func<TObject, IReferences, Place, YamlNode> write)
+        where TObject : Object
+    {
+        return new Slot(name, (_, _, _, _) => { }, (target, references, place) => write((TObject)target, references, place));
+    }
+
+    /// <summary>A serialised field of the object's class.</summary>
+    public static Slot Field(Type type, string name, IValueFormat format = null)
+    {
+        var field = FieldValues.Find(type, name) ?? throw new ArgumentException(type.Name + " has no serialised field " + name, nameof(name));
+        format ??= ValueFormats.For(field.FieldType);
+        return new Slot(
+            name,
+            (target, node, references, place) => field.SetValue(target, format.Read(node, field.GetValue(target), references, place)),
+            (target, references, place) => format.Write(field.GetValue(target), references, place));
+    }
+
+    public void Read(Object target, YamlNode node, IReferences references, Place place) => _read(target, node, references, place.In(Name));
+
+    public YamlNode Write(Object source, IReferences references, Place place) => _write(source, references, place.In(Name));
+}

@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Prefabs;
+
+/// <summary>Puts a file's prefab instances in and makes every reference in it one to an object that is there.</summary>
+sealed class Expansion
+{
+    readonly string _file;
+    readonly Func<string, ObjectFile> _prefabAt;
+    readonly Dictionary<long, FileObject> _byId = new Dictionary<long, FileObject>();
+    readonly Dictionary<long, UnityDocument> _strippedDocuments = new Dictionary<long, UnityDocument>();
+    readonly List<(InstanceDocument Document, PrefabInstance Instance)> _instances = new List<(InstanceDocument, PrefabInstance)>();
+    readonly Dictionary<long, long> _stripped = new Dictionary<long, long>();
+    readonly List<FileObject> _objects = new List<FileObject>();
+
+    public Expansion(string file, Func<string, ObjectFile> prefabAt)
+    {
+        _file = file;
+        _prefabAt = prefabAt;
+    }
+
+    public IEnumerable<FileObject> Objects => _objects.Where(o => _byId.ContainsKey(o.FileId));
+
+    /// <summary>FileIDs of stripped placeholders, and which object each stands for.</summary>
+    public IReadOnlyDictionary<long, long> Stripped => _stripped;
+
+    public IReadOnlyList<PrefabInstance> Instances => _instances.Select(i => i.Instance).ToList();
+
+    public void Add(UnityDocument document)
+    {
+        if (document.IsStripped) _strippedDocuments.Add(document.FileId, document);
+        else if (document.ClassId == PrefabInstance.ClassId) Add(new InstanceDocument(document, _file));
+        else Add(new FileObject(document, _file));
+    }
+
+    /// <summary>To be called when all documents were added.</summary>
+    public void Connect()
+    {
+        foreach (var document in _strippedDocuments.Values) _stripped.Add(document.FileId, MeaningOf(document));
+        foreach (var (document, instance) in _instances)
+        {
+            document.Apply(instance, _byId, Resolve);
+            AddFrom(document, instance);
+        }
+        foreach (var own in _objects.Where(o => o.Link == null)) Redirect(own);
+    }
+
+    void Add(FileObject added)
+    {
+        if (!_byId.TryAdd(added.FileId, added)) throw added.Place.Error("this fileID stands for two objects once the prefab instances are put in");
+        _objects.Add(added);
+    }
+
+    void Add(InstanceDocument document)
+    {
+        var instance = new PrefabInstance(_file, document.FileId, document.SourceGuid, document.SourcePrefab(_prefabAt));
+        _instances.Add((document, instance));
+        foreach (var source in instance.Source.Objects) Add(source.In(instance));
+    }
+
+    long MeaningOf(UnityDocument document)
+    {
+        var stripped = new FileObject(document, _file);
+        var source = stripped.Reference("m_CorrespondingSourceObject");
+        var instance = _instances.Find(i => i.Instance.FileId == stripped.Reference("m_PrefabInstance").FileId).Instance
+            ?? throw stripped.Place.In("m_PrefabInstance").Error("is no prefab instance of this file");
+        if (source.Guid != instance.SourceGuid) throw stripped.Place.In("m_CorrespondingSourceObject").Error("is not in the prefab of its instance");
+        var found = instance.Source.Find(source.FileId)
+            ?? throw stripped.Place.In("m_CorrespondingSourceObject").Error("the prefab has no object " + Numbers.Write(source.FileId));
+        if (found.ClassId != document.ClassId) throw stripped.Place.Error("stands for a " + found.ClassName);
+        return instance.Map(found.FileId);
+    }
+
+    /// <summary>References to placeholders become references to what they stand for.</summary>
+    void Redirect(FileObject own)
+    {
+        foreach (var entry in own.Fields.Children.ToList())
+        {
+            foreach (var id in LocalReferences.In(entry.Value))
+            {
+                if (!_byId.ContainsKey(Resolve(id)))
+                    throw own.Place.In(((YamlScalarNode)entry.Key).Value).Error("the file has no object " + Numbers.Write(id));
+            }
+            own.Fields.Children[entry.Key] = LocalReferences.Map(entry.Value, Resolve);
+        }
+    }
+
+    /// <summary>What the file hangs below an instance or adds to its objects; the prefab's own lists cannot know of them.</summary>
+    void AddFrom(InstanceDocument document, PrefabInstance instance)
+    {
+        foreach (var own in _objects.Where(o => o.Link == null))
+        {
+            AppendTo(instance, own, "m_GameObject", "m_Component", id => Nodes.Lines(("component", new AssetReference(id).Write())));
+            AppendTo(instance, own, "m_Father", "m_Children", id => new AssetReference(id).Write());
+        }
+        foreach (var (other, below) in _instances.Where(i => Resolve(i.Document.Parent) is var parent && IsOf(instance, parent)))
+        {
+            var parent = _byId[Resolve(other.Parent)];
+            ListOf(parent, "m_Children").Add(new AssetReference(below.Map(other.RootTransform.FileId)).Write());
+        }
+    }
+
+    void AppendTo(PrefabInstance instance, FileObject own, string upwards, string list, Func<long, YamlNode> entry)
+    {
+        if (!(Nodes.Find(own.Fields, upwards) is { } node) || !AssetReference.TryRead(node, out var up) || up.Guid != null) return;
+        if (IsOf(instance, Resolve(up.FileId))) ListOf(_byId[Resolve(up.FileId)], list).Add(entry(own.FileId));
+    }
+
+    static YamlSequenceNode ListOf(FileObject owner, string list)
+    {
+        var sequence = owner.Place.In(list).Sequence(Nodes.Find(owner.Fields, list));
+        sequence.Style = YamlDotNet.Core.Events.SequenceStyle.Block;
+        return sequence;
+    }
+
+    bool IsOf(PrefabInstance instance, long id) => _byId.TryGetValue(id, out var found) && found.Link?.Instance == instance;
+
+    long Resolve(long id) => _stripped.TryGetValue(id, out var meant) ? meant : id;
+}

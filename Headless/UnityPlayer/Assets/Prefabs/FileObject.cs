@@ -1,0 +1,52 @@
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Prefabs;
+
+/// <summary>One object of a file after its prefab instances were put in, as fields that nothing else shares.</summary>
+sealed class FileObject
+{
+    public FileObject(UnityDocument document, string file)
+        : this(document.ClassId, document.ClassName, document.FileId, Nodes.Copy(document.Fields), file, null)
+    {
+    }
+
+    FileObject(int classId, string className, long fileId, YamlMappingNode fields, string file, PrefabLink link)
+    {
+        ClassId = classId;
+        ClassName = className;
+        FileId = fileId;
+        Fields = fields;
+        Link = link;
+        File = file;
+    }
+
+    public string File { get; }
+
+    public int ClassId { get; }
+    public string ClassName { get; }
+    public long FileId { get; }
+    public YamlMappingNode Fields { get; }
+
+    /// <summary>The object of another prefab that it is an instance of; null for one of the file's own.</summary>
+    public PrefabLink Link { get; }
+
+    public Place Place => PlaceAs(ClassName);
+
+    /// <summary>The object as it is in an instance of its file.</summary>
+    public FileObject In(PrefabInstance instance)
+    {
+        var fields = (YamlMappingNode)LocalReferences.Map(Fields, instance.Map);
+        return new FileObject(ClassId, ClassName, instance.Map(FileId), fields, instance.File, new PrefabLink(instance, FileId));
+    }
+
+    /// <param name="name">What errors call the object: the class that a script holds says more than that it is one.</param>
+    public Place PlaceAs(string name) => new Place(File + " &" + Numbers.Write(FileId) + " " + name);
+
+    public AssetReference Reference(string field)
+    {
+        var node = Nodes.Find(Fields, field) ?? throw Place.Error("has no " + field);
+        return AssetReference.TryRead(node, out var reference) ? reference : throw Place.In(field).Error("has to be a reference");
+    }
+}

@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Prefabs;
+
+/// <summary>What a file says about one of its prefab instances: which prefab, where it hangs, what is changed in it.</summary>
+sealed class InstanceDocument
+{
+    static readonly HashSet<string> Lists = new HashSet<string> { "m_Modifications", "m_RemovedComponents" };
+
+    /// <summary>Unity 2022.2 and later writes these too; with anything in them they are not understood here.</summary>
+    static readonly HashSet<string> LaterLists = new HashSet<string> { "m_RemovedGameObjects", "m_AddedGameObjects", "m_AddedComponents" };
+
+    readonly Place _place;
+    readonly YamlMappingNode _modification;
+    readonly AssetReference _source;
+
+    public InstanceDocument(UnityDocument document, string file)
+    {
+        var read = new FileObject(document, file);
+        FileId = document.FileId;
+        _place = read.Place;
+        RequireOnly(read.Fields, _place, "m_ObjectHideFlags", "serializedVersion", "m_Modification", "m_SourcePrefab");
+        _source = read.Reference("m_SourcePrefab");
+        if (_source.Guid == null || _source.FileId != PrefabInstance.PrefabFileId || _source.Type != AssetReference.Imported)
+            throw _place.In("m_SourcePrefab").Error("has to be {fileID: 100100000, guid: …, type: 3}");
+
+        _modification = _place.Mapping(Nodes.Find(document.Fields, "m_Modification"));
+        RequireOnly(_modification, _place.In("m_Modification"), Lists.Concat(LaterLists).Append("m_TransformParent").Append("serializedVersion").ToArray());
+        foreach (var list in LaterLists.Where(l => Nodes.Find(_modification, l) != null && Items(l).Count > 0))
+            throw _place.In(list).Error("is not understood; undo it in the editor or write it as Unity 2021 does");
+        if (!AssetReference.TryRead(Nodes.Find(_modification, "m_TransformParent"), out var parent) || parent.Guid != null)
+            throw _place.In("m_TransformParent").Error("has to be a reference within the file");
+        Parent = parent.FileId;
+    }
+
+    public long FileId { get; }
+
+    public string SourceGuid => _source.Guid;
+
+    /// <summary>FileID of the Transform that it hangs below, 0 for none.</summary>
+    public long Parent { get; }
+
+    /// <summary>The prefab's own root, known after <see cref="SourcePrefab"/>.</summary>
+    public FileObject RootTransform { get; private set; }
+
+    public ObjectFile SourcePrefab(Func<string, ObjectFile> prefabAt)
+    {
+        ObjectFile source;
+        try
+        {
+            source = prefabAt(SourceGuid);
+        }
+        catch (AssetException exception)
+        {
+            throw new AssetException(_place.In("m_SourcePrefab") + ": " + exception.Message, exception);
+        }
+        RootTransform = source.Objects.Single(o => o.ClassName == "Transform" && o.Reference("m_Father").IsNone);
+        return source;
+    }
+
+    /// <param name="instance">Whose objects are changed.</param>
+    /// <param name="objects">All of the file; removed components leave it.</param>
+    /// <param name="resolve">From a placeholder's fileID to the object's.</param>
+    public void Apply(PrefabInstance instance, Dictionary<long, FileObject> objects, Func<long, long> resolve)
+    {
+        SetParent(instance, objects, resolve(Parent));
+        foreach (var item in Items("m_Modifications")) Modify(_place.Mapping(item), instance, objects, resolve);
+        foreach (var item in Items("m_RemovedComponents")) Remove(item, instance, objects);
+    }
+
+    void SetParent(PrefabInstance instance, Dictionary<long, FileObject> objects, long parent)
+    {
+        if (parent != 0 && !(objects.TryGetValue(parent, out var found) && found.ClassName == "Transform"))
+            throw _place.In("m_TransformParent").Error("the file has no Transform " + Numbers.Write(parent));
+        objects[instance.Map(RootTransform.FileId)].Fields.Children[Nodes.Text("m_Father")] = new AssetReference(parent).Write();
+    }
+
+    void Modify(YamlMappingNode item, PrefabInstance instance, Dictionary<long, FileObject> objects, Func<long, long> resolve)
+    {
+        var place = _place.In("m_Modifications");
+        RequireOnly(item, place, "target", "propertyPath", "value", "objectReference");
+        var path = place.Scalar(Nodes.Find(item, "propertyPath"));
+        var value = place.Scalar(Nodes.Find(item, "value"));
+        if (!AssetReference.TryRead(Nodes.Find(item, "objectReference"), out var reference)) throw place.In(path).Error("has no objectReference");
+        if (reference.Guid == null) reference = Local(reference.FileId, objects, resolve, place.In(path));
+        var target = Target(Nodes.Find(item, "target"), instance, objects, place.In(path));
+        PropertyPath.Set(target.Fields, path, value, reference, target.Place);
+    }
+
+    static AssetReference Local(long fileId, Dictionary<long, FileObject> objects, Func<long, long> resolve, Place place)
+    {
+        var meant = resolve(fileId);
+        return meant == 0 || objects.ContainsKey(meant) ? new AssetReference(meant) : throw place.Error("the file has no object " + Numbers.Write(fileId));
+    }
+
+    void Remove(YamlNode item, PrefabInstance instance, Dictionary<long, FileObject> objects)
+    {
+        var removed = Target(item, instance, objects, _place.In("m_RemovedComponents"));
+        var owner = objects[removed.Reference("m_GameObject").FileId];
+        var components = _place.Sequence(Nodes.Find(owner.Fields, "m_Component"));
+        foreach (var entry in components.Children.Where(c => LocalReferences.In(c).Contains(removed.FileId)).ToList()) components.Children.Remove(entry);
+        objects.Remove(removed.FileId);
+    }
+
+    FileObject Target(YamlNode node, PrefabInstance instance, Dictionary<long, FileObject> objects, Place place)
+    {
+        if (!AssetReference.TryRead(node, out var target) || target.Guid != SourceGuid)
+            throw place.Error("target has to be an object of the prefab with GUID " + SourceGuid);
+        var source = instance.Source.Find(target.FileId);
+        if (source == null || !objects.TryGetValue(instance.Map(source.FileId), out var found))
+            throw place.Error("the prefab " + instance.Source.Name + " has no object " + Numbers.Write(target.FileId));
+        return found;
+    }
+
+    IList<YamlNode> Items(string list)
+    {
+        return Nodes.Find(_modification, list) is { } node ? _place.In(list).Sequence(node).Children : Array.Empty<YamlNode>();
+    }
+
+    static void RequireOnly(YamlMappingNode mapping, Place place, params string[] known)
+    {
+        foreach (var key in mapping.Children.Keys)
+        {
+            var name = place.Scalar(key);
+            if (!known.Contains(name)) throw place.Error("has no field " + name);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Prefabs;
+
+/// <summary>The references to objects of the same file that a value holds at any depth.</summary>
+static class LocalReferences
+{
+    /// <summary>A copy in which each refers to what <paramref name="map"/> makes of it; references to other assets stay.</summary>
+    public static YamlNode Map(YamlNode node, Func<long, long> map)
+    {
+        if (AssetReference.TryRead(node, out var reference))
+            return (reference.Guid == null ? new AssetReference(map(reference.FileId)) : reference).Write();
+        switch (node)
+        {
+            case YamlMappingNode mapping:
+                var fields = new YamlMappingNode { Style = mapping.Style };
+                foreach (var entry in mapping.Children) fields.Add(Nodes.Copy(entry.Key), Map(entry.Value, map));
+                return fields;
+            case YamlSequenceNode sequence:
+                var list = new YamlSequenceNode { Style = sequence.Style };
+                foreach (var item in sequence.Children) list.Add(Map(item, map));
+                return list;
+            default:
+                return Nodes.Copy(node);
+        }
+    }
+
+    /// <summary>FileIDs referred to, 0 (none) left out.</summary>
+    public static IEnumerable<long> In(YamlNode node)
+    {
+        if (AssetReference.TryRead(node, out var reference))
+        {
+            if (reference.Guid == null && reference.FileId != 0) yield return reference.FileId;
+            yield break;
+        }
+        var children = node switch
+        {
+            YamlMappingNode mapping => mapping.Children.Values,
+            YamlSequenceNode sequence => sequence.Children,
+            _ => Array.Empty<YamlNode>() as IEnumerable<YamlNode>,
+        };
+        foreach (var child in children)
+        {
+            foreach (var id in In(child)) yield return id;
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Prefabs;
+
+/// <summary>What has to be modified in one object to make another of it: the inverse of <see cref="PropertyPath.Set"/>.</summary>
+static class Modifications
+{
+    /// <summary>The hierarchy: an instance has its prefab's, plus what hangs itself on it.</summary>
+    static readonly HashSet<string> Structure = new HashSet<string> { "m_GameObject", "m_Component", "m_Father", "m_Children" };
+
+    /// <exception cref="AssetException">Not only values differ but which fields there are: the prefab's file is of an older class.</exception>
+    public static IEnumerable<Modification> Between(FileObject prefab, YamlMappingNode now)
+    {
+        return Between(Values(prefab.Fields), Values(now), "", prefab);
+    }
+
+    static YamlMappingNode Values(YamlMappingNode fields)
+    {
+        return new YamlMappingNode(fields.Children.Where(f => !Structure.Contains(((YamlScalarNode)f.Key).Value)));
+    }
+
+    static IEnumerable<Modification> Between(YamlNode before, YamlNode now, string path, FileObject prefab)
+    {
+        if (AssetReference.TryRead(before, out var old) && AssetReference.TryRead(now, out var reference))
+            return old.Equals(reference) ? Array.Empty<Modification>() : One(path, "", reference);
+        return (before, now) switch
+        {
+            (YamlScalarNode a, YamlScalarNode b) => a.Value == b.Value ? Array.Empty<Modification>() : One(path, b.Value, AssetReference.None),
+            (YamlMappingNode a, YamlMappingNode b) => BetweenFields(a, b, path, prefab),
+            (YamlSequenceNode a, YamlSequenceNode b) => BetweenItems(a, b, path, prefab),
+            _ => throw prefab.Place.In(path).Error("is of another kind in its prefab's file; write that anew first"),
+        };
+    }
+
+    static IEnumerable<Modification> BetweenFields(YamlMappingNode before, YamlMappingNode now, string path, FileObject prefab)
+    {
+        if (!before.Children.Keys.SequenceEqual(now.Children.Keys))
+            throw prefab.Place.Error(path + " has other fields in its prefab's file; write that anew first");
+        return now.Children.SelectMany(f => Between(before.Children[f.Key], f.Value, Join(path, f.Key), prefab));
+    }
+
+    static IEnumerable<Modification> BetweenItems(YamlSequenceNode before, YamlSequenceNode now, string path, FileObject prefab)
+    {
+        var count = before.Children.Count;
+        if (count != now.Children.Count) yield return new Modification(path + ".Array.size", Numbers.Write(now.Children.Count), AssetReference.None);
+        for (var i = 0; i < now.Children.Count; i++)
+        {
+            var item = path + ".Array.data[" + Numbers.Write(i) + "]";
+            // Elements that are added begin as copies of the last one; those of an empty list as nothing.
+            var changes = count == 0 ? All(now.Children[i], item) : Between(before.Children[Math.Min(i, count - 1)], now.Children[i], item, prefab);
+            foreach (var change in changes) yield return change;
+        }
+    }
+
+    /// <summary>Empty texts and references to nothing are left out: they are what there is without them.</summary>
+    static IEnumerable<Modification> All(YamlNode now, string path)
+    {
+        if (AssetReference.TryRead(now, out var reference)) return reference.IsNone ? Array.Empty<Modification>() : One(path, "", reference);
+        return now switch
+        {
+            YamlScalarNode scalar => scalar.Value.Length == 0 ? Array.Empty<Modification>() : One(path, scalar.Value, AssetReference.None),
+            YamlMappingNode mapping => mapping.Children.SelectMany(f => All(f.Value, Join(path, f.Key))),
+            YamlSequenceNode sequence => AllItems(sequence, path),
+            _ => Array.Empty<Modification>(),
+        };
+    }
+
+    static IEnumerable<Modification> AllItems(YamlSequenceNode now, string path)
+    {
+        var size = new Modification(path + ".Array.size", Numbers.Write(now.Children.Count), AssetReference.None);
+        return now.Children.SelectMany((item, i) => All(item, path + ".Array.data[" + Numbers.Write(i) + "]")).Prepend(size);
+    }
+
+    static Modification[] One(string path, string value, AssetReference reference) => new[] { new Modification(path, value, reference) };
+
+    static string Join(string path, YamlNode name) => path.Length == 0 ? ((YamlScalarNode)name).Value : path + "." + ((YamlScalarNode)name).Value;
+}

@@ -1,0 +1,102 @@
+using System;
+using System.Globalization;
+using System.Text.RegularExpressions;
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.Core;
+using YamlDotNet.Core.Events;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Prefabs;
+
+/// <summary>
+/// Changes one value of an object as a modification of a prefab instance says it: <c>m_LocalPosition.x</c>,
+/// <c>_fingers.Array.size</c>, <c>_fingers.Array.data[1].joint</c>.
+/// </summary>
+static class PropertyPath
+{
+    /// <summary>Marks the elements of a list that was empty in the prefab: what they consist of, only the modifications say.</summary>
+    static readonly TagName Open = new TagName("!open");
+
+    static readonly Regex Element = new Regex(@"^data\[(\d+)\]\z", RegexOptions.CultureInvariant);
+
+    /// <param name="fields">Of the object; what the path names has to be there already.</param>
+    /// <param name="path">As in the file.</param>
+    /// <param name="value">For a scalar.</param>
+    /// <param name="reference">For a reference.</param>
+    /// <param name="place">For errors.</param>
+    public static void Set(YamlMappingNode fields, string path, string value, AssetReference reference, Place place)
+    {
+        var steps = path.Split('.');
+        YamlNode node = fields;
+        Action<YamlNode> replace = null;
+        for (var i = 0; i < steps.Length; i++)
+        {
+            if (node.Tag == Open && steps[i] == "Array") replace(node = Nodes.List());
+            if (node is YamlSequenceNode sequence)
+            {
+                var step = steps[i] == "Array" && i + 1 < steps.Length ? steps[++i] : "";
+                if (step == "size" && i == steps.Length - 1)
+                {
+                    Resize(sequence, value, place);
+                    return;
+                }
+                var index = IndexOf(step, sequence, place);
+                place = place.At(index);
+                node = sequence.Children[index];
+                replace = changed => sequence.Children[index] = changed;
+                continue;
+            }
+            var mapping = node as YamlMappingNode ?? throw place.Error("has no parts, so no " + steps[i]);
+            var name = new YamlScalarNode(steps[i]);
+            place = place.In(steps[i]);
+            node = Part(mapping, name, place);
+            replace = changed => mapping.Children[name] = changed;
+        }
+        replace(Changed(node, value, reference, place));
+    }
+
+    static YamlNode Part(YamlMappingNode mapping, YamlScalarNode name, Place place)
+    {
+        if (mapping.Children.TryGetValue(name, out var part)) return part;
+        if (mapping.Tag != Open) throw place.Error("the prefab has no such property");
+        part = NewOpen();
+        mapping.Add(name, part);
+        return part;
+    }
+
+    static YamlNode Changed(YamlNode node, string value, AssetReference reference, Place place)
+    {
+        if (node.Tag == Open) return reference.IsNone ? Nodes.Text(value) : reference.Write();
+        if (AssetReference.TryRead(node, out _))
+            return value.Length == 0 ? reference.Write() : throw place.Error("is a reference, it takes an objectReference and no value");
+        if (!(node is YamlScalarNode)) throw place.Error("has parts; only they can be modified, one by one");
+        return reference.IsNone ? Nodes.Text(value) : throw place.Error("is a value, it takes no objectReference");
+    }
+
+    static int IndexOf(string step, YamlSequenceNode sequence, Place place)
+    {
+        var match = Element.Match(step);
+        if (!match.Success || !int.TryParse(match.Groups[1].Value, NumberStyles.None, CultureInfo.InvariantCulture, out var index))
+            throw place.Error("is a list: its path goes on with Array.size or Array.data[n]");
+        return index < sequence.Children.Count ? index : throw place.At(index).Error("the list has only " + sequence.Children.Count);
+    }
+
+    /// <summary>What is added are copies of the last one.</summary>
+    static void Resize(YamlSequenceNode sequence, string value, Place place)
+    {
+        if (!int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var size))
+            throw place.Error("\"" + value + "\" is no size of a list");
+        sequence.Style = SequenceStyle.Block;
+        while (sequence.Children.Count > size) sequence.Children.RemoveAt(sequence.Children.Count - 1);
+        while (sequence.Children.Count < size)
+        {
+            var count = sequence.Children.Count;
+            sequence.Add(count == 0 ? NewOpen() : CopyOf(sequence.Children[count - 1]));
+        }
+    }
+
+    static YamlNode CopyOf(YamlNode last) => last.Tag == Open ? NewOpen() : Nodes.Copy(last);
+
+    static YamlMappingNode NewOpen() => new YamlMappingNode { Tag = Open };
+}

@@ -1,0 +1,21 @@
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Values;
+
+/// <summary>A set of layers, an int in the engine: <c>serializedVersion: 2, m_Bits: 4294967295</c>.</summary>
+sealed class BitsFormat : IValueFormat
+{
+    public object Read(YamlNode node, object current, IReferences references, Place place)
+    {
+        var text = place.In("m_Bits").Scalar(Nodes.Find(place.Mapping(node), "m_Bits"));
+        return Numbers.TryRead(text, out long bits) && bits >= 0 && bits <= uint.MaxValue
+            ? (object)unchecked((int)bits)
+            : throw place.In("m_Bits").Error("\"" + text + "\" is no set of 32 layers");
+    }
+
+    public YamlNode Write(object value, IReferences references, Place place)
+    {
+        return Nodes.Lines(("serializedVersion", Nodes.Number(2)), ("m_Bits", Nodes.Number(unchecked((uint)(int)value))));
+    }
+}

@@ -1,0 +1,24 @@
+using System;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Values;
+
+/// <summary>A [Serializable] class or struct: its fields by name. Unity knows no null here: a value with defaults takes its place.</summary>
+sealed class ClassFormat : IValueFormat
+{
+    readonly Type _type;
+
+    public ClassFormat(Type type) => _type = type;
+
+    public object Read(YamlNode node, object current, IReferences references, Place place)
+    {
+        var value = current ?? New();
+        FieldValues.Read(place.Mapping(node), value, references, place);
+        return value;
+    }
+
+    public YamlNode Write(object value, IReferences references, Place place) => FieldValues.Write(value ?? New(), references, place);
+
+    object New() => Activator.CreateInstance(_type, nonPublic: true);
+}

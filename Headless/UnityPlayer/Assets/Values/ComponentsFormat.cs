@@ -1,0 +1,39 @@
+using System;
+using System.Linq;
+using System.Reflection;
+using YamlDotNet.RepresentationModel;
+using Nowpose.UnityPlayer.Assets.Yaml;
+
+namespace Nowpose.UnityPlayer.Assets.Values;
+
+/// <summary>A vector, quaternion or colour: its public numbers by name, in braces.</summary>
+sealed class ComponentsFormat : IValueFormat
+{
+    readonly Type _type;
+    readonly FieldInfo[] _components;
+
+    public ComponentsFormat(Type type, params string[] components)
+    {
+        _type = type;
+        _components = components.Select(c => type.GetField(c)).ToArray();
+    }
+
+    public object Read(YamlNode node, object current, IReferences references, Place place)
+    {
+        var mapping = place.Mapping(node);
+        var value = current ?? Activator.CreateInstance(_type);
+        foreach (var entry in mapping.Children)
+        {
+            var name = place.Scalar(entry.Key);
+            var component = Array.Find(_components, c => c.Name == name) ?? throw place.Error(_type.Name + " has no " + name);
+            component.SetValue(value, ValueFormats.For(component.FieldType).Read(entry.Value, null, references, place.In(name)));
+        }
+        return value;
+    }
+
+    public YamlNode Write(object value, IReferences references, Place place)
+    {
+        return Nodes.Braces(_components
+            .Select(c => (c.Name, ValueFormats.For(c.FieldType).Write(c.GetValue(value), references, place.In(c.Name)))).ToArray());
+    }
+}

@@ -1,0 +1,29 @@
+using System;
+using System.Globalization;
+using YamlDotNet.RepresentationModel;
+using Nowpose.UnityPlayer.Assets.Yaml;
+
+namespace Nowpose.UnityPlayer.Assets.Values;
+
+/// <summary>The number of the enum's member. One that no member has (or, with [Flags], no sum of them) is refused.</summary>
+sealed class EnumFormat : IValueFormat
+{
+    readonly Type _type;
+
+    public EnumFormat(Type type) => _type = type;
+
+    public object Read(YamlNode node, object current, IReferences references, Place place)
+    {
+        var text = place.Scalar(node);
+        if (!Numbers.TryRead(text, out long number)) throw place.Error("\"" + text + "\" is no number of a " + _type.Name);
+        var value = Enum.ToObject(_type, number);
+        // Of an undefined value (flags: with a bit that no member has) nothing but the number can be said.
+        if (Numbers.TryRead(value.ToString(), out long _)) throw place.Error(text + " is no member of " + _type.Name);
+        return value;
+    }
+
+    public YamlNode Write(object value, IReferences references, Place place)
+    {
+        return Nodes.Number(Convert.ToInt64(value, CultureInfo.InvariantCulture));
+    }
+}

@@ -1,0 +1,52 @@
+using System;
+using System.Linq;
+using System.Reflection;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+using UnityEngine.Serialization;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Values;
+
+/// <summary>The serialised fields of a C# object, read from named values and written as such.</summary>
+static class FieldValues
+{
+    /// <summary>Fields that the file leaves out keep their values.</summary>
+    /// <exception cref="AssetException">The class has no such serialised field, or the value is none for it.</exception>
+    public static void Read(YamlMappingNode mapping, object target, IReferences references, Place place)
+    {
+        foreach (var entry in mapping.Children)
+        {
+            var name = place.Scalar(entry.Key);
+            var field = Find(target.GetType(), name) ?? throw place.Error(target.GetType().Name + " has no serialised field " + name);
+            Read(field, entry.Value, target, references, place);
+        }
+        (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
+    }
+
+    public static void Read(FieldInfo field, YamlNode node, object target, IReferences references, Place place)
+    {
+        field.SetValue(target, ValueFormats.For(field.FieldType).Read(node, field.GetValue(target), references, place.In(field.Name)));
+    }
+
+    public static YamlMappingNode Write(object source, IReferences references, Place place)
+    {
+        (source as ISerializationCallbackReceiver)?.OnBeforeSerialize();
+        return Nodes.Lines(SerializedFields.Of(source.GetType())
+            .Select(f => (SerializedFields.NameOf(f), Write(f, source, references, place))).ToArray());
+    }
+
+    public static YamlNode Write(FieldInfo field, object source, IReferences references, Place place)
+    {
+        return ValueFormats.For(field.FieldType).Write(field.GetValue(source), references, place.In(field.Name));
+    }
+
+    /// <summary>By its name now or a name it had before ([FormerlySerializedAs]); null if there is none.</summary>
+    public static FieldInfo Find(Type type, string name)
+    {
+        var fields = SerializedFields.Of(type);
+        return fields.FirstOrDefault(f => SerializedFields.NameOf(f) == name) ?? fields.FirstOrDefault(f => Had(f, name));
+    }
+
+    static bool Had(FieldInfo field, string name) => field.GetCustomAttributes<FormerlySerializedAsAttribute>().Any(a => a.oldName == name);
+}

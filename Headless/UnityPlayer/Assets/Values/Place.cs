@@ -1,0 +1,46 @@
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Values;
+
+/// <summary>Where in a file something stands, as errors say it: <c>Arm.prefab &amp;12 Light.m_Color</c>.</summary>
+readonly struct Place
+{
+    readonly string _text;
+
+    public Place(string text) => _text = text;
+
+    public Place In(string field) => new Place(_text + "." + field);
+
+    public Place At(int index) => new Place(_text + "[" + index + "]");
+
+    public AssetException Error(string message) => new AssetException(_text + ": " + message);
+
+    public string Scalar(YamlNode node)
+    {
+        return node is YamlScalarNode scalar ? scalar.Value ?? "" : throw Error("has to be one value, not " + Kind(node));
+    }
+
+    public YamlMappingNode Mapping(YamlNode node)
+    {
+        return node as YamlMappingNode ?? throw Error("has to be named values, not " + Kind(node));
+    }
+
+    /// <summary>Unity writes an empty list as <c>[]</c>.</summary>
+    public YamlSequenceNode Sequence(YamlNode node)
+    {
+        return node as YamlSequenceNode ?? throw Error("has to be a list, not " + Kind(node));
+    }
+
+    public override string ToString() => _text;
+
+    static string Kind(YamlNode node)
+    {
+        return node switch
+        {
+            YamlScalarNode scalar => "\"" + scalar.Value + "\"",
+            YamlMappingNode _ => "named values",
+            YamlSequenceNode _ => "a list",
+            _ => "nothing",
+        };
+    }
+}

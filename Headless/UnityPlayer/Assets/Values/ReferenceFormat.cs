@@ -1,0 +1,26 @@
+using System;
+using YamlDotNet.RepresentationModel;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.UnityPlayer.Assets.Values;
+
+/// <summary>A reference to another object, <c>{fileID: 0}</c> for none.</summary>
+sealed class ReferenceFormat : IValueFormat
+{
+    readonly Type _type;
+
+    public ReferenceFormat(Type type) => _type = type;
+
+    public object Read(YamlNode node, object current, IReferences references, Place place)
+    {
+        if (!AssetReference.TryRead(node, out var reference)) throw place.Error("has to be a reference: {fileID: …} or {fileID: …, guid: …, type: …}");
+        return reference.IsNone ? null : references.ObjectAt(reference, _type, place);
+    }
+
+    public YamlNode Write(object value, IReferences references, Place place)
+    {
+        var target = (Object)value;
+        return (target == null ? AssetReference.None : references.ReferenceTo(target, place)).Write();
+    }
+}

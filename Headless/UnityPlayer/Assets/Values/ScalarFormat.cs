@@ -1,0 +1,28 @@
+using System;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Values;
+
+/// <summary>A value that is one scalar.</summary>
+sealed class ScalarFormat<T> : IValueFormat
+{
+    readonly Parser _parse;
+    readonly Func<T, string> _format;
+
+    public ScalarFormat(Parser parse, Func<T, string> format)
+    {
+        _parse = parse;
+        _format = format;
+    }
+
+    public delegate bool Parser(string text, out T value);
+
+    public object Read(YamlNode node, object current, IReferences references, Place place)
+    {
+        var text = place.Scalar(node);
+        return _parse(text, out var value) ? value : throw place.Error("\"" + text + "\" is no " + typeof(T).Name);
+    }
+
+    public YamlNode Write(object value, IReferences references, Place place) => Nodes.Text(_format((T)value));
+}
