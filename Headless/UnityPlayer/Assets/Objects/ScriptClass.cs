@@ -29,7 +29,7 @@ sealed class ScriptClass : ObjectClass
 
     protected override void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
     {
-        var field = FieldValues.Find(Type, name);
+        var field = SerializedFields.Find(Type, name);
         if (field == null) base.ReadOther(name, node, target, references, place);
         FieldValues.Read(field, node, target, references, place);
     }

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.UnityPlayer.Assets.Values;
+using UnityEngine.Serialization;
 using YamlDotNet.RepresentationModel;
 using Object = UnityEngine.Object;
 
@@ -75,7 +76,7 @@ sealed class Slot
     /// <summary>A serialised field of the object's class.</summary>
     public static Slot Field(Type type, string name, IValueFormat format = null)
     {
-        var field = FieldValues.Find(type, name) ?? throw new ArgumentException(type.Name + " has no serialised field " + name, nameof(name));
+        var field = SerializedFields.Find(type, name) ?? throw new ArgumentException(type.Name + " has no serialised field " + name, nameof(name));
         format ??= ValueFormats.For(field.FieldType);
         return new Slot(
             name,

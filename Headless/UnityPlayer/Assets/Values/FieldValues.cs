@@ -1,4 +1,3 @@
-using System;
 using System.Linq;
 using System.Reflection;
 using Nowpose.UnityPlayer.Assets.Yaml;
@@ -18,7 +17,7 @@ static class FieldValues
         foreach (var entry in mapping.Children)
         {
             var name = place.Scalar(entry.Key);
-            var field = Find(target.GetType(), name) ?? throw place.Error(target.GetType().Name + " has no serialised field " + name);
+            var field = SerializedFields.Find(target.GetType(), name) ?? throw place.Error(target.GetType().Name + " has no serialised field " + name);
             Read(field, entry.Value, target, references, place);
         }
         (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
@@ -40,13 +39,4 @@ static class FieldValues
     {
         return ValueFormats.For(field.FieldType).Write(field.GetValue(source), references, place.In(field.Name));
     }
-
-    /// <summary>By its name now or a name it had before ([FormerlySerializedAs]); null if there is none.</summary>
-    public static FieldInfo Find(Type type, string name)
-    {
-        var fields = SerializedFields.Of(type);
-        return fields.FirstOrDefault(f => SerializedFields.NameOf(f) == name) ?? fields.FirstOrDefault(f => Had(f, name));
-    }
-
-    static bool Had(FieldInfo field, string name) => field.GetCustomAttributes<FormerlySerializedAsAttribute>().Any(a => a.oldName == name);
 }
