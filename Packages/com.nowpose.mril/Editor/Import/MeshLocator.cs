@@ -77,7 +77,7 @@ namespace Nowpose.Editor
 
         static MeshReference Fault(string name, string fault) => new MeshReference(null, Array.Empty<string>(), "'" + name + "' " + fault);
 
-        // file:///home/… is /home/…, and file:///C:/… is C:/….
+        // file:///a/… is /a/…, and file:///C:/… is C:/….
         static string OfFileUri(string uri)
         {
             var path = uri.Substring("file://".Length);

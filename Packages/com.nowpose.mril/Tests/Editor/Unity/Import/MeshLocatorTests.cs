@@ -21,8 +21,8 @@ namespace Nowpose.Tests
         [TestCase("package://other/a.stl", "Assets/Robots/other/a.stl")]
         [TestCase("package://other/a.stl", "Assets/other/a.stl")]
         [TestCase("package://other/a.stl", "Packages/other/a.stl")]
-        [TestCase("file:///home/me/project/Assets/a.stl", "Assets/a.stl")]
-        [TestCase("/home/me/project/Assets/a.stl", "Assets/a.stl")]
+        [TestCase("file:///projects/project/Assets/a.stl", "Assets/a.stl")]
+        [TestCase("/projects/project/Assets/a.stl", "Assets/a.stl")]
         public void Find_FileThere_IsFound(string name, string path)
         {
             var found = Locator(path).Find(name);
@@ -50,7 +50,7 @@ namespace Nowpose.Tests
         [Test]
         public void Find_UrdfInAPackage_LooksInAssetsToo()
         {
-            var locator = new MeshLocator("Packages/com.me.robots/urdf/arm.urdf", "/home/me/project", path => path == "Assets/arm/a.stl");
+            var locator = new MeshLocator("Packages/com.me.robots/urdf/arm.urdf", "/projects/project", path => path == "Assets/arm/a.stl");
 
             Assert.That(locator.Find("package://arm/a.stl").Path, Is.EqualTo("Assets/arm/a.stl"));
         }
@@ -74,9 +74,9 @@ namespace Nowpose.Tests
 
         [TestCase("../../../../a.stl", "lies outside of the project's Assets and Packages; copy it beside the URDF")]
         [TestCase("../../../../../a.stl", "lies outside of the project's")]
-        [TestCase("/home/me/meshes/a.stl", "lies outside of the project's")]
-        [TestCase("/home/me/project/Library/a.stl", "lies outside of the project's")]
-        [TestCase("/home/me/project/Assets/../../a.stl", "lies outside of the project's")]
+        [TestCase("/projects/meshes/a.stl", "lies outside of the project's")]
+        [TestCase("/projects/project/Library/a.stl", "lies outside of the project's")]
+        [TestCase("/projects/project/Assets/../../a.stl", "lies outside of the project's")]
         [TestCase("D:/meshes/a.stl", "lies outside of the project's")]
         [TestCase("http://example.org/a.stl", "is not a file")]
         [TestCase("package://other", "names no file in a package")]
@@ -85,13 +85,13 @@ namespace Nowpose.Tests
         [TestCase("$(find other)/a.stl", "is not a path; expand the file with xacro first")]
         public void Find_NoPathInTheProject_SaysWhy(string name, string fault)
         {
-            var found = new MeshLocator(Urdf, "/home/me/project", path => true).Find(name);
+            var found = new MeshLocator(Urdf, "/projects/project", path => true).Find(name);
 
             Assert.That(found.Path, Is.Null);
             Assert.That(found.Fault, Does.StartWith("'" + name + "' " + fault));
         }
 
         static MeshLocator Locator(params string[] files) =>
-            new MeshLocator(Urdf, "/home/me/project/", path => files.Contains(path, StringComparer.Ordinal));
+            new MeshLocator(Urdf, "/projects/project/", path => files.Contains(path, StringComparer.Ordinal));
     }
 }
