@@ -44,10 +44,16 @@ static class ApiLines
 
     static string PropertyLine(PropertyInfo property)
     {
-        var accessors = (IsVisible(property.GetMethod) ? "get; " : "") + (IsVisible(property.SetMethod) ? "set; " : "");
+        var accessors = Accessor(property.GetMethod, property.SetMethod, "get; ") + Accessor(property.SetMethod, property.GetMethod, "set; ");
         var index = property.GetIndexParameters();
         var name = index.Length == 0 ? Name(property) : $"{TypeNames.Of(property.DeclaringType)}.this[{Parameters(index)}]";
         return $"{Modifiers(property.GetAccessors(true).First(IsVisible))}{name} {{ {accessors}}} : {TypeNames.Of(property.PropertyType)}";
+    }
+
+    static string Accessor(MethodInfo accessor, MethodInfo other, string name)
+    {
+        if (!IsVisible(accessor)) return "";
+        return (!accessor.IsPublic && other is { IsPublic: true } ? "protected " : "") + name;
     }
 
     static string MethodLine(MethodInfo method)

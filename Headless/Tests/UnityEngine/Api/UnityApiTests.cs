@@ -8,6 +8,7 @@ namespace Nowpose.Headless.Tests.Engine.Api;
 /// members in use, as they were read from Unity's own assemblies; a line is added by copying it from there.
 /// </summary>
 [TestFixture("UnityEngine", "UnityEngine/Api/unity-api-used.txt")]
+[TestFixture("UnityEditor", "UnityEngine/Api/unity-editor-api-used.txt")]
 public sealed class UnityApiTests(string assembly, string list)
 {
     (string Type, string Line)[] _listed = [];

@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+/// <summary>Finds scripted importers by the extension they declare, and runs them as Unity does.</summary>
+static class Importers
+{
+    /// <summary>Null where no loaded assembly has one for it.</summary>
+    internal static Type For(string path)
+    {
+        var extension = Path.GetExtension(path).TrimStart('.');
+        return AppDomain.CurrentDomain.GetAssemblies()
+            .Where(a => a.GetReferencedAssemblies().Any(r => r.Name == typeof(Importers).Assembly.GetName().Name))
+            .SelectMany(a => a.GetTypes())
+            .FirstOrDefault(t => t.GetCustomAttribute<ScriptedImporterAttribute>()?.fileExtensions.Contains(extension) == true);
+    }
+
+    internal static Imported Import(Type type, string path)
+    {
+        var importer = (ScriptedImporter)Activator.CreateInstance(type);
+        importer.assetPath = path;
+        var context = new AssetImportContext(path);
+        Project.InRoot(() =>
+        {
+            importer.OnImportAsset(context);
+            return true;
+        });
+        return new Imported(context);
+    }
+
+    /// <summary>What an importer made: a prefab is in no scene.</summary>
+    internal sealed class Imported
+    {
+        internal Imported(AssetImportContext context)
+        {
+            Context = context;
+            var objects = new List<Object>();
+            context.GetObjects(objects);
+            foreach (var gameObject in objects.OfType<GameObject>())
+            {
+                gameObject.Content?.Remove(gameObject);
+                gameObject.MoveTo(null);
+            }
+            Objects = objects.OrderBy(o => o == context.mainObject ? 0 : 1).ToArray();
+        }
+
+        internal AssetImportContext Context { get; }
+
+        internal Object[] Objects { get; }
+    }
+}

@@ -1,0 +1,107 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+/// <summary>The project whose assets the editor knows: the one that the running code lies in, unless a test opens another.</summary>
+static class Project
+{
+    static readonly Dictionary<string, Object[]> Loaded = new Dictionary<string, Object[]>();
+    static readonly Dictionary<string, string> Paths = new Dictionary<string, string>();
+    static string _root;
+
+    /// <summary>Absolute path of the folder that holds Assets and Packages.</summary>
+    internal static string Root => _root ?? Open(Above(AppContext.BaseDirectory));
+
+    /// <summary>Forgets what was loaded and turns to another project.</summary>
+    /// <param name="root">Null for the one that the running code lies in.</param>
+    internal static string Open(string root)
+    {
+        Loaded.Clear();
+        Paths.Clear();
+        return _root = root ?? Above(AppContext.BaseDirectory);
+    }
+
+    /// <summary>Puts objects there as an importer would that is not stood in for; the first is the main one.</summary>
+    internal static void Put(string path, params Object[] objects) => Loaded[path] = objects;
+
+    /// <summary>The same, for an asset that is asked for by its GUID.</summary>
+    internal static void PutAs(string guid, string path, params Object[] objects)
+    {
+        PathOf(guid);
+        Paths[guid] = path;
+        Put(path, objects);
+    }
+
+    /// <summary>The objects of an asset, the main one first; none where there is no such asset.</summary>
+    internal static IReadOnlyList<Object> Load(string path)
+    {
+        if (string.IsNullOrEmpty(path)) return Array.Empty<Object>();
+        if (Loaded.TryGetValue(path, out var objects) && objects.All(o => o)) return objects;
+
+        return Loaded[path] = File.Exists(FullPath(path)) ? Read(path) : Array.Empty<Object>();
+    }
+
+    /// <summary>GUIDs of the assets of that type, among those that were put or loaded.</summary>
+    internal static IEnumerable<string> OfType(string type) =>
+        Loaded.Where(asset => asset.Value.Length > 0 && asset.Value[0].GetType().Name == type).Select(asset => GuidOf(asset.Key));
+
+    internal static string PathOf(string guid)
+    {
+        if (Paths.Count == 0) FindGuids();
+        return Paths.TryGetValue(guid, out var path) ? path : Loaded.Keys.FirstOrDefault(p => GuidOf(p) == guid);
+    }
+
+    /// <summary>Of the .meta; what a test put has one made of its path.</summary>
+    internal static string GuidOf(string path)
+    {
+        var meta = FullPath(path) + ".meta";
+        if (File.Exists(meta)) return Regex.Match(File.ReadAllText(meta), "^guid: ([0-9a-f]{32})", RegexOptions.Multiline).Groups[1].Value;
+        return Loaded.ContainsKey(path) ? "put:" + path : null;
+    }
+
+    internal static string FullPath(string path) => Path.Combine(Root, path);
+
+    /// <summary>Editor code names files relative to the project, which is the working folder of Unity.</summary>
+    internal static T InRoot<T>(Func<T> action)
+    {
+        var before = Directory.GetCurrentDirectory();
+        Directory.SetCurrentDirectory(Root);
+        try
+        {
+            return action();
+        }
+        finally
+        {
+            Directory.SetCurrentDirectory(before);
+        }
+    }
+
+    static Object[] Read(string path)
+    {
+        var importer = Importers.For(path);
+        return importer == null ? Array.Empty<Object>() : Importers.Import(importer, path).Objects;
+    }
+
+    static void FindGuids()
+    {
+        var folders = new[] { FullPath("Assets"), FullPath("Packages") };
+        foreach (var meta in folders.Where(Directory.Exists).SelectMany(f => Directory.EnumerateFiles(f, "*.meta", SearchOption.AllDirectories)))
+        {
+            var path = meta.Substring(Root.Length + 1, meta.Length - Root.Length - 1 - ".meta".Length).Replace('\\', '/');
+            Paths[GuidOf(path)] = path;
+        }
+    }
+
+    static string Above(string folder)
+    {
+        for (var at = new DirectoryInfo(folder); at != null; at = at.Parent)
+            if (File.Exists(Path.Combine(at.FullName, "Packages", "manifest.json"))) return at.FullName;
+        throw new DirectoryNotFoundException($"{folder} lies in no Unity project");
+    }
+}

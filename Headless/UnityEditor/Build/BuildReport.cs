@@ -1,0 +1,8 @@
+using Object = UnityEngine.Object;
+
+namespace UnityEditor.Build.Reporting;
+
+public sealed class BuildReport : Object
+{
+    BuildReport() { }
+}

@@ -1,0 +1,30 @@
+using UnityEditor.Build;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+public class EditorUserBuildSettings : Object
+{
+    EditorUserBuildSettings() { }
+
+    public static BuildTarget activeBuildTarget { get; private set; } = BuildTarget.StandaloneWindows64;
+    public static string wsaArchitecture { get; set; } = "x64";
+
+    /// <summary>Whether the editor was installed with the UWP module.</summary>
+    internal static bool HasUwp { get; set; } = true;
+
+    public static bool SwitchActiveBuildTarget(NamedBuildTarget namedBuildTarget, BuildTarget target)
+    {
+        if (target == BuildTarget.WSAPlayer && !HasUwp) return false;
+        activeBuildTarget = target;
+        return true;
+    }
+
+    /// <summary>As in a new project.</summary>
+    internal static void Reset()
+    {
+        activeBuildTarget = BuildTarget.StandaloneWindows64;
+        wsaArchitecture = "x64";
+        HasUwp = true;
+    }
+}

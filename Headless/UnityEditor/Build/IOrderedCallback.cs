@@ -1,0 +1,6 @@
+namespace UnityEditor.Build;
+
+public interface IOrderedCallback
+{
+    int callbackOrder { get; }
+}

@@ -1,0 +1,9 @@
+using UnityEditor.Build.Reporting;
+using UnityEditor.UnityLinker;
+
+namespace UnityEditor.Build;
+
+public interface IUnityLinkerProcessor : IOrderedCallback
+{
+    string GenerateAdditionalLinkXmlFile(BuildReport report, UnityLinkerBuildPipelineData data);
+}

@@ -1,0 +1,21 @@
+using System;
+
+namespace UnityEditor.Build;
+
+public readonly struct NamedBuildTarget : IEquatable<NamedBuildTarget>, IComparable<NamedBuildTarget>
+{
+    public static readonly NamedBuildTarget Standalone = new NamedBuildTarget("Standalone");
+    public static readonly NamedBuildTarget WindowsStoreApps = new NamedBuildTarget("Windows Store Apps");
+
+    NamedBuildTarget(string targetName) => TargetName = targetName;
+
+    public string TargetName { get; }
+
+    public static bool operator ==(NamedBuildTarget lhs, NamedBuildTarget rhs) => lhs.Equals(rhs);
+    public static bool operator !=(NamedBuildTarget lhs, NamedBuildTarget rhs) => !lhs.Equals(rhs);
+
+    public bool Equals(NamedBuildTarget other) => TargetName == other.TargetName;
+    public override bool Equals(object obj) => obj is NamedBuildTarget other && Equals(other);
+    public override int GetHashCode() => TargetName == null ? 0 : TargetName.GetHashCode(StringComparison.Ordinal);
+    public int CompareTo(NamedBuildTarget other) => string.CompareOrdinal(TargetName, other.TargetName);
+}

@@ -1,0 +1,90 @@
+using System.Collections.Generic;
+using UnityEditor.Build;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+public sealed class PlayerSettings : Object
+{
+    static readonly Dictionary<string, ScriptingImplementation> Backends = new Dictionary<string, ScriptingImplementation>();
+    static readonly Dictionary<string, ApiCompatibilityLevel> ApiLevels = new Dictionary<string, ApiCompatibilityLevel>();
+
+    PlayerSettings() { }
+
+    public static bool enableFrameTimingStats { get; set; }
+    public static bool runInBackground { get; set; }
+
+    public static ScriptingImplementation GetScriptingBackend(NamedBuildTarget buildTarget) =>
+        Backends.TryGetValue(buildTarget.TargetName, out var backend) ? backend : ScriptingImplementation.Mono2x;
+
+    public static void SetScriptingBackend(NamedBuildTarget buildTarget, ScriptingImplementation backend) => Backends[buildTarget.TargetName] = backend;
+
+    public static ApiCompatibilityLevel GetApiCompatibilityLevel(NamedBuildTarget buildTarget) =>
+        ApiLevels.TryGetValue(buildTarget.TargetName, out var level) ? level : ApiCompatibilityLevel.NET_Unity_4_8;
+
+    public static void SetApiCompatibilityLevel(NamedBuildTarget buildTarget, ApiCompatibilityLevel value) => ApiLevels[buildTarget.TargetName] = value;
+
+    /// <summary>As in a project in which nobody set anything.</summary>
+    internal static void Reset()
+    {
+        Backends.Clear();
+        ApiLevels.Clear();
+        enableFrameTimingStats = runInBackground = false;
+        WSA.Capabilities.Clear();
+    }
+
+    public enum WSACapability
+    {
+        EnterpriseAuthentication = 0,
+        InternetClient = 1,
+        InternetClientServer = 2,
+        MusicLibrary = 3,
+        PicturesLibrary = 4,
+        PrivateNetworkClientServer = 5,
+        RemovableStorage = 6,
+        SharedUserCertificates = 7,
+        VideosLibrary = 8,
+        WebCam = 9,
+        Proximity = 10,
+        Microphone = 11,
+        Location = 12,
+        HumanInterfaceDevice = 13,
+        AllJoyn = 14,
+        BlockedChatMessages = 15,
+        Chat = 16,
+        CodeGeneration = 17,
+        Objects3D = 18,
+        PhoneCall = 19,
+        UserAccountInformation = 20,
+        VoipCall = 21,
+        Bluetooth = 22,
+        SpatialPerception = 23,
+        InputInjectionBrokered = 24,
+        Appointments = 25,
+        BackgroundMediaPlayback = 26,
+        Contacts = 27,
+        LowLevelDevices = 28,
+        OfflineMapsManagement = 29,
+        PhoneCallHistoryPublic = 30,
+        PointOfService = 31,
+        RecordedCallsFolder = 32,
+        RemoteSystem = 33,
+        SystemManagement = 34,
+        UserDataTasks = 35,
+        UserNotificationListener = 36,
+        GazeInput = 37,
+    }
+
+    public sealed class WSA
+    {
+        internal static readonly HashSet<WSACapability> Capabilities = new HashSet<WSACapability>();
+
+        public static bool GetCapability(WSACapability capability) => Capabilities.Contains(capability);
+
+        public static void SetCapability(WSACapability capability, bool value)
+        {
+            if (value) Capabilities.Add(capability);
+            else Capabilities.Remove(capability);
+        }
+    }
+}

@@ -1,0 +1,14 @@
+namespace UnityEditor.UnityLinker;
+
+public sealed class UnityLinkerBuildPipelineData
+{
+    public readonly BuildTarget target;
+
+    public UnityLinkerBuildPipelineData(BuildTarget target, string inputDirectory)
+    {
+        this.target = target;
+        InputDirectory = inputDirectory;
+    }
+
+    internal string InputDirectory { get; }
+}

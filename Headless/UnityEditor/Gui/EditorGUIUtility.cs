@@ -1,0 +1,8 @@
+using UnityEngine;
+
+namespace UnityEditor;
+
+public sealed class EditorGUIUtility : GUIUtility
+{
+    public static float singleLineHeight => 18;
+}

@@ -1,0 +1,19 @@
+using System;
+using System.Linq;
+using System.Reflection;
+
+namespace UnityEditor;
+
+/// <summary>Finds the inspector that is declared for a component.</summary>
+static class EditorTypes
+{
+    /// <summary>The plain inspector where none is declared, or where it cannot show several objects.</summary>
+    internal static Type For(Type inspected, bool several)
+    {
+        var type = AppDomain.CurrentDomain.GetAssemblies()
+            .Where(a => a.GetReferencedAssemblies().Any(r => r.Name == typeof(Editor).Assembly.GetName().Name))
+            .SelectMany(a => a.GetTypes())
+            .FirstOrDefault(t => t.GetCustomAttribute<CustomEditor>()?.InspectedType == inspected);
+        return type == null || several && type.GetCustomAttribute<CanEditMultipleObjects>() == null ? typeof(Editor) : type;
+    }
+}

@@ -1,0 +1,25 @@
+using System.Linq;
+using UnityEngine;
+
+namespace UnityEditor;
+
+public class EditorWindow : ScriptableObject
+{
+    public Vector2 minSize { get; set; }
+
+    /// <summary>Calls of <see cref="Repaint"/>.</summary>
+    internal int Repaints { get; private set; }
+
+    internal string Title { get; private set; }
+
+    public static T GetWindow<T>(string title) where T : EditorWindow
+    {
+        var window = World.Current.Objects.OfType<T>().FirstOrDefault() ?? CreateInstance<T>();
+        window.Title = title;
+        return window;
+    }
+
+    public void Repaint() => Repaints++;
+
+    public void Close() => DestroyImmediate(this);
+}

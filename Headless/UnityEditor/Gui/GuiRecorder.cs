@@ -1,0 +1,46 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace UnityEditor;
+
+/// <summary>What editor code drew, for tests to read, and the click it is to find on a button.</summary>
+static class GuiRecorder
+{
+    /// <summary>Labels, boxes and buttons, in the order they were drawn.</summary>
+    internal static List<string> Texts { get; } = new List<string>();
+
+    /// <summary>Texts of the buttons that could be clicked.</summary>
+    internal static List<string> Buttons { get; } = new List<string>();
+
+    /// <summary>The points of each line.</summary>
+    internal static List<Vector3[]> Lines { get; } = new List<Vector3[]>();
+
+    /// <summary>Names of the serialised fields that were drawn.</summary>
+    internal static List<string> Properties { get; } = new List<string>();
+
+    /// <summary>The text of the button that is clicked when it is drawn next.</summary>
+    internal static string Click { get; set; }
+
+    internal static void Clear()
+    {
+        Texts.Clear();
+        Buttons.Clear();
+        Lines.Clear();
+        Properties.Clear();
+        Click = null;
+    }
+
+    internal static void Text(string text) => Texts.Add(text);
+
+    internal static bool Button(string text)
+    {
+        Texts.Add(text);
+        if (!GUI.enabled) return false;
+
+        Buttons.Add(text);
+        if (Click != text) return false;
+
+        Click = null;
+        return true;
+    }
+}

@@ -1,0 +1,6 @@
+namespace UnityEditor;
+
+/// <summary>Only for the bases of <see cref="Editor"/>.</summary>
+interface IToolModeOwner
+{
+}

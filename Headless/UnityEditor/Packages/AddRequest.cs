@@ -1,0 +1,6 @@
+namespace UnityEditor.PackageManager.Requests;
+
+public sealed class AddRequest : Request<PackageInfo>
+{
+    internal AddRequest() { }
+}

@@ -1,0 +1,6 @@
+namespace UnityEditor.PackageManager.Requests;
+
+public abstract class Request<T> : Request
+{
+    internal Request() { }
+}

@@ -1,0 +1,29 @@
+using System;
+using System.Collections.Generic;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+public class Undo
+{
+    /// <summary>Names of the steps, oldest first.</summary>
+    internal static List<string> Steps { get; } = new List<string>();
+
+    /// <summary>Objects that the steps made.</summary>
+    internal static List<Object> Created { get; } = new List<Object>();
+
+    public static void RecordObject(Object objectToUndo, string name) => Steps.Add(name);
+    public static void RecordObjects(Object[] objectsToUndo, string name) => Steps.Add(name);
+
+    public static void RegisterCreatedObjectUndo(Object objectToUndo, string name)
+    {
+        Steps.Add(name);
+        Created.Add(objectToUndo);
+    }
+
+    internal static void Clear()
+    {
+        Steps.Clear();
+        Created.Clear();
+    }
+}

@@ -1,0 +1,80 @@
+using System;
+using System.Collections;
+using System.Linq;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+public class SerializedProperty : IDisposable
+{
+    readonly Type _type;
+    readonly Func<object, object> _get;
+    readonly Action<object, object> _set;
+
+    internal SerializedProperty(SerializedObject owner, string path, Type type, Func<object, object> get, Action<object, object> set)
+    {
+        serializedObject = owner;
+        propertyPath = path;
+        _type = type;
+        _get = get;
+        _set = set;
+    }
+
+    public SerializedObject serializedObject { get; }
+    public string propertyPath { get; }
+    public bool isArray => typeof(IList).IsAssignableFrom(_type);
+
+    public int arraySize
+    {
+        get => ((IList)Value)?.Count ?? 0;
+        set => Set(Resized((IList)Value, value));
+    }
+
+    public bool hasMultipleDifferentValues => serializedObject.targetObjects.Any(o => !Equals(_get(o), Value));
+
+    public int intValue
+    {
+        get => Convert.ToInt32(Value, System.Globalization.CultureInfo.InvariantCulture);
+        set => Set(_type.IsEnum ? Enum.ToObject(_type, value) : value);
+    }
+
+    public Object objectReferenceValue
+    {
+        get => (Object)Value;
+        set => Set(value);
+    }
+
+    object Value => _get(serializedObject.targetObject);
+
+    public SerializedProperty GetArrayElementAtIndex(int index)
+    {
+        var element = _type.IsArray ? _type.GetElementType() : _type.GetGenericArguments()[0];
+        return new SerializedProperty(
+            serializedObject, $"{propertyPath}.Array.data[{index}]", element,
+            o => ((IList)_get(o))[index], (o, value) => ((IList)_get(o))[index] = value);
+    }
+
+    public void Dispose() { }
+
+    IList Resized(IList list, int size)
+    {
+        var resized = _type.IsArray ? Array.CreateInstance(_type.GetElementType(), size) : (IList)Activator.CreateInstance(_type);
+        var element = _type.IsArray ? null : _type.GetGenericArguments()[0];
+        for (var i = 0; i < size; i++)
+        {
+            var value = i < list.Count ? list[i] : list.Count > 0 ? list[list.Count - 1] : null;
+            if (_type.IsArray) resized[i] = value;
+            else resized.Add(value ?? (element.IsValueType ? Activator.CreateInstance(element) : null));
+        }
+
+        return resized;
+    }
+
+    void Set(object value)
+    {
+        serializedObject.Change(() =>
+        {
+            foreach (var target in serializedObject.targetObjects) _set(target, value);
+        });
+    }
+}
