@@ -1,0 +1,185 @@
+using Nowpose.Editor;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.PackageManager;
+using PackageInfo = UnityEditor.PackageManager.PackageInfo;
+
+namespace Nowpose.Headless.Tests.Editor;
+
+/// <summary>The checks over the settings of the editor's stand-in.</summary>
+public sealed class ProjectChecksTests : EditorFixture
+{
+    UnityProjectSettings _project;
+    ProjectReview _review;
+
+    static IEnumerable<string> SettingChecks => ProjectChecks.ForHoloLens()
+        .Where(c => c is not (PackageCheck or OpenXrLoaderCheck)).Select(c => c.Title);
+
+    [SetUp]
+    public void SetUp()
+    {
+        _project = new UnityProjectSettings();
+        _review = new ProjectReview(ProjectChecks.ForHoloLens(), _project);
+    }
+
+    [TestCaseSource(nameof(SettingChecks))]
+    public void Check_OfASetting_FailsBeforeAndPassesAfterItsFix(string title)
+    {
+        var check = IndexOf(title);
+        Assert.That(_review.Results[check].State, Is.Not.EqualTo(CheckState.Good), "before");
+
+        _review.Fix(check);
+
+        Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Good), _review.Results[check].Found);
+        Assert.That(_review.Advice[check], Is.Null);
+    }
+
+    [TestCaseSource(nameof(SettingChecks))]
+    public void Fix_OfOneSetting_LeavesTheOthers(string title)
+    {
+        var before = _review.Results.ToArray();
+
+        _review.Fix(IndexOf(title));
+
+        var changed = Enumerable.Range(0, before.Length).Where(i => before[i].State != _review.Results[i].State);
+        Assert.That(changed, Is.EqualTo(new[] { IndexOf(title) }));
+    }
+
+    [Test]
+    public void Look_AtEverything_ChangesNothing()
+    {
+        for (var i = 0; i < 3; i++) _review.LookAgain();
+
+        Assert.That(_review.MissingCount, Is.EqualTo(11));
+        Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
+        Assert.That(EditorUserBuildSettings.wsaArchitecture, Is.EqualTo("x64"));
+        Assert.That(PlayerSettings.runInBackground | PlayerSettings.enableFrameTimingStats, Is.False);
+        Assert.That(Client.Asked, Is.Empty);
+        Assert.That(EditorApplication.MenuItems, Is.Empty);
+    }
+
+    [Test]
+    public void Checks_NameTheCapabilitiesThatAHoloLensProjectNeeds()
+    {
+        var capabilities = ProjectChecks.ForHoloLens().OfType<CapabilityCheck>().Select(c => c.Title);
+
+        Assert.That(capabilities, Is.EqualTo(new[]
+        {
+            "Capability InternetClient", "Capability PrivateNetworkClientServer", "Capability WebCam", "Capability SpatialPerception",
+        }));
+    }
+
+    [Test]
+    public void BuildTarget_EditorWithoutUwp_SaysWhatToInstall()
+    {
+        EditorUserBuildSettings.HasUwp = false;
+        var check = IndexOf("Build target is the Universal Windows Platform");
+
+        _review.Fix(check);
+
+        Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Missing));
+        Assert.That(_review.Advice[check], Does.Contain("Universal Windows Platform Build Support"));
+    }
+
+    [Test]
+    public void Package_OfUnity_IsAskedForByNameAndFoundOnceItIsThere()
+    {
+        var check = IndexOf("OpenXR");
+        Assert.That(_review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr is not installed"));
+
+        _review.Fix(check);
+        Assert.That(Client.Asked, Is.EqualTo(new[] { "com.unity.xr.openxr" }));
+        Assert.That(_project.Activity, Is.EqualTo("adding com.unity.xr.openxr …"));
+
+        Client.Newest.Succeed();
+        PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.openxr", "1.13.0"));
+        _review.LookAgain();
+
+        Assert.That(_project.Activity, Is.Null);
+        Assert.That(_review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr 1.13.0"));
+        Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Good));
+    }
+
+    [Test]
+    public void Package_ThatCannotBeAdded_SaysWhy()
+    {
+        _review.Fix(IndexOf("NativeWebSocket (optional)"));
+        Client.Newest.Fail("no git");
+
+        Assert.That(_project.Trouble, Is.EqualTo("com.endel.nativewebsocket could not be added: no git"));
+        Assert.That(_project.Activity, Is.Null);
+    }
+
+    [Test]
+    public void Package_OfMicrosoft_GoesIntoTheManifestWithItsRegistry()
+    {
+        using var folder = new ProjectFolder();
+        folder.Write("Packages/manifest.json", "{ \"dependencies\": {} }");
+        Project.Open(folder.Root);
+
+        Project.InRoot(() =>
+        {
+            _review.Fix(IndexOf("Mixed Reality OpenXR"));
+            return true;
+        });
+
+        Assert.That(folder.Read("Packages/manifest.json"), Does.Contain("\"com.microsoft.mixedreality.openxr\": \"1.11.2\""));
+        Assert.That(folder.Read("Packages/manifest.json"), Does.Contain("pkgs.dev.azure.com"));
+        Assert.That(Client.Resolved, Is.EqualTo(1));
+        Assert.That(_project.Trouble, Is.Null);
+    }
+
+    [TestCase(null, "com.microsoft.mixedreality.openxr could not be added: Could not find file")]
+    [TestCase("nothing", "com.microsoft.mixedreality.openxr could not be added: Packages/manifest.json:0: not a JSON object")]
+    public void Package_ManifestUnusable_SaysWhyAndChangesNothing(string manifest, string trouble)
+    {
+        using var folder = new ProjectFolder();
+        folder.Write("Packages/other.txt", "");
+        if (manifest != null) folder.Write("Packages/manifest.json", manifest);
+        Project.Open(folder.Root);
+
+        Project.InRoot(() =>
+        {
+            _review.Fix(IndexOf("Mixed Reality OpenXR"));
+            return true;
+        });
+
+        Assert.That(_project.Trouble, Does.StartWith(trouble));
+        Assert.That(Client.Resolved, Is.Zero);
+        if (manifest != null) Assert.That(folder.Read("Packages/manifest.json"), Is.EqualTo(manifest));
+    }
+
+    [Test]
+    public void Package_ThatIsAPlugIn_IsGood()
+    {
+        var check = IndexOf("MathNet.Numerics");
+        Assert.That(typeof(MathNet.Numerics.Constants).Assembly.GetName().Name, Is.EqualTo("MathNet.Numerics"), "loaded");
+
+        _review.LookAgain();
+
+        Assert.That(_review.Results[check].Found, Is.EqualTo("MathNet.Numerics, as a plug-in"));
+    }
+
+    [Test]
+    public void Package_Optional_IsAdvisedOnly()
+    {
+        var check = IndexOf("MRTK3 (optional)");
+
+        Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Advice));
+        Assert.That(_review.Checks[check].FixLabel, Is.Null);
+        Assert.That(_review.Results[check].Found, Does.Contain("Mixed Reality Feature Tool"));
+    }
+
+    [Test]
+    public void OpenXrLoader_Fix_OpensTheSettingsAndSaysWhereToTick()
+    {
+        var check = IndexOf("OpenXR starts in the UWP player");
+
+        _review.Fix(check);
+
+        Assert.That(EditorApplication.MenuItems, Is.EqualTo(new[] { "Edit/Project Settings..." }));
+        Assert.That(_review.Advice[check], Does.Contain("Universal Windows Platform: tick OpenXR"));
+    }
+
+    int IndexOf(string title) => _review.Checks.Select(c => c.Title).ToList().IndexOf(title);
+}

@@ -1,0 +1,89 @@
+using System.Reflection;
+using Nowpose.Editor;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.PackageManager;
+using UnityEngine;
+
+namespace Nowpose.Headless.Tests.Editor;
+
+public sealed class SetupWindowTests : EditorFixture
+{
+    SetupWindow _window;
+
+    [SetUp]
+    public void SetUp() => _window = Keep(ScriptableObject.CreateInstance<SetupWindow>());
+
+    [Test]
+    public void Draw_NewProject_SaysWhatIsMissingAndChangesNothing()
+    {
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts[0], Is.EqualTo("11 points are missing for a HoloLens."));
+        Assert.That(GuiRecorder.Texts, Does.Contain("✗ Scripting backend is IL2CPP"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("missing: another backend is chosen"));
+        Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
+        Assert.That(Client.Asked, Is.Empty);
+    }
+
+    [Test]
+    public void Click_OnAFix_DoesThatOnly()
+    {
+        GuiRecorder.Click = "Declare WebCam";
+        Send("OnGUI");
+        GuiRecorder.Clear();
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts[0], Is.EqualTo("10 points are missing for a HoloLens."));
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Capability WebCam"));
+        Assert.That(GuiRecorder.Buttons, Does.Not.Contain("Declare WebCam"));
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam));
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.InternetClient), Is.False);
+    }
+
+    [Test]
+    public void Focus_AfterAChangeElsewhere_ShowsIt()
+    {
+        PlayerSettings.enableFrameTimingStats = true;
+
+        Send("OnFocus");
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Frame Timing Stats are on"));
+    }
+
+    [Test]
+    public void Update_WhileAPackageIsAdded_ShowsItAndThenWhatCameOfIt()
+    {
+        GuiRecorder.Click = "Add com.unity.xr.openxr";
+        Send("OnGUI");
+        GuiRecorder.Clear();
+        Send("Update");
+        Send("OnGUI");
+        Assert.That(GuiRecorder.Texts, Does.Contain("adding com.unity.xr.openxr …"));
+
+        Client.Newest.Fail("offline");
+        GuiRecorder.Clear();
+        Send("Update");
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("com.unity.xr.openxr could not be added: offline"));
+        Assert.That(_window.Repaints, Is.EqualTo(2));
+        Send("Update");
+        Assert.That(_window.Repaints, Is.EqualTo(2), "repainted for nothing");
+    }
+
+    [Test]
+    public void Menu_Opens_TheWindow()
+    {
+        var open = typeof(SetupWindow).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+            .Single(m => m.GetCustomAttribute<MenuItem>()?.menuItem == "Window/Nowpose/Project Setup");
+
+        open.Invoke(null, null);
+
+        Assert.That(_window.Title, Is.EqualTo("Nowpose Setup"));
+    }
+
+    void Send(string message) =>
+        typeof(SetupWindow).GetMethod(message, BindingFlags.Instance | BindingFlags.NonPublic).Invoke(_window, null);
+}

@@ -1,0 +1,48 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Nowpose.Editor
+{
+    /// <summary>The checks with what they found last. Changes a project only where <see cref="Fix"/> is called.</summary>
+    sealed class ProjectReview
+    {
+        readonly IReadOnlyList<ProjectCheck> _checks;
+        readonly IProjectSettings _project;
+        readonly CheckResult[] _results;
+        readonly string[] _advice;
+
+        public ProjectReview(IReadOnlyList<ProjectCheck> checks, IProjectSettings project)
+        {
+            _checks = checks;
+            _project = project;
+            _results = new CheckResult[checks.Count];
+            _advice = new string[checks.Count];
+            LookAgain();
+        }
+
+        public IReadOnlyList<ProjectCheck> Checks => _checks;
+
+        /// <summary>One per check.</summary>
+        public IReadOnlyList<CheckResult> Results => _results;
+
+        /// <summary>One per check: what its last fix left to the user, or null.</summary>
+        public IReadOnlyList<string> Advice => _advice;
+
+        public int MissingCount => _results.Count(r => r.State == CheckState.Missing);
+
+        public void LookAgain()
+        {
+            for (var i = 0; i < _checks.Count; i++)
+            {
+                _results[i] = _checks[i].Look(_project);
+                if (_results[i].State == CheckState.Good) _advice[i] = null;
+            }
+        }
+
+        public void Fix(int check)
+        {
+            _advice[check] = _checks[check].Fix(_project);
+            LookAgain();
+        }
+    }
+}

@@ -1,0 +1,87 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Lists what a HoloLens project needs, says what is missing and why it matters, and does it at a click.</summary>
+    public sealed class SetupWindow : EditorWindow
+    {
+        const float ButtonWidth = 260;
+
+        static readonly string[] Signs = { "✓ ", "○ ", "✗ ", "? " };
+        static readonly string[] Words = { "", "advised: ", "missing: ", "not known: " };
+
+        IProjectSettings _project;
+        ProjectReview _review;
+        Vector2 _scroll;
+        bool _wasBusy;
+
+        [MenuItem("Window/Nowpose/Project Setup")]
+        static void Open() => GetWindow<SetupWindow>("Nowpose Setup").minSize = new Vector2(520, 300);
+
+        internal void Show(IProjectSettings project)
+        {
+            _project = project;
+            _review = new ProjectReview(ProjectChecks.ForHoloLens(), project);
+        }
+
+        void OnEnable() => Show(new UnityProjectSettings());
+
+        void OnFocus() => _review?.LookAgain();
+
+        void OnProjectChange()
+        {
+            _review?.LookAgain();
+            Repaint();
+        }
+
+        void Update()
+        {
+            var isBusy = _project.Activity != null;
+            if (!isBusy && !_wasBusy) return;
+            _wasBusy = isBusy;
+            _review.LookAgain();
+            Repaint();
+        }
+
+        void OnGUI()
+        {
+            EditorGUILayout.LabelField(Summary(_review.MissingCount), EditorStyles.boldLabel);
+            if (_project.Activity != null) EditorGUILayout.HelpBox(_project.Activity, MessageType.Info);
+            if (_project.Trouble != null) EditorGUILayout.HelpBox(_project.Trouble, MessageType.Error);
+            var clicked = -1;
+            using (var scroll = new EditorGUILayout.ScrollViewScope(_scroll))
+            {
+                _scroll = scroll.scrollPosition;
+                for (var i = 0; i < _review.Checks.Count; i++)
+                    if (Draw(i)) clicked = i;
+            }
+            var again = GUILayout.Button("Check again");
+
+            // Only now: what is drawn must stay the same within one event.
+            if (clicked >= 0) _review.Fix(clicked);
+            else if (again) _review.LookAgain();
+        }
+
+        static string Summary(int missing) => missing == 0
+            ? "Nothing is missing for a HoloLens."
+            : missing + (missing == 1 ? " point is missing for a HoloLens." : " points are missing for a HoloLens.");
+
+        bool Draw(int index)
+        {
+            var check = _review.Checks[index];
+            var result = _review.Results[index];
+            var clicked = false;
+            using (new EditorGUILayout.VerticalScope(EditorStyles.helpBox))
+            {
+                EditorGUILayout.LabelField(Signs[(int)result.State] + check.Title, EditorStyles.boldLabel);
+                EditorGUILayout.LabelField(Words[(int)result.State] + result.Found, EditorStyles.wordWrappedLabel);
+                EditorGUILayout.LabelField(check.Why, EditorStyles.wordWrappedMiniLabel);
+                if (result.State != CheckState.Good && check.FixLabel != null)
+                    clicked = GUILayout.Button(check.FixLabel, GUILayout.Width(ButtonWidth));
+                if (_review.Advice[index] != null) EditorGUILayout.HelpBox(_review.Advice[index], MessageType.Info);
+            }
+            return clicked;
+        }
+    }
+}

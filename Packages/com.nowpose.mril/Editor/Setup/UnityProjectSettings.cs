@@ -1,0 +1,100 @@
+using System;
+using System.IO;
+using System.Linq;
+using UnityEditor;
+using UnityEditor.Build;
+using UnityEditor.PackageManager;
+using UnityEditor.PackageManager.Requests;
+// UnityEditor has another of that name.
+using PackageInfo = UnityEditor.PackageManager.PackageInfo;
+
+namespace Nowpose.Editor
+{
+    /// <summary>The project that is open in the editor.</summary>
+    sealed class UnityProjectSettings : IProjectSettings
+    {
+        const string Manifest = "Packages/manifest.json";
+
+        static readonly NamedBuildTarget Uwp = NamedBuildTarget.WindowsStoreApps;
+
+        PackageOrigin _package;
+        Request _adding;
+        string _trouble;
+
+        public string Activity => _adding == null || _adding.IsCompleted ? null : "adding " + _package.Name + " …";
+
+        public string Trouble => _adding != null && _adding.Status == StatusCode.Failure
+            ? _package.Name + " could not be added: " + _adding.Error.message
+            : _trouble;
+
+        public BuildTarget BuildTarget => EditorUserBuildSettings.activeBuildTarget;
+
+        public bool UsesIl2Cpp
+        {
+            get => PlayerSettings.GetScriptingBackend(Uwp) == ScriptingImplementation.IL2CPP;
+            set => PlayerSettings.SetScriptingBackend(Uwp, value ? ScriptingImplementation.IL2CPP : ScriptingImplementation.Mono2x);
+        }
+
+        public string Architecture
+        {
+            get => EditorUserBuildSettings.wsaArchitecture;
+            set => EditorUserBuildSettings.wsaArchitecture = value;
+        }
+
+        public bool UsesNetStandard
+        {
+            get => PlayerSettings.GetApiCompatibilityLevel(Uwp) == ApiCompatibilityLevel.NET_Standard;
+            set => PlayerSettings.SetApiCompatibilityLevel(Uwp, value ? ApiCompatibilityLevel.NET_Standard : ApiCompatibilityLevel.NET_Unity_4_8);
+        }
+
+        public bool FrameTimingStats
+        {
+            get => PlayerSettings.enableFrameTimingStats;
+            set => PlayerSettings.enableFrameTimingStats = value;
+        }
+
+        public bool RunsInBackground
+        {
+            get => PlayerSettings.runInBackground;
+            set => PlayerSettings.runInBackground = value;
+        }
+
+        public bool? UsesOpenXr => XrPlugIns.UseOpenXr(BuildTargetGroup.WSA);
+
+        public bool SwitchTo(BuildTarget target) => EditorUserBuildSettings.SwitchActiveBuildTarget(Uwp, target);
+
+        public bool IsAllowed(PlayerSettings.WSACapability capability) => PlayerSettings.WSA.GetCapability(capability);
+
+        public void Allow(PlayerSettings.WSACapability capability) => PlayerSettings.WSA.SetCapability(capability, true);
+
+        public string VersionOf(string package) =>
+            PackageInfo.GetAllRegisteredPackages().FirstOrDefault(known => known.name == package)?.version;
+
+        public bool HasAssembly(string name) => AppDomain.CurrentDomain.GetAssemblies().Any(a => a.GetName().Name == name);
+
+        public void Add(PackageOrigin package)
+        {
+            _trouble = null;
+            _adding = null;
+            _package = package;
+            if (package.Identifier != null) _adding = Client.Add(package.Identifier);
+            else AddToManifest(package);
+        }
+
+        public void OpenProjectSettings() => EditorApplication.ExecuteMenuItem("Edit/Project Settings...");
+
+        // The Package Manager adds no registry by API; it reads the manifest again when told to resolve.
+        void AddToManifest(PackageOrigin package)
+        {
+            try
+            {
+                File.WriteAllText(Manifest, ManifestEdit.Add(File.ReadAllText(Manifest), package));
+                Client.Resolve();
+            }
+            catch (Exception e) when (e is InputException || e is IOException || e is UnauthorizedAccessException)
+            {
+                _trouble = package.Name + " could not be added: " + e.Message;
+            }
+        }
+    }
+}
