@@ -3,11 +3,8 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Builds a robot of primitives from its description, for a robot that nobody has made a prefab of.</summary>
-    /// <remarks>
-    /// Meshes that a URDF names lie in files that a headset does not have: a link shown by meshes only is drawn as bars to
-    /// the joints below it. Colours come from the material alone, for on an additive display a dark one is invisible.
-    /// </remarks>
+    /// <summary>Builds a robot from its description: objects named and nested as its links, and what shows them.</summary>
+    /// <remarks>A link that is shown by meshes only, none of which can be had, is drawn as bars to the joints below it.</remarks>
     static class RigBuilder
     {
         /// <summary>Name of the objects that show a link.</summary>
@@ -17,9 +14,7 @@ namespace Nowpose.Unity
 
         /// <returns>The root link's object; the links are named and nested as in the URDF, at joint position 0.</returns>
         /// <param name="parent">Stands for the robot's base frame.</param>
-        /// <param name="arm">Material of the links up to the flange.</param>
-        /// <param name="tool">Material of the links that the flange carries.</param>
-        public static GameObject Build(RobotModel model, Transform parent, Material arm, Material tool)
+        public static GameObject Build(RobotModel model, Transform parent, IRigLook look)
         {
             var links = new Transform[model.Links.Count];
             var isTool = new bool[links.Length];
@@ -29,25 +24,36 @@ namespace Nowpose.Unity
                 links[i] = NewChild(link.Name, i == 0 ? parent : links[link.ParentIndex]);
                 if (i > 0) links[i].Place(link.ParentJoint.Origin);
                 isTool[i] = i > 0 && (isTool[link.ParentIndex] || model.Links[link.ParentIndex] == model.FlangeLink);
-                Show(link, model, links[i], isTool[i] ? tool : arm);
+                Show(link, model, links[i], look, isTool[i]);
             }
             return links[0].gameObject;
         }
 
-        static void Show(RobotLink link, RobotModel model, Transform parent, Material material)
+        static void Show(RobotLink link, RobotModel model, Transform parent, IRigLook look, bool isTool)
         {
             var isShown = false;
             foreach (var visual in link.Visuals)
             {
-                if (visual.Shape == VisualShape.Mesh) continue;
+                var shown = NewVisual(visual, parent, look, isTool);
+                if (shown == null) continue;
                 isShown = true;
-                var shape = NewShape(visual.Shape, parent, material);
-                shape.Place(visual.Origin);
-                shape.localScale = SizeOf(visual);
+                shown.Place(visual.Origin);
+                shown.localScale = SizeOf(visual);
             }
             if (isShown || link.Visuals.Count == 0) return;
             foreach (var joint in model.Joints)
-                if (joint.ParentLink == link.Name) ShowBar(UnityFrame.ToUnity(joint.Origin).Position(), parent, material);
+                if (joint.ParentLink == link.Name)
+                    ShowBar(UnityFrame.ToUnity(joint.Origin).Position(), parent, look.MaterialOf(null, isTool));
+        }
+
+        static Transform NewVisual(LinkVisual visual, Transform parent, IRigLook look, bool isTool)
+        {
+            if (visual.Shape != VisualShape.Mesh) return NewShape(visual.Shape, parent, look.MaterialOf(visual.Colour, isTool));
+            var mesh = look.MeshOf(visual, isTool);
+            if (mesh == null) return null;
+            mesh.name = Visual;
+            mesh.transform.SetParent(parent, worldPositionStays: false);
+            return mesh.transform;
         }
 
         // The cylinder's own axis is Unity's y, which is the URDF's z.
@@ -74,7 +80,7 @@ namespace Nowpose.Unity
             return child;
         }
 
-        // Sizes are whole extents; the engine's cylinder is 2 m high, its other shapes measure 1 m.
+        // Sizes are whole extents, of a mesh its scale; the engine's cylinder is 2 m high, its other shapes measure 1 m.
         static Vector3 SizeOf(LinkVisual visual)
         {
             var (x, y, z) = visual.Size;

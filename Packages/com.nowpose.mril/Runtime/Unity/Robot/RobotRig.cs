@@ -135,7 +135,7 @@ namespace Nowpose.Unity
 
         RigHierarchy Built(RobotModel model)
         {
-            _built = RigBuilder.Build(model, transform, _armMaterial, _toolMaterial);
+            _built = RigBuilder.Build(model, transform, new PlainLook(_armMaterial, _toolMaterial));
             return RigHierarchy.Find(model, transform);
         }
 
