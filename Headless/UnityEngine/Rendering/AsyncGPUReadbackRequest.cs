@@ -3,13 +3,25 @@ namespace UnityEngine.Rendering;
 public struct AsyncGPUReadbackRequest
 {
     readonly Readback _readback;
+    readonly int _number;
 
-    internal AsyncGPUReadbackRequest(Readback readback) => _readback = readback;
+    internal AsyncGPUReadbackRequest(Readback readback)
+    {
+        _readback = readback;
+        _number = readback.Number;
+    }
 
-    public readonly bool done => _readback?.Done ?? true;
-    public readonly bool hasError => _readback?.Failed ?? true;
+    public readonly bool done => IsPast || _readback.Done;
+
+    /// <summary>Also when it was done so long ago that what was read is gone.</summary>
+    public readonly bool hasError => IsPast || _readback.Failed;
+
+    readonly bool IsPast => _readback == null || _readback.Number != _number;
 
     public readonly void Update() { }
 
-    public readonly void WaitForCompletion() => _readback?.Finish();
+    public readonly void WaitForCompletion()
+    {
+        if (!IsPast) _readback.Finish();
+    }
 }

@@ -7,6 +7,7 @@ namespace UnityEngine.Rendering;
 sealed class Gpu
 {
     readonly List<Readback> _readbacks = new();
+    readonly Stack<Readback> _done = new();
 
     /// <summary>Null where no headset's display runs.</summary>
     internal XRDisplaySubsystem Display { get; private set; }
@@ -35,9 +36,10 @@ sealed class Gpu
 
     internal Readback Request(System.Action<AsyncGPUReadbackRequest> callback)
     {
-        var made = new Readback(callback, ReadbackFrames, failed: ReadbackFrames < 0 || ReadbacksFail);
-        _readbacks.Add(made);
-        return made;
+        var readback = _done.Count > 0 ? _done.Pop() : new Readback();
+        readback.Begin(callback, ReadbackFrames, failed: ReadbackFrames < 0 || ReadbacksFail);
+        _readbacks.Add(readback);
+        return readback;
     }
 
     /// <summary>At the end of a frame.</summary>
@@ -47,7 +49,10 @@ sealed class Gpu
         for (var i = 0; i < count; i++) _readbacks[i].Advance();
         for (var i = _readbacks.Count - 1; i >= 0; i--)
         {
-            if (_readbacks[i].Done) _readbacks.RemoveAt(i);
+            if (!_readbacks[i].Done) continue;
+
+            _done.Push(_readbacks[i]);
+            _readbacks.RemoveAt(i);
         }
     }
 

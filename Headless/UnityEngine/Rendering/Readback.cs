@@ -2,21 +2,26 @@ using System;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>One request to the graphics processor.</summary>
+/// <summary>One request to the graphics processor; used again for another when it is done, for requests leave no garbage in the engine.</summary>
 sealed class Readback
 {
-    readonly Action<AsyncGPUReadbackRequest> _callback;
+    Action<AsyncGPUReadbackRequest> _callback;
     int _framesLeft;
 
-    internal Readback(Action<AsyncGPUReadbackRequest> callback, int frames, bool failed)
+    /// <summary>Which request it stands for.</summary>
+    internal int Number { get; private set; }
+
+    internal bool Failed { get; private set; }
+    internal bool Done { get; private set; }
+
+    internal void Begin(Action<AsyncGPUReadbackRequest> callback, int frames, bool failed)
     {
         _callback = callback;
         _framesLeft = frames;
+        Number++;
         Failed = failed;
+        Done = false;
     }
-
-    internal bool Failed { get; }
-    internal bool Done { get; private set; }
 
     internal void Advance()
     {
