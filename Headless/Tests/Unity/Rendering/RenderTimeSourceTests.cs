@@ -1,0 +1,262 @@
+using Nowpose.Latency;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Nowpose.Headless.Tests.Unity.Rendering;
+
+public class RenderTimeSourceTests
+{
+    const double FrameMs = 1000 / 60.0;
+
+    PlayedSession _played;
+    RenderTimeSource _source;
+
+    Gpu Gpu => _played.Player.World.Gpu;
+
+    [SetUp]
+    public void Begin()
+    {
+        _played = new PlayedSession(new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime));
+        _source = _played.Cell.AddComponent<RenderTimeSource>();
+        new GameObject("Camera").AddComponent<Camera>();
+    }
+
+    [TearDown]
+    public void End() => _played.Dispose();
+
+    void DisplayTakes(float? seconds)
+    {
+        Gpu.ConnectDisplay();
+        Gpu.DisplayGpuTime = seconds;
+    }
+
+    void EngineTakes(double ms)
+    {
+        Gpu.FrameTimings.Clear();
+        Gpu.FrameTimings.Add(new FrameTiming { gpuFrameTime = ms });
+    }
+
+    IEnumerable<string> Said() => _played.Player.Logs.Select(l => l.Message).Where(m => m.StartsWith("[Nowpose] render time: ")).Select(m => m[23..]);
+
+    [Test]
+    public void LateUpdate_AllSourcesThere_TakesTheHeadsetsGpuTime()
+    {
+        DisplayTakes(0.009f);
+        EngineTakes(11);
+        Gpu.ReadbackFrames = 1;
+
+        _played.Start().Run(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuTime));
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
+        Assert.That(_played.Session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
+        Assert.That(_played.Session.Statistics.Range, Is.EqualTo(RangeState.Inside));
+        Assert.That(Said(), Is.EqualTo(new[] { "GPU time" }), "once");
+        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "nobody needs them");
+    }
+
+    [TestCase(null)]
+    [TestCase(0f)]
+    [TestCase(float.NaN)]
+    [TestCase(12f)]
+    public void LateUpdate_HeadsetTellsNothingUseful_TakesTheEnginesGpuTime(float? seconds)
+    {
+        DisplayTakes(seconds);
+        EngineTakes(11);
+
+        _played.Start().Run(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuTime));
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(11).Within(1e-3));
+    }
+
+    [TestCase(1)]
+    [TestCase(3)]
+    public void LateUpdate_NoGpuTimes_MeasuresFromTriggerToCompletion(int framesUntilDone)
+    {
+        EngineTakes(0);
+        Gpu.ReadbackFrames = framesUntilDone;
+
+        _played.Start().Run(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+        Assert.That(_played.Session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * framesUntilDone).Within(0.01));
+        Assert.That(_played.Session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource), "the limit was found with the GPU's time");
+        Assert.That(Said(), Is.EqualTo(new[] { "trigger to GPU done" }));
+    }
+
+    [Test]
+    public void LateUpdate_SlowGpu_HasFewReadbacksInFlight()
+    {
+        Gpu.ReadbackFrames = 20;
+
+        _played.Start().Run(4);
+
+        Assert.That(Gpu.PendingReadbacks, Is.LessThanOrEqualTo(4));
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+        Assert.That(_played.Session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * 20).Within(0.01));
+    }
+
+    [TestCase(-1, false)]
+    [TestCase(1, true)]
+    public void LateUpdate_NoReadbacksEither_TakesTheProcessorsTimeAndSaysUnverified(int readbackFrames, bool fail)
+    {
+        Gpu.ReadbackFrames = readbackFrames;
+        Gpu.ReadbacksFail = fail;
+        _played.Clock.Step = TimeSpan.FromMilliseconds(2);
+
+        _played.Start().Run(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.CameraCpu));
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "from before the camera to after it");
+        Assert.That(Said(), Is.EqualTo(new[] { "camera CPU, unverified" }));
+    }
+
+    [Test]
+    public void LateUpdate_SeveralCameras_AreTakenTogether()
+    {
+        _played.Clock.Step = TimeSpan.FromMilliseconds(1);
+        new GameObject("second").AddComponent<Camera>();
+        new GameObject("third").AddComponent<Camera>();
+
+        _played.Start().Run(2);
+
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(5).Within(1e-3));
+    }
+
+    [Test]
+    public void LateUpdate_NothingMeasures_IsNone()
+    {
+        _played.Start().Run(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None), "the clock stands still while the camera renders");
+        Assert.That(_source.RenderTime, Is.Null);
+        Assert.That(Said(), Is.Empty);
+    }
+
+    [Test]
+    public void LateUpdate_GpuTimesFallSilent_TheNextBestTakesOverAndItIsSaidOnce()
+    {
+        DisplayTakes(0.02f);
+        Gpu.ReadbackFrames = 1;
+        _played.Clock.Step = TimeSpan.FromMilliseconds(1);
+        _played.Start().Run(10);
+        var before = _played.Session.Statistics.Range;
+
+        Gpu.DisplayGpuTime = null;
+        _played.Run(0.4);
+        var soon = _source.Source;
+        _played.Run(2);
+
+        Assert.That(before, Is.EqualTo(RangeState.Outside));
+        Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.GpuTime), "a few silent frames are none of its end");
+        Assert.That(_played.Session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
+        Assert.That(Said().First(), Is.EqualTo("GPU time"));
+        Assert.That(Said().Last(), Is.EqualTo("trigger to GPU done"));
+        Assert.That(Said(), Has.None.Contains("CPU"), "a better one was on its way");
+        Assert.That(Said().Count(), Is.LessThanOrEqualTo(3));
+    }
+
+    [Test]
+    public void LateUpdate_LoadBeyondTheLimit_PoseIsNotCurrent()
+    {
+        DisplayTakes(0.01f);
+        _played.Start().Run(10);
+        var before = _played.Session.Frame.State;
+
+        DisplayTakes(0.02f);
+        _played.Run(0.2);
+
+        Assert.That(before, Is.EqualTo(Nowpose.Session.PoseState.Current));
+        Assert.That(_played.Session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.OutsideRange));
+    }
+
+    [Test]
+    public void OnDisable_WhileMeasuring_TellsTheSessionThatNothingMeasures()
+    {
+        DisplayTakes(0.02f);
+        _played.Start().Run(2);
+        var before = _played.Session.Statistics.Range;
+
+        _source.enabled = false;
+        _played.Run(0.1);
+
+        Assert.That(before, Is.EqualTo(RangeState.Outside));
+        Assert.That(_played.Session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
+        Assert.That(_played.Session.Statistics.RenderTime, Is.Null);
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None));
+    }
+
+    [Test]
+    public void OnEnable_Again_MeasuresAgain()
+    {
+        Gpu.ReadbackFrames = 2;
+        _played.Start().Run(2);
+
+        for (var i = 0; i < 5; i++)
+        {
+            _source.enabled = false;
+            _played.Step();
+            _source.enabled = true;
+            _played.Step();
+        }
+        _played.Run(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+        Assert.That(_played.Session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * 2).Within(0.01));
+    }
+
+    [Test]
+    public void OnDestroy_AtAnyFrame_LeavesNothingBehind([Values] bool byObject, [Values(0, 1, 7, 45)] int frames)
+    {
+        Gpu.ReadbackFrames = 3;
+        _played.Clock.Step = TimeSpan.FromMilliseconds(1);
+        var objects = _played.Player.ObjectCount;
+        var other = new GameObject("Other");
+        other.AddComponent<RenderTimeSource>();
+        for (var i = 0; i < frames; i++) _played.Step();
+
+        UnityEngine.Object.Destroy(byObject ? other : other.GetComponent<RenderTimeSource>());
+        _played.Run(0.2);
+        if (!byObject) UnityEngine.Object.Destroy(other);
+        _played.Run(0.2);
+
+        Assert.That(_played.Player.SubscriberCount, Is.EqualTo(0));
+        Assert.That(_played.Player.ObjectCount, Is.EqualTo(objects));
+        Assert.That(_played.Player.Logs.Where(l => l.Exception != null), Is.Empty);
+    }
+
+    [Test]
+    public void LateUpdate_Warm_AllocatesNothing()
+    {
+        Gpu.ReadbackFrames = 2;
+        _played.Clock.Step = TimeSpan.FromMilliseconds(1);
+        _played.IsSampling = false;
+        _played.IsSynchronising = false;
+        _played.Session.enabled = false;
+        _played.Start().Run(3);
+
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        _played.Run(5);
+
+        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.EqualTo(0), "nothing of the stand-in either");
+    }
+
+    [Test]
+    public void Tell_SessionBeginsAnewAfterAPause_HearsOfRenderTimesAgain()
+    {
+        DisplayTakes(0.02f);
+        _played.Start().Run(2);
+
+        _played.Player.Pause(true);
+        _played.Run(0.1);
+        var whilePaused = _played.Session.Session;
+        _played.Player.Pause(false);
+        _played.Run(0.5);
+
+        Assert.That(whilePaused, Is.Null);
+        Assert.That(_played.Session.Statistics.Range, Is.EqualTo(RangeState.Outside));
+    }
+}

@@ -1,0 +1,19 @@
+using Nowpose.Latency;
+
+namespace Nowpose.Unity
+{
+    /// <summary>What the wearer and the console are told of where render times come from.</summary>
+    static class RenderTimeWords
+    {
+        public static string NameOf(RenderTimeSourceKind source)
+        {
+            switch (source)
+            {
+                case RenderTimeSourceKind.GpuTime: return "GPU time";
+                case RenderTimeSourceKind.GpuCompletion: return "trigger to GPU done";
+                case RenderTimeSourceKind.CameraCpu: return "camera CPU, unverified";
+                default: return "nothing measures";
+            }
+        }
+    }
+}
