@@ -1,5 +1,6 @@
 using Nowpose.Gateway.Recordings;
 using Nowpose.Kinematics;
+using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Plants;
 

@@ -1,5 +1,6 @@
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Motion;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Plants;

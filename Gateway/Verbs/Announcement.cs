@@ -1,6 +1,6 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Plants;
+using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Verbs;
 

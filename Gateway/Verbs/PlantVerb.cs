@@ -3,6 +3,7 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recordings;
 using Nowpose.Gateway.Robots;
 using Nowpose.Kinematics;
+using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Verbs;
 

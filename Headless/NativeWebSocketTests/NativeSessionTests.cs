@@ -4,6 +4,7 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Latency;
+using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;

@@ -1,6 +1,6 @@
 using Nowpose.Gateway.Options;
-using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
+using Nowpose.Motion;
 using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
+using Nowpose.Motion;
 
 namespace Nowpose.Cli.Demo;
 

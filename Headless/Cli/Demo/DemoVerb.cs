@@ -3,6 +3,7 @@ using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recordings;
 using Nowpose.Gateway.Robots;
+using Nowpose.Motion;
 using Nowpose.Prediction;
 using Nowpose.Simulation;
 

@@ -3,6 +3,7 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recordings;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Kinematics;
+using Nowpose.Motion;
 using RecordedPlant = Nowpose.Gateway.Plants.RecordedMotion;
 
 namespace Nowpose.Headless.Tests.Gateway;

@@ -4,6 +4,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
+using Nowpose.Motion;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;

@@ -3,6 +3,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
 using Nowpose.Latency;
+using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Session;
 using NUnit.Framework;

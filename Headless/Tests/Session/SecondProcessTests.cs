@@ -4,6 +4,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
+using Nowpose.Motion;
 using Nowpose.Protocol;
 using NUnit.Framework;
 

@@ -1,0 +1,45 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Motion
+{
+    /// <summary>A straight move in joint space from rest to rest, all joints starting and stopping together.</summary>
+    sealed class JointMove
+    {
+        readonly double[] _from;
+        readonly double[] _to;
+        readonly SevenPhaseProfile _share;
+
+        public JointMove(double[] from, double[] to, IReadOnlyList<DriveLimits> limits)
+        {
+            _from = from;
+            _to = to;
+            // One profile for the share of the way, within what the joint with the longest way for its limits allows: every
+            // other joint then stays within its own at every moment.
+            double velocity = double.PositiveInfinity, acceleration = double.PositiveInfinity, jerk = double.PositiveInfinity;
+            for (var i = 0; i < from.Length; i++)
+            {
+                var way = Math.Abs(to[i] - from[i]);
+                if (way == 0)
+                    continue;
+                velocity = Math.Min(velocity, limits[i].Velocity / way);
+                acceleration = Math.Min(acceleration, limits[i].Acceleration / way);
+                jerk = Math.Min(jerk, limits[i].Jerk / way);
+            }
+
+            if (!double.IsInfinity(velocity))
+                _share = new SevenPhaseProfile(1, velocity, acceleration, jerk);
+        }
+
+        /// <summary>s; zero when nothing moves.</summary>
+        public double Duration => _share?.Duration ?? 0;
+
+        /// <param name="seconds">Since the move's start.</param>
+        public void At(double seconds, Span<double> positions)
+        {
+            var share = _share?.PositionAt(seconds) ?? 1;
+            for (var i = 0; i < _from.Length; i++)
+                positions[i] = _from[i] + share * (_to[i] - _from[i]);
+        }
+    }
+}

@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Motion
+{
+    /// <summary>A robot that picks and places over and over, in jerk-limited moves from rest to rest.</summary>
+    public sealed class PickAndPlaceMotion : IMotion
+    {
+        readonly RobotModel _robot;
+        readonly JointMove[] _moves;
+        readonly double[] _ends;
+        readonly bool[] _given;
+
+        /// <param name="robot">The youBot gets waypoints of its own; any other a cycle derived from its limits.</param>
+        /// <exception cref="InputException">The robot has no moving joint or too many, or cannot reach a waypoint.</exception>
+        public PickAndPlaceMotion(RobotModel robot)
+        {
+            _robot = robot;
+            JointNames = PlantJoints.NamesOf(robot);
+            _given = robot.MovingJoints.Select(joint => joint.Mimic == null).ToArray();
+            var waypoints = YoubotWaypoints.Fits(robot) ? YoubotWaypoints.Of(robot) : DerivedWaypoints.Of(robot);
+            CheckReach(waypoints);
+            var limits = robot.MovingJoints.Select(DriveLimits.Of).ToArray();
+            _moves = waypoints.Zip(waypoints.Skip(1).Append(waypoints[0]), (from, to) => new JointMove(from, to, limits)).ToArray();
+            _ends = new double[_moves.Length];
+            for (var i = 0; i < _moves.Length; i++)
+                _ends[i] = CycleSeconds += _moves[i].Duration;
+            if (!(CycleSeconds > 0))
+                throw new InputException("robot " + robot.Name + ": has no joint that could move");
+        }
+
+        public IReadOnlyList<string> JointNames { get; }
+        public double CycleSeconds { get; }
+
+        public void At(double seconds, Span<double> positions)
+        {
+            var inCycle = Math.Max(seconds, 0) % CycleSeconds;
+            var move = 0;
+            while (move < _moves.Length - 1 && inCycle >= _ends[move])
+                move++;
+            _moves[move].At(inCycle - (move == 0 ? 0 : _ends[move - 1]), positions);
+            _robot.CompleteMimics(positions, _given);
+        }
+
+        void CheckReach(double[][] waypoints)
+        {
+            for (var i = 0; i < waypoints.Length; i++)
+            {
+                _robot.CompleteMimics(waypoints[i], _given);
+                foreach (var joint in _robot.MovingJoints)
+                {
+                    var position = waypoints[i][joint.MovingIndex];
+                    var limits = joint.Limits;
+                    if (!limits.Contains(position))
+                        throw new InputException(string.Format(
+                            CultureInfo.InvariantCulture, "robot {0}: waypoint {1} puts {2} at {3}; its limits are {4} to {5}",
+                            _robot.Name, i + 1, joint.Name, position, limits.Lower, limits.Upper));
+                }
+            }
+        }
+    }
+}

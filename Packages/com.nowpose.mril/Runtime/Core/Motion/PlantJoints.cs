@@ -1,0 +1,19 @@
+using System.Linq;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+
+namespace Nowpose.Motion
+{
+    /// <summary>The joints a plant publishes: all that move, mimic joints included.</summary>
+    public static class PlantJoints
+    {
+        /// <exception cref="InputException">More than one message may carry.</exception>
+        public static string[] NamesOf(RobotModel robot)
+        {
+            if (robot.MovingJoints.Count > ProtocolLimits.Joints)
+                throw new InputException("robot " + robot.Name + ": has " + robot.MovingJoints.Count + " moving joints; "
+                    + "a message carries at most " + ProtocolLimits.Joints + "; make some of them fixed");
+            return robot.MovingJoints.Select(joint => joint.Name).ToArray();
+        }
+    }
+}
