@@ -39,7 +39,7 @@ public sealed class AssetLibrary
     /// <summary>Paths of all assets and folders, as Unity calls them: <c>Assets/Scenes/Demo.unity</c>, <c>Packages/…</c>.</summary>
     public IEnumerable<string> Paths => _files.Index.Files.Select(f => f.Path);
 
-    LoadedAssets Loaded => _loaded.GetValue(World.Current, _ => new LoadedAssets(_files));
+    internal LoadedAssets Loaded => _loaded.GetValue(World.Current, _ => new LoadedAssets(_files));
 
     /// <summary>The main object of an asset, of a prefab its root, for the current player.</summary>
     /// <param name="path">As Unity calls it, or in full.</param>
@@ -50,6 +50,14 @@ public sealed class AssetLibrary
         var main = Loaded.Main(FileAt(path));
         return main as T ?? throw new AssetException(path + ": is a " + main.GetType().Name + ", not a " + typeof(T).Name);
     }
+
+    /// <summary>
+    /// A copy of a prefab that stays linked to it, as the editor makes it when a prefab is dragged into a scene: saved, it is an instance with
+    /// what was changed in it. It is in no scene yet.
+    /// </summary>
+    /// <param name="prefab">As <see cref="Load{T}"/> gave it.</param>
+    /// <exception cref="AssetException">It is no prefab of this library.</exception>
+    public GameObject InstantiatePrefab(GameObject prefab) => Loaded.InstantiatePrefab(prefab);
 
     internal LoadedScene LoadScene(string path)
     {

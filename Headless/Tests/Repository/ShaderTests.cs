@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>What a headset's single-pass instanced rendering needs of a shader: without one of these macros one eye sees nothing, or both the same.</summary>
+/// <summary>What single-pass instanced rendering needs of a shader: without one of these macros one eye sees nothing, or what the other sees.</summary>
 public sealed class ShaderTests
 {
     static IEnumerable<string> Shaders => RepositoryFiles.Under(RepositoryFiles.Package, ".shader");
@@ -25,7 +25,8 @@ public sealed class ShaderTests
     [TestCaseSource(nameof(Shaders))]
     public void Shader_EveryPass_ServesBothEyesAtOnce(string path)
     {
-        var passes = Regex.Matches(RepositoryFiles.Read(path), "CGPROGRAM(.*?)ENDCG", RegexOptions.Singleline).Select(m => m.Groups[1].Value).ToList();
+        var passes = Regex.Matches(RepositoryFiles.Read(path), "CGPROGRAM(.*?)ENDCG", RegexOptions.Singleline)
+            .Select(m => m.Groups[1].Value).ToList();
         var needed = new[]
         {
             "#pragma multi_compile_instancing", "UNITY_VERTEX_INPUT_INSTANCE_ID", "UNITY_VERTEX_OUTPUT_STEREO", "UNITY_SETUP_INSTANCE_ID(vertex)",

@@ -120,7 +120,8 @@ public sealed class AssetLibraryTests
         Assert.That((probe.asset.Text, probe.asset.TextOnEnable, probe.material.name), Is.EqualTo(("hello", "hello", "Default-Material")));
         Assert.That(probe.words, Is.EqualTo(new[] { "one", "" }));
         Assert.That(probe.transforms, Is.EqualTo(new[] { hand, null }));
-        Assert.That(probe.parts.Select(p => (p.name, p.size, p.where)), Is.EqualTo(new[] { ("a", 2f, probe.transform), ("b", 0.5f, (Transform)null) }));
+        Assert.That(probe.parts.Select(p => (p.name, p.size, p.where)),
+            Is.EqualTo(new[] { ("a", 2f, probe.transform), ("b", 0.5f, (Transform)null) }));
         Assert.That((probe.part.size, probe.renamed, probe.Deserialised, probe.enabled), Is.EqualTo((9f, 4, -7, false)));
     }
 
@@ -161,7 +162,8 @@ public sealed class AssetLibraryTests
         var probe = Probe("  called:\n    m_PersistentCalls:\n      m_Calls:\n" + calls);
 
         Assert.That(probe.called.GetPersistentEventCount(), Is.EqualTo(2));
-        Assert.That((probe.called.GetPersistentTarget(0), probe.called.GetPersistentMethodName(1)), Is.EqualTo(((UnityEngine.Object)probe, "CallWith")));
+        Assert.That(probe.called.GetPersistentTarget(0), Is.SameAs(probe));
+        Assert.That(probe.called.GetPersistentMethodName(1), Is.EqualTo("CallWith"));
         probe.called.Invoke();
         Assert.That(probe.Calls, Is.EqualTo(new[] { 0, 42 }));
     }
@@ -190,7 +192,8 @@ public sealed class AssetLibraryTests
     [Test]
     public void Load_Material_HasTheShadersDefaultsAndItsOwnValues()
     {
-        const string Shader = "Shader \"Test/One\"\n{\n  Properties\n  {\n    // _No (\"No\", Float) = 1\n    _Color (\"C\", Color) = (1, 0.5, 0, 1)\n"
+        const string Shader = "Shader \"Test/One\"\n{\n  Properties\n  {\n    // _No (\"No\", Float) = 1\n"
+            + "    _Color (\"C\", Color) = (1, 0.5, 0, 1)\n"
             + "    _Fade (\"F (0: none)\", Range(0, 1)) = 0.25\n    _Size (\"S\", Float) = 3\n  }\n  SubShader { }\n}\n";
         const string Material = """
             --- !u!21 &2100000
@@ -240,8 +243,10 @@ public sealed class AssetLibraryTests
     [TestCase("  other: {fileID: 11}", "LoaderProbe.other: {fileID: 11} is a GameObject, the field takes a Transform")]
     [TestCase("  transforms:\n  - {fileID: 98}", "&3 MonoBehaviour.transforms: the file has no object 98")]
     [TestCase("  asset: {fileID: 11400000, guid: 000000000000000000000000000000ff, type: 2}", "LoaderProbe.asset: no asset has the GUID")]
-    [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000001, type: 2}", "LoaderProbe.asset: refers into Assets/Scripts/LoaderProbe.cs")]
-    [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000003, type: 2}", "LoaderProbe.asset: a reference to Assets/Arm.prefab has type: 3")]
+    [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000001, type: 2}",
+        "LoaderProbe.asset: refers into Assets/Scripts/LoaderProbe.cs")]
+    [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000003, type: 2}",
+        "LoaderProbe.asset: a reference to Assets/Arm.prefab has type: 3")]
     [TestCase("  thing: {fileID: 77, guid: 00000000000000000000000000000003, type: 3}", "LoaderProbe.thing: Assets/Arm.prefab has no object 77")]
     [TestCase("  material: {fileID: 99, guid: 0000000000000000f000000000000000, type: 0}", "LoaderProbe.material: nothing built in")]
     [TestCase("  m_Name: x", "LoaderProbe.m_Name: the stand-in knows only")]
@@ -250,15 +255,18 @@ public sealed class AssetLibraryTests
         Assert.That(() => Probe(fields), Refused(expected));
     }
 
-    [TestCase("guid: 00000000000000000000000000000001, type: 3", "guid: 00000000000000000000000000000077, type: 3", "&3 MonoBehaviour.m_Script: no script has the GUID")]
-    [TestCase("guid: 00000000000000000000000000000001, type: 3", "guid: 00000000000000000000000000000002, type: 3", "&3 MonoBehaviour.m_Script: Assets/Scripts/LoaderProbeAsset.cs holds no MonoBehaviour")]
+    [TestCase("guid: 00000000000000000000000000000001, type: 3", "guid: 00000000000000000000000000000077, type: 3",
+        "&3 MonoBehaviour.m_Script: no script has the GUID")]
+    [TestCase("guid: 00000000000000000000000000000001, type: 3", "guid: 00000000000000000000000000000002, type: 3",
+        "&3 MonoBehaviour.m_Script: Assets/Scripts/LoaderProbeAsset.cs holds no MonoBehaviour")]
     [TestCase("fileID: 11500000", "fileID: 11400000", "&3 MonoBehaviour.m_Script: has to be")]
     [TestCase("  - {fileID: 12}\n", "  - {fileID: 13}\n", "&2 Transform.m_Children: the file has no object 13")]
     [TestCase("  - {fileID: 12}\n", "  - {fileID: 12}\n  - {fileID: 12}\n", "&2 Transform.m_Children: lists a child twice")]
     [TestCase("m_Children:\n  - {fileID: 12}", "m_Children: []", "&12 Transform.m_Father: &2 does not list it in m_Children")]
     [TestCase("m_Father: {fileID: 2}", "m_Father: {fileID: 0}", "&12 Transform.m_Father: is not &2, which lists it in m_Children")]
     [TestCase("m_Father: {fileID: 2}", "m_Father: {fileID: 1}", "&12 Transform.m_Father: is not &2, which lists it")]
-    [TestCase("m_GameObject: {fileID: 11}", "m_GameObject: {fileID: 1}", "&12 Transform.m_GameObject: is another object than the one that lists this component")]
+    [TestCase("m_GameObject: {fileID: 11}", "m_GameObject: {fileID: 1}",
+        "&12 Transform.m_GameObject: is another object than the one that lists this component")]
     [TestCase("  - component: {fileID: 3}\n", "", "&3 MonoBehaviour: is a component that no GameObject lists")]
     [TestCase("  - component: {fileID: 3}\n", "  - component: {fileID: 4}\n", "&1 GameObject.m_Component: the file has no object 4")]
     [TestCase("  - component: {fileID: 2}\n", "", "a GameObject has one Transform, its first component")]
@@ -272,7 +280,8 @@ public sealed class AssetLibraryTests
 
         _project.AddYaml("Assets/Arm.prefab", 3, text.Replace(good, bad, StringComparison.Ordinal));
 
-        Assert.That(() => _project.Library().Load<GameObject>("Assets/Arm.prefab"), Refused(expected));
+        Assert.That(() => _project.Library().Load<GameObject>("Assets/Arm.prefab"),
+            Refused(expected));
     }
 
     [Test]
@@ -281,7 +290,8 @@ public sealed class AssetLibraryTests
         _project.AddYaml("Assets/Arm.prefab", 3, Arm.Replace("PROBE\n", "", StringComparison.Ordinal)
             .Replace("m_Children: []", "m_Children:\n  - {fileID: 2}").Replace("m_Father: {fileID: 0}", "m_Father: {fileID: 12}"));
 
-        Assert.That(() => _project.Library().Load<GameObject>("Assets/Arm.prefab"), Refused("Assets/Arm.prefab: some objects are their own ancestors"));
+        Assert.That(() => _project.Library().Load<GameObject>("Assets/Arm.prefab"),
+            Refused("Assets/Arm.prefab: some objects are their own ancestors"));
     }
 
     [Test]
@@ -292,7 +302,8 @@ public sealed class AssetLibraryTests
 
         Assert.That(() => library.Load<TextAsset>("Assets/Gone.txt"), Refused("Assets/Gone.txt: there is a .meta but no such file"));
         Assert.That(() => library.Load<TextAsset>("Assets/Never.txt"), Refused("Assets/Never.txt: there is no such asset"));
-        Assert.That(() => library.Load<LoaderProbeAsset>("Assets/Misnamed.asset"), Refused("Misnamed.asset &11400000 MonoBehaviour.m_Name: \"Other\" is not"));
+        Assert.That(() => library.Load<LoaderProbeAsset>("Assets/Misnamed.asset"),
+            Refused("Misnamed.asset &11400000 MonoBehaviour.m_Name: \"Other\" is not"));
     }
 
     [Test]
@@ -313,7 +324,8 @@ public sealed class AssetLibraryTests
 
     static string Scriptable(string name, string fields)
     {
-        return "--- !u!114 &11400000\nMonoBehaviour:\n  m_Script: {fileID: 11500000, guid: " + GuidOf(2) + ", type: 3}\n  m_Name: " + name + "\n" + fields;
+        return "--- !u!114 &11400000\nMonoBehaviour:\n  m_Script: {fileID: 11500000, guid: " + GuidOf(2)
+            + ", type: 3}\n  m_Name: " + name + "\n" + fields;
     }
 
     GameObject Load(string probeFields)

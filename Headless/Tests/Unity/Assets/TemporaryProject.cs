@@ -14,6 +14,8 @@ sealed class TemporaryProject : IDisposable
 
     public AssetLibrary Library() => new(_root);
 
+    public string Read(string path) => File.ReadAllText(Path.Combine(_root, path));
+
     public TemporaryProject Add(string path, int guid, string text, string importer = "TextScriptImporter")
     {
         var full = Path.Combine(_root, path);

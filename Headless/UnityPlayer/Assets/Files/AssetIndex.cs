@@ -68,7 +68,8 @@ sealed class AssetIndex
         if (!guid.Success) throw new AssetException(path + Meta + ": has no guid of 32 lower-case hex digits");
 
         var file = new AssetFile(guid.Groups[1].Value, path, fullPath, Importers.Match(text).Groups[1].Value);
-        if (!_byGuid.TryAdd(file.Guid, file)) throw new AssetException(path + Meta + ": guid " + file.Guid + " is also that of " + _byGuid[file.Guid].Path);
+        if (!_byGuid.TryAdd(file.Guid, file))
+            throw new AssetException(path + Meta + ": guid " + file.Guid + " is also that of " + _byGuid[file.Guid].Path);
         _byPath.Add(path, file);
     }
 }

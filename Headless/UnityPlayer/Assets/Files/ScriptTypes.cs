@@ -34,15 +34,18 @@ sealed class ScriptTypes
     /// <exception cref="AssetException">No script file, or more than one, holds this class.</exception>
     public AssetFile FileOf(Type type, Place place)
     {
-        var files = _index.Files.Where(f => f.Extension == ".cs" && f.Name == type.Name && AssemblyOf(f) is var a && (a == null || a == type.Assembly.GetName().Name));
-        var found = files.ToList();
-        return found.Count == 1 ? found[0] : throw place.Error("the class " + type.FullName + " is in " + found.Count + " script files of its name; Unity needs one");
+        var assembly = type.Assembly.GetName().Name;
+        var found = _index.Files.Where(f => f.Extension == ".cs" && f.Name == type.Name && (AssemblyOf(f) ?? assembly) == assembly).ToList();
+        return found.Count == 1
+            ? found[0]
+            : throw place.Error("the class " + type.FullName + " is in " + found.Count + " script files of its name; Unity needs one");
     }
 
     Type Find(AssetFile script, Place place)
     {
         var assemblies = AssemblyOf(script) is { } name ? new[] { Load(name, script, place) } : AppDomain.CurrentDomain.GetAssemblies();
-        var found = assemblies.SelectMany(TypesOf).Where(t => t.Name == script.Name && typeof(UnityEngine.Object).IsAssignableFrom(t) && !t.IsAbstract).ToList();
+        var found = assemblies.SelectMany(TypesOf)
+            .Where(t => t.Name == script.Name && !t.IsAbstract && typeof(UnityEngine.Object).IsAssignableFrom(t)).ToList();
         return found.Count == 1
             ? found[0]
             : throw place.Error(script.Path + " has to hold one class " + script.Name + "; there are " + found.Count);

@@ -18,14 +18,16 @@ sealed class HierarchyBuilder
 {
     readonly LoadedAssets _assets;
     readonly ObjectFile _file;
+    readonly PrefabOrigin.Group _whole;
     readonly Dictionary<long, Object> _objects = new Dictionary<long, Object>();
     readonly Dictionary<long, ObjectClass> _classes = new Dictionary<long, ObjectClass>();
     readonly Dictionary<PrefabInstance, PrefabOrigin.Group> _groups = new Dictionary<PrefabInstance, PrefabOrigin.Group>();
 
-    HierarchyBuilder(LoadedAssets assets, ObjectFile file)
+    HierarchyBuilder(LoadedAssets assets, ObjectFile file, PrefabOrigin.Group whole)
     {
         _assets = assets;
         _file = file;
+        _whole = whole;
     }
 
     /// <summary>By fileID.</summary>
@@ -35,10 +37,12 @@ sealed class HierarchyBuilder
 
     /// <param name="assets">What the file may refer to.</param>
     /// <param name="file">Its objects.</param>
+    /// <param name="whole">What the objects are an instance of as a whole; null for the objects of the file itself.</param>
     /// <param name="made">Called with all objects before any of their fields is read.</param>
-    public static HierarchyBuilder Build(LoadedAssets assets, ObjectFile file, Action<HierarchyBuilder> made = null)
+    public static HierarchyBuilder Build(
+        LoadedAssets assets, ObjectFile file, PrefabOrigin.Group whole = null, Action<HierarchyBuilder> made = null)
     {
-        var builder = new HierarchyBuilder(assets, file);
+        var builder = new HierarchyBuilder(assets, file, whole);
         builder.MakeObjects();
         builder.MakeHierarchy();
         made?.Invoke(builder);
@@ -68,7 +72,10 @@ sealed class HierarchyBuilder
             throw place.Error("has to be a list of - component: {fileID: …}");
         var component = _file.Find(reference.FileId) ?? throw place.Error("the file has no object " + Numbers.Write(reference.FileId));
         if (component.Reference("m_GameObject").FileId != owner.FileId)
-            throw component.Place.In("m_GameObject").Error("is another object than the one that lists this component, &" + Numbers.Write(owner.FileId));
+        {
+            throw component.Place.In("m_GameObject")
+                .Error("is another object than the one that lists this component, &" + Numbers.Write(owner.FileId));
+        }
         return component;
     }
 
@@ -79,7 +86,9 @@ sealed class HierarchyBuilder
         var known = described.ClassName == ScriptClass.ClassName
             ? ScriptClass.Of(_assets.ScriptAt(described, typeof(MonoBehaviour)))
             : EngineClasses.Find(described.ClassId, described.ClassName)
-                ?? throw described.Place.Error("the stand-in knows no class " + described.ClassName + " with number " + Numbers.Write(described.ClassId));
+
+
+                        ?? throw described.Place.Error("the stand-in knows no class " + described.ClassName + " with number " + Numbers.Write(described.ClassId));
         var component = owner.Add(known.Type);
         if (component is OpaqueComponent opaque) opaque.ClassName = described.ClassName;
         Add(described, known, component);
@@ -89,10 +98,15 @@ sealed class HierarchyBuilder
     {
         _objects.Add(described.FileId, made);
         _classes.Add(described.FileId, known);
-        if (described.Link == null) return;
-        if (!_groups.TryGetValue(described.Link.Instance, out var group))
-            _groups.Add(described.Link.Instance, group = new PrefabOrigin.Group(described.Link.Instance.SourceGuid, described.Link.Instance.Source));
-        PrefabOrigin.Set(made, group, described.Link.SourceFileId);
+        if (_whole != null) PrefabOrigin.Set(made, _whole, described.FileId);
+        else if (described.Link != null) PrefabOrigin.Set(made, GroupOf(described.Link.Instance), described.Link.SourceFileId);
+    }
+
+    PrefabOrigin.Group GroupOf(PrefabInstance instance)
+    {
+        if (!_groups.TryGetValue(instance, out var group))
+            _groups.Add(instance, group = new PrefabOrigin.Group(instance.SourceGuid, instance.Source));
+        return group;
     }
 
     void MakeHierarchy()
@@ -127,7 +141,9 @@ sealed class HierarchyBuilder
 
     FileObject TransformAt(long fileId, FileObject from)
     {
-        return _file.Find(fileId) is { ClassName: "Transform" } found ? found : throw from.Place.Error("&" + Numbers.Write(fileId) + " is no Transform of this file");
+        return _file.Find(fileId) is { ClassName: "Transform" } found
+            ? found
+            : throw from.Place.Error("&" + Numbers.Write(fileId) + " is no Transform of this file");
     }
 
     static int RootOrder(FileObject root)

@@ -15,7 +15,6 @@ namespace Nowpose.UnityPlayer.Assets.Loading;
 sealed class LoadedAssets
 {
     const long ScriptFileId = 11500000;
-    const long ScriptableFileId = 11400000;
     const long ShaderFileId = 4800000;
     const long TextFileId = 4900000;
 
@@ -34,13 +33,16 @@ sealed class LoadedAssets
 
     public Object ObjectAt(AssetReference reference, Place place)
     {
-        if (BuiltInAssets.Holds(reference)) return BuiltInAssets.Find(reference) ?? throw place.Error("nothing built in that is known here has " + reference);
+        if (BuiltInAssets.Holds(reference))
+            return BuiltInAssets.Find(reference) ?? throw place.Error("nothing built in that is known here has " + reference);
         var file = _files.Index.ByGuid(reference.Guid) ?? throw place.Error("no asset has the GUID " + reference.Guid);
         var type = TypeOf(file) ?? throw place.Error("refers into " + file.Path + ", whose objects have fileIDs that only Unity knows");
         if (reference.Type != type) throw place.Error("a reference to " + file.Path + " has type: " + Numbers.Write(type));
         var objects = Load(file, place);
         var fileId = file.Extension == ".prefab" ? _files.Hierarchy(file).Find(reference.FileId)?.FileId ?? 0 : reference.FileId;
-        return objects.TryGetValue(fileId, out var found) ? found : throw place.Error(file.Path + " has no object " + Numbers.Write(reference.FileId));
+        return objects.TryGetValue(fileId, out var found)
+            ? found
+            : throw place.Error(file.Path + " has no object " + Numbers.Write(reference.FileId));
     }
 
     public AssetReference ReferenceTo(Object target, Place place)
@@ -68,7 +70,17 @@ sealed class LoadedAssets
         return new AssetReference(ScriptFileId, file.Guid, AssetReference.Imported);
     }
 
+    /// <summary>The objects of a scene, anew each time.</summary>
     public HierarchyBuilder Instantiate(AssetFile file) => HierarchyBuilder.Build(this, _files.Hierarchy(file));
+
+    /// <summary>An instance of a prefab that remembers whose instance it is.</summary>
+    public GameObject InstantiatePrefab(GameObject prefab)
+    {
+        if (!_references.TryGetValue(prefab, out var reference) || _files.Index.ByGuid(reference.Guid) is not { Extension: ".prefab" } file)
+            throw new AssetException(prefab + " is no prefab of this library");
+        var source = _files.Hierarchy(file);
+        return HierarchyBuilder.Build(this, source, new PrefabOrigin.Group(file.Guid, source)).Roots[0];
+    }
 
     IReadOnlyDictionary<long, Object> Load(AssetFile file, Place place)
     {
@@ -103,10 +115,10 @@ sealed class LoadedAssets
         switch (file.Extension)
         {
             case ".prefab":
-                HierarchyBuilder.Build(this, _files.Hierarchy(file), made => Add(file, made.Objects));
+                HierarchyBuilder.Build(this, _files.Hierarchy(file), made: b => Add(file, b.Objects));
                 break;
             case ".asset":
-                LoadAlone(file, ScriptableFileId, NewScriptable, made => ((ScriptableObject)made).Wake());
+                LoadAlone(file, ScriptClass.AssetFileId, NewScriptable, made => ((ScriptableObject)made).Wake());
                 break;
             case ".mat":
                 LoadAlone(file, MaterialClass.FileId, _ => (MaterialClass.Class, new Material((Shader)null)), _ => { });
@@ -126,12 +138,14 @@ sealed class LoadedAssets
     void LoadAlone(AssetFile file, long fileId, Func<FileObject, (ObjectClass Class, Object Made)> make, Action<Object> wake)
     {
         var documents = _files.Documents(file);
-        if (documents.Count != 1 || documents[0].FileId != fileId) throw new AssetException(file.Path + ": has to hold one object, &" + Numbers.Write(fileId));
+        if (documents.Count != 1 || documents[0].FileId != fileId)
+            throw new AssetException(file.Path + ": has to hold one object, &" + Numbers.Write(fileId));
         var described = new FileObject(documents[0], file.Path);
         var (known, made) = make(described);
         if (described.ClassId != known.Id || described.ClassName != known.Name) throw described.Place.Error("has to be a " + known.Name);
         Add(file, fileId, made);
-        known.Read(described.Fields, made, new FileReferences(this, _byGuid[file.Guid], Array.Empty<GameObject>()), described.PlaceAs(known.Type.Name));
+        var references = new FileReferences(this, _byGuid[file.Guid], Array.Empty<GameObject>());
+        known.Read(described.Fields, made, references, described.PlaceAs(known.Type.Name));
         if (made.name != file.Name) throw described.Place.In("m_Name").Error("\"" + made.name + "\" is not the name of its file");
         wake(made);
     }

@@ -94,7 +94,8 @@ static class EngineClasses
 
         public static implicit operator FieldSpec(string name) => new FieldSpec(type => Slot.Field(type, name));
 
-        public static implicit operator FieldSpec((string Name, string Value) only) => new FieldSpec(_ => Slot.Constant(only.Name, Nodes.Text(only.Value)));
+        public static implicit operator FieldSpec((string Name, string Value) only) =>
+            new FieldSpec(_ => Slot.Constant(only.Name, Nodes.Text(only.Value)));
 
         public static implicit operator FieldSpec(Slot slot) => new FieldSpec(_ => slot);
 

@@ -67,10 +67,12 @@ static class MaterialClass
                 switch (list)
                 {
                     case "m_Floats":
-                        ReadEach(entry.Value, declared.Floats, place.In(list), (name, v, at) => material.SetFloat(name, (float)Float.Read(v, null, references, at)));
+                        ReadEach(entry.Value, declared.Floats, place.In(list),
+                            (name, v, at) => material.SetFloat(name, (float)Float.Read(v, null, references, at)));
                         break;
                     case "m_Colors":
-                        ReadEach(entry.Value, declared.Colours, place.In(list), (name, v, at) => material.SetColor(name, (Color)Colour.Read(v, null, references, at)));
+                        ReadEach(entry.Value, declared.Colours, place.In(list),
+                            (name, v, at) => material.SetColor(name, (Color)Colour.Read(v, null, references, at)));
                         break;
                     case "serializedVersion" when place.In(list).Scalar(entry.Value) == "3":
                     case "m_TexEnvs" or "m_Ints" when place.In(list).Sequence(entry.Value).Children.Count == 0:

@@ -18,6 +18,9 @@ sealed class ScriptClass : ObjectClass
     public const string ClassName = "MonoBehaviour";
     public const string ScriptField = "m_Script";
 
+    /// <summary>Of a ScriptableObject in a file of its own.</summary>
+    public const long AssetFileId = 11400000;
+
     static readonly ConcurrentDictionary<Type, ScriptClass> Known = new ConcurrentDictionary<Type, ScriptClass>();
 
     ScriptClass(Type type)

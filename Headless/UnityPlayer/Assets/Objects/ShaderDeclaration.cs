@@ -60,6 +60,8 @@ sealed class ShaderDeclaration
 
     static float Number(string text, string name, string file)
     {
-        return Numbers.TryRead(text, out float value) ? value : throw new AssetException(file + ": property " + name + ": \"" + text + "\" is no number");
+        return Numbers.TryRead(text, out float value)
+            ? value
+            : throw new AssetException(file + ": property " + name + ": \"" + text + "\" is no number");
     }
 }

@@ -10,10 +10,10 @@ namespace Nowpose.UnityPlayer.Assets.Prefabs;
 /// <summary>What a file says about one of its prefab instances: which prefab, where it hangs, what is changed in it.</summary>
 sealed class InstanceDocument
 {
-    static readonly HashSet<string> Lists = new HashSet<string> { "m_Modifications", "m_RemovedComponents" };
+    static readonly string[] Known = { "serializedVersion", "m_TransformParent", "m_Modifications", "m_RemovedComponents" };
 
     /// <summary>Unity 2022.2 and later writes these too; with anything in them they are not understood here.</summary>
-    static readonly HashSet<string> LaterLists = new HashSet<string> { "m_RemovedGameObjects", "m_AddedGameObjects", "m_AddedComponents" };
+    static readonly string[] LaterLists = { "m_RemovedGameObjects", "m_AddedGameObjects", "m_AddedComponents" };
 
     readonly Place _place;
     readonly YamlMappingNode _modification;
@@ -30,7 +30,7 @@ sealed class InstanceDocument
             throw _place.In("m_SourcePrefab").Error("has to be {fileID: 100100000, guid: …, type: 3}");
 
         _modification = _place.Mapping(Nodes.Find(document.Fields, "m_Modification"));
-        RequireOnly(_modification, _place.In("m_Modification"), Lists.Concat(LaterLists).Append("m_TransformParent").Append("serializedVersion").ToArray());
+        RequireOnly(_modification, _place.In("m_Modification"), Known.Concat(LaterLists).ToArray());
         foreach (var list in LaterLists.Where(l => Nodes.Find(_modification, l) != null && Items(l).Count > 0))
             throw _place.In(list).Error("is not understood; undo it in the editor or write it as Unity 2021 does");
         if (!AssetReference.TryRead(Nodes.Find(_modification, "m_TransformParent"), out var parent) || parent.Guid != null)
@@ -95,7 +95,9 @@ sealed class InstanceDocument
     static AssetReference Local(long fileId, Dictionary<long, FileObject> objects, Func<long, long> resolve, Place place)
     {
         var meant = resolve(fileId);
-        return meant == 0 || objects.ContainsKey(meant) ? new AssetReference(meant) : throw place.Error("the file has no object " + Numbers.Write(fileId));
+        return meant == 0 || objects.ContainsKey(meant)
+            ? new AssetReference(meant)
+            : throw place.Error("the file has no object " + Numbers.Write(fileId));
     }
 
     void Remove(YamlNode item, PrefabInstance instance, Dictionary<long, FileObject> objects)
@@ -103,7 +105,8 @@ sealed class InstanceDocument
         var removed = Target(item, instance, objects, _place.In("m_RemovedComponents"));
         var owner = objects[removed.Reference("m_GameObject").FileId];
         var components = _place.Sequence(Nodes.Find(owner.Fields, "m_Component"));
-        foreach (var entry in components.Children.Where(c => LocalReferences.In(c).Contains(removed.FileId)).ToList()) components.Children.Remove(entry);
+        foreach (var entry in components.Children.Where(c => LocalReferences.In(c).Contains(removed.FileId)).ToList())
+            components.Children.Remove(entry);
         objects.Remove(removed.FileId);
     }
 

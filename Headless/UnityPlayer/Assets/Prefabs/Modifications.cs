@@ -56,8 +56,8 @@ static class Modifications
         }
     }
 
-    /// <summary>Empty texts and references to nothing are left out: they are what there is without them.</summary>
-    static IEnumerable<Modification> All(YamlNode now, string path)
+    /// <summary>Every value, but empty texts and references to nothing: those are what there is without them.</summary>
+    public static IEnumerable<Modification> All(YamlNode now, string path)
     {
         if (AssetReference.TryRead(now, out var reference)) return reference.IsNone ? Array.Empty<Modification>() : One(path, "", reference);
         return now switch

@@ -17,7 +17,8 @@ static class FieldValues
         foreach (var entry in mapping.Children)
         {
             var name = place.Scalar(entry.Key);
-            var field = SerializedFields.Find(target.GetType(), name) ?? throw place.Error(target.GetType().Name + " has no serialised field " + name);
+            var field = SerializedFields.Find(target.GetType(), name)
+                ?? throw place.Error(target.GetType().Name + " has no serialised field " + name);
             Read(field, entry.Value, target, references, place);
         }
         (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();

@@ -3,7 +3,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>What a field that refers to an object holds: <c>{fileID: N}</c> in the same file, <c>{fileID: N, guid: G, type: T}</c> in another asset.</summary>
+/// <summary>A field that refers to an object: <c>{fileID: N}</c> in the same file, <c>{fileID: N, guid: G, type: T}</c> in another.</summary>
 readonly struct AssetReference : IEquatable<AssetReference>
 {
     /// <summary>Type of what Unity has built in.</summary>

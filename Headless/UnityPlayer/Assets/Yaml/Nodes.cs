@@ -12,10 +12,12 @@ static class Nodes
     public static YamlScalarNode Number(long value) => Text(Numbers.Write(value));
 
     /// <summary>In braces on one line.</summary>
-    public static YamlMappingNode Braces(params (string Name, YamlNode Value)[] entries) => Fill(new YamlMappingNode { Style = MappingStyle.Flow }, entries);
+    public static YamlMappingNode Braces(params (string Name, YamlNode Value)[] entries) =>
+        Fill(new YamlMappingNode { Style = MappingStyle.Flow }, entries);
 
     /// <summary>One line for each entry.</summary>
-    public static YamlMappingNode Lines(params (string Name, YamlNode Value)[] entries) => Fill(new YamlMappingNode { Style = MappingStyle.Block }, entries);
+    public static YamlMappingNode Lines(params (string Name, YamlNode Value)[] entries) =>
+        Fill(new YamlMappingNode { Style = MappingStyle.Block }, entries);
 
     public static YamlSequenceNode List() => new YamlSequenceNode { Style = SequenceStyle.Block };
 

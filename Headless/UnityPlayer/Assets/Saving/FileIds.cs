@@ -1,0 +1,46 @@
+using System;
+using System.Collections.Generic;
+using System.Security.Cryptography;
+using System.Text;
+using UnityEngine;
+
+namespace Nowpose.UnityPlayer.Assets.Saving;
+
+/// <summary>FileIDs that depend on the hierarchy alone: whoever writes the same objects, on whatever machine, writes the same numbers.</summary>
+sealed class FileIds
+{
+    readonly HashSet<long> _taken = new HashSet<long>();
+
+    /// <param name="gameObject">Of any hierarchy.</param>
+    /// <returns>Names from the root down; of equal names among siblings the second and later are counted.</returns>
+    public static string PathOf(GameObject gameObject)
+    {
+        var transform = gameObject.transform;
+        var parent = transform.parent;
+        if (parent == null) return "/" + gameObject.name;
+        var before = 0;
+        foreach (Transform sibling in parent)
+        {
+            if (sibling == transform) break;
+            if (sibling.name == transform.name) before++;
+        }
+        return PathOf(parent.gameObject) + "/" + gameObject.name + (before == 0 ? "" : "#" + before);
+    }
+
+    /// <summary>Positive, and not given before.</summary>
+    /// <param name="what">Class, place and, if there are several, number.</param>
+    public long Next(string what)
+    {
+        for (var attempt = 0; ; attempt++)
+        {
+            var id = Hash(attempt == 0 ? what : what + "#" + attempt);
+            if (id != 0 && _taken.Add(id)) return id;
+        }
+    }
+
+    static long Hash(string text)
+    {
+        using var sha = SHA256.Create();
+        return BitConverter.ToInt64(sha.ComputeHash(Encoding.UTF8.GetBytes(text)), 0) & long.MaxValue;
+    }
+}

@@ -1,0 +1,84 @@
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.UnityPlayer.Assets.Loading;
+using Nowpose.UnityPlayer.Assets.Prefabs;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+
+namespace Nowpose.UnityPlayer.Assets.Saving;
+
+/// <summary>
+/// A hierarchy as the text of a prefab or scene, the inverse of <see cref="HierarchyBuilder"/>: each object with all its fields, and what is
+/// an instance of a prefab as that, with what differs.
+/// </summary>
+sealed class HierarchyWriter
+{
+    readonly string _file;
+    readonly FileIds _ids = new FileIds();
+    readonly List<SavedObject> _saved = new List<SavedObject>();
+    readonly Dictionary<PrefabOrigin.Group, PrefabInstance> _instances = new Dictionary<PrefabOrigin.Group, PrefabInstance>();
+
+    HierarchyWriter(string file) => _file = file;
+
+    /// <param name="assets">What the hierarchy may refer to.</param>
+    /// <param name="roots">One for a prefab.</param>
+    /// <param name="file">What errors call it.</param>
+    /// <returns>In the order of the hierarchy.</returns>
+    public static IReadOnlyList<UnityDocument> Write(LoadedAssets assets, IReadOnlyList<GameObject> roots, string file)
+    {
+        var writer = new HierarchyWriter(file);
+        foreach (var root in roots) writer.Collect(root);
+        var references = new FileReferences(assets, writer._saved.ToDictionary(s => s.FileId, s => s.Target), roots);
+        foreach (var saved in writer._saved) saved.Write(references);
+        return writer.Documents().ToList();
+    }
+
+    void Collect(GameObject gameObject)
+    {
+        Collect(gameObject, gameObject);
+        foreach (var component in gameObject.GetComponents<Component>()) Collect(component, gameObject);
+        foreach (Transform child in gameObject.transform) Collect(child.gameObject);
+    }
+
+    void Collect(Object target, GameObject owner)
+    {
+        var origin = PrefabOrigin.Of(target);
+        if (origin == null)
+        {
+            _saved.Add(new SavedObject(target, _ids.Next(KeyOf(target, owner)), null));
+            return;
+        }
+        if (!_instances.TryGetValue(origin.Instance, out var instance))
+        {
+            var id = _ids.Next("PrefabInstance " + FileIds.PathOf(owner));
+            _instances.Add(origin.Instance, instance = new PrefabInstance(_file, id, origin.Instance.SourceGuid, origin.Instance.Source));
+        }
+        _saved.Add(new SavedObject(target, instance.Map(origin.SourceFileId), new PrefabLink(instance, origin.SourceFileId)));
+    }
+
+    static string KeyOf(Object target, GameObject owner)
+    {
+        var type = target.GetType();
+        var place = type.Name + " " + FileIds.PathOf(owner);
+        var number = target is Component ? owner.GetComponents(type).TakeWhile(c => c != target).Count() : 0;
+        return number == 0 ? place : place + " " + Numbers.Write(number);
+    }
+
+    IEnumerable<UnityDocument> Documents()
+    {
+        var instances = _instances.Values.ToDictionary(i => i, i => new InstanceWriter(i, _saved));
+        var referred = _saved.Where(s => s.Link == null).SelectMany(s => LocalReferences.In(s.Fields))
+            .Concat(instances.Values.SelectMany(i => LocalReferences.In(i.Document.Fields))).ToHashSet();
+        var begun = new HashSet<PrefabInstance>();
+        foreach (var saved in _saved)
+        {
+            if (saved.Link == null)
+            {
+                yield return saved.Document();
+                continue;
+            }
+            if (begun.Add(saved.Link.Instance)) yield return instances[saved.Link.Instance].Document;
+            if (referred.Contains(saved.FileId)) yield return saved.Stripped();
+        }
+    }
+}

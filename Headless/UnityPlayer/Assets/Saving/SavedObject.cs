@@ -1,0 +1,60 @@
+using Nowpose.UnityPlayer.Assets.Loading;
+using Nowpose.UnityPlayer.Assets.Objects;
+using Nowpose.UnityPlayer.Assets.Prefabs;
+using Nowpose.UnityPlayer.Assets.Values;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+using YamlDotNet.RepresentationModel;
+
+namespace Nowpose.UnityPlayer.Assets.Saving;
+
+/// <summary>An object that is about to be written.</summary>
+sealed class SavedObject
+{
+    public SavedObject(Object target, long fileId, PrefabLink link)
+    {
+        Target = target;
+        FileId = fileId;
+        Link = link;
+        Class = EngineClasses.Of(target) ?? ScriptClass.Of(target.GetType());
+        ClassName = target is OpaqueComponent opaque ? opaque.ClassName : Class.Name;
+    }
+
+    public Object Target { get; }
+    public long FileId { get; }
+
+    /// <summary>Null for an object of the file's own.</summary>
+    public PrefabLink Link { get; }
+
+    public ObjectClass Class { get; }
+    public string ClassName { get; }
+
+    /// <summary>Known after <see cref="Write"/>.</summary>
+    public YamlMappingNode Fields { get; private set; }
+
+    public void Write(FileReferences references)
+    {
+        Fields = Class.Write(Target, references, new Place(Target.name + " " + Class.Type.Name));
+    }
+
+    public UnityDocument Document() => new UnityDocument(Class.Id, ClassName, FileId, Fields);
+
+    /// <summary>The placeholder of an object of a prefab instance.</summary>
+    public UnityDocument Stripped()
+    {
+        var fields = Nodes.Lines(
+            ("m_CorrespondingSourceObject", Source().Write()),
+            ("m_PrefabInstance", new AssetReference(Link.Instance.FileId).Write()),
+            ("m_PrefabAsset", AssetReference.None.Write()));
+        if (Class is ScriptClass)
+        {
+            fields.Add("m_GameObject", AssetReference.None.Write());
+            foreach (var name in new[] { "m_Enabled", "m_EditorHideFlags", ScriptClass.ScriptField, "m_Name", "m_EditorClassIdentifier" })
+                fields.Add(name, Nodes.Find(Fields, name));
+        }
+        return new UnityDocument(Class.Id, ClassName, FileId, fields, isStripped: true);
+    }
+
+    /// <summary>The object of the prefab that this is an instance of.</summary>
+    public AssetReference Source() => new AssetReference(Link.SourceFileId, Link.Instance.SourceGuid, AssetReference.Imported);
+}
