@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>What single-pass instanced rendering needs of a shader: without one of these macros one eye sees nothing, or what the other sees.</summary>
+/// <summary>What single-pass instanced rendering needs of a shader: without one of these one eye sees nothing, or what the other sees.</summary>
 public sealed class ShaderTests
 {
     static IEnumerable<string> Shaders => RepositoryFiles.Under(RepositoryFiles.Package, ".shader");
