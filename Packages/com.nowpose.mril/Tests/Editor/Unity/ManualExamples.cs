@@ -1,0 +1,39 @@
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Tests
+{
+    /// <summary>The code of the manual's pages, so that it compiles; a test of the repository holds the two together.</summary>
+    static class ManualExamples
+    {
+        internal static void Follow(MrilSession session, RobotRig rig, GameObject warning, Transform lamp)
+        {
+            session.Changed += change => { if ((change & SessionChange.Lost) != 0) warning.SetActive(true); };
+            session.Changed += change => { if ((change & SessionChange.Synchronised) != 0) warning.SetActive(false); };
+            rig.Posed += () => lamp.position = rig.Tool.position;
+        }
+
+        internal static void Connect(MrilSession session, ConnectionSettings connection)
+        {
+            session.Settings = new SessionSettings(connection, VisualisationLatency.FromMilliseconds(43));
+            session.Connect();
+        }
+
+        internal static void Place(BaseAnchor anchor, Pose pose)
+        {
+            anchor.Place(pose.position, pose.rotation);
+            anchor.Nudge(new Vector3(0.005f, 0, 0), degreesAboutUp: 0.5f);
+        }
+
+        internal static void MoveWithoutASession(RobotRig rig, RobotDescriptionAsset asset)
+        {
+            rig.Bind(asset.Read());
+            var joints = new double[rig.Model.MovingJoints.Count];
+            joints[rig.Model.IndexOfMovingJoint("arm_joint_2")] = 1.2;
+            rig.Apply(joints);
+        }
+    }
+}
