@@ -108,7 +108,10 @@ namespace Nowpose.Unity
                 Debug.LogWarning("[Nowpose] rig '" + name + "' has no session above it to move it; assign one, or call Bind and Apply", this);
         }
 
-        void OnDestroy() => Destroy(_built);
+        void OnDestroy()
+        {
+            if (_built != null) Destroy(_built);
+        }
 
         void Show(DisplayFrame frame)
         {

@@ -1,0 +1,195 @@
+using Nowpose.Gateway.Robots;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using Random = System.Random;
+
+namespace Nowpose.Headless.Tests.Unity.Session;
+
+/// <summary>Whatever is switched, destroyed or made at whatever frame: nothing throws, nothing stays behind, nothing old looks current.</summary>
+public class LifeCycleTests
+{
+    const int Steps = 600;
+
+    [Test]
+    public async Task AnySequence_OfWhatAnApplicationDoes_LeavesNothingBehind([NUnit.Framework.Range(1, 25)] int seed)
+    {
+        using var cell = new VirtualCell();
+        Application.runInBackground = false;
+        var scene = new Scene(cell, new Random(seed));
+        var (objects, subscribers) = (cell.Player.ObjectCount, cell.Player.SubscriberCount);
+
+        for (var step = 0; step < Steps; step++)
+        {
+            var what = step % 100 == 0 ? scene.StartAnew() : scene.DoAnything();
+            Assert.That(cell.Player.Logs.Where(IsFault), Is.Empty, $"seed {seed}, step {step}: {what}");
+        }
+        scene.Clear();
+
+        Assert.That(cell.Player.SubscriberCount, Is.EqualTo(subscribers), $"seed {seed}: handlers");
+        Assert.That(cell.Player.ObjectCount, Is.EqualTo(objects), $"seed {seed}: objects");
+        Assert.That(scene.Currents, Is.GreaterThan(0), $"seed {seed}: it was current at times, or the test shows nothing");
+        TestContext.Out.WriteLine($"{scene.Sessions.Count} sessions, {scene.Currents} current frames");
+        foreach (var ended in scene.Sessions) await ended.Ended.Bounded();
+        Assert.That(scene.Sessions.Select(ended => ended.SyncLink.State), Is.All.EqualTo(Nowpose.Network.LinkState.Idle), $"seed {seed}");
+    }
+
+    // A gripper whose rig is gone says so.
+    static bool IsFault(UnityPlayer.PlayerLogEntry log) =>
+        log.Type is LogType.Exception or LogType.Error or LogType.Assert && !log.Message.Contains("has no rig to ride on");
+
+    /// <summary>One cell with all components, and everything that may happen to it.</summary>
+    sealed class Scene
+    {
+        readonly VirtualCell _cell;
+        readonly Random _random;
+        readonly RobotDescriptionAsset[] _robots;
+        readonly string[] _descriptions;
+        readonly (string Name, Action Do)[] _actions;
+        readonly HashSet<CompensationSession> _beforeThePause = [];
+        GameObject _root;
+        MrilSession _session;
+        RobotRig _rig;
+        VirtualGripper _gripper;
+        Ghost _ghost;
+        bool _isPaused, _isUnfocused;
+
+        public Scene(VirtualCell cell, Random random)
+        {
+            _cell = cell;
+            _random = random;
+            _descriptions = [RobotFiles.LoadText("youbot"), RobotFiles.LoadText("ur5")];
+            _robots = [RobotDescriptionAsset.Create("youbot", _descriptions[0]), RobotDescriptionAsset.Create("ur5", _descriptions[1])];
+            _actions =
+            [
+                ("pause", () => Pause()),
+                ("focus", () => Focus()),
+                ("session on or off", () => Toggle(_session)),
+                ("rig on or off", () => Toggle(_rig)),
+                ("gripper on or off", () => Toggle(_gripper)),
+                ("cell in or out", () => ToggleActive(_root)),
+                ("rig in or out", () => ToggleActive(_rig)),
+                ("gripper in or out", () => ToggleActive(_gripper)),
+                ("ghost in or out", () => ToggleActive(_ghost)),
+                ("settings", () => Session(session => session.Settings = VirtualCell.Offline)),
+                ("robot", () => Session(session => session.RobotAsset = _random.Next(3) is var i and < 2 ? _robots[i] : null)),
+                ("description", () => Session(session => session.Session?.Described(_descriptions[_random.Next(2)]))),
+                ("connect", () => Session(session => session.Connect())),
+                ("disconnect", () => Session(session => session.Disconnect())),
+                ("a session less", () => Destroy(_session)),
+                ("a rig less", () => Destroy(_rig == null ? null : _rig.gameObject)),
+                ("a rig's script less", () => Destroy(_rig)),
+                ("a gripper less", () => Destroy(_gripper == null ? null : _gripper.gameObject)),
+                ("a cell less", () => Destroy(_root)),
+                ("a new cell", () => Rebuild()),
+            ];
+        }
+
+        /// <summary>Every session there has been.</summary>
+        public HashSet<CompensationSession> Sessions { get; } = [];
+
+        /// <summary>Frames that were current.</summary>
+        public int Currents { get; private set; }
+
+        public string StartAnew()
+        {
+            if (_isPaused) Pause();
+            if (_isUnfocused) Focus();
+            Rebuild();
+            return "a new cell, and " + Frames(300);
+        }
+
+        public string DoAnything()
+        {
+            // Long enough at times to synchronise.
+            if (_random.Next(4) > 0) return Frames(_random.Next(5) == 0 ? 150 : _random.Next(1, 4));
+            var (name, action) = _actions[_random.Next(_actions.Length)];
+            action();
+            Note();
+            return name;
+        }
+
+        public void Clear()
+        {
+            Destroy(_root);
+            _cell.Frame(null);
+        }
+
+        string Frames(int count)
+        {
+            for (var i = 0; i < count; i++)
+            {
+                _cell.Frame(_session);
+                Note();
+            }
+            return count + " frames";
+        }
+
+        void Rebuild()
+        {
+            Destroy(_root);
+            _session = _cell.NewSession(robot: null);
+            _root = _session.gameObject;
+            _session.RobotAsset = _robots[0];
+            _session.Shown += NoteShown;
+            var anchor = Below<BaseAnchor>(_root.transform);
+            _rig = Below<RobotRig>(anchor.transform);
+            _gripper = Below<VirtualGripper>(_rig.transform);
+            _ghost = Below<Ghost>(anchor.transform);
+            _ghost.GetComponent<RobotRig>().With("_shows", RigPose.Held);
+            _root.SetActive(true);
+        }
+
+        static T Below<T>(Transform parent) where T : Component
+        {
+            var made = new GameObject(typeof(T).Name);
+            made.SetActive(false);
+            made.transform.SetParent(parent, false);
+            var component = made.AddComponent<T>();
+            made.SetActive(true);
+            return component;
+        }
+
+        void Note()
+        {
+            if (_session != null && _session.Session != null) Sessions.Add(_session.Session);
+        }
+
+        void Pause()
+        {
+            _cell.Player.Pause(_isPaused = !_isPaused);
+            if (_isPaused) _beforeThePause.UnionWith(Sessions);
+        }
+
+        void Focus() => _cell.Player.Focus(!(_isUnfocused = !_isUnfocused));
+
+        void NoteShown(DisplayFrame frame)
+        {
+            Assert.That(_beforeThePause, Does.Not.Contain(_session.Session), "a session from before the pause");
+            if (frame.State == PoseState.Current) Currents++;
+        }
+
+        void Session(Action<MrilSession> action)
+        {
+            if (_session != null) action(_session);
+        }
+
+        static void Toggle(Behaviour behaviour)
+        {
+            if (behaviour != null) behaviour.enabled = !behaviour.enabled;
+        }
+
+        static void ToggleActive(Component component) => ToggleActive(component == null ? null : component.gameObject);
+
+        static void ToggleActive(GameObject gameObject)
+        {
+            if (gameObject != null) gameObject.SetActive(!gameObject.activeSelf);
+        }
+
+        static void Destroy(UnityEngine.Object doomed)
+        {
+            if (doomed != null) UnityEngine.Object.Destroy(doomed);
+        }
+    }
+}

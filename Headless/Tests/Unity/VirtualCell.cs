@@ -1,0 +1,115 @@
+using Nowpose.Gateway.Robots;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using UnityEngine;
+
+namespace Nowpose.Headless.Tests.Unity;
+
+/// <summary>A session component in a played scene, and a control system that hands it exchanges and samples in virtual time.</summary>
+sealed class VirtualCell : IDisposable
+{
+    const double FrameSeconds = 1 / 60.0;
+    const double Start = 1000;
+    static readonly TimeSpan Latency = TimeSpan.FromMilliseconds(80);
+    static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(1);
+    static readonly TimeSpan HeadsetMinusControl = TimeSpan.FromSeconds(-300);
+
+    double _nextSample, _nextExchange;
+    string[] _names = [];
+
+    /// <summary>What runs when no test says otherwise: nobody listens where it would connect to.</summary>
+    public static SessionSettings Offline { get; } =
+        new(new ConnectionSettings("127.0.0.1", 1, 1), VisualisationLatency.FromMilliseconds(40), new PredictionSettings());
+
+    public Player Player { get; } = new();
+    public SteppedClock Clock { get; } = new();
+
+    /// <summary>Seconds since the start.</summary>
+    public double Now { get; private set; }
+
+    /// <summary>Bytes that frames have allocated, the player's own part included.</summary>
+    public long Allocated { get; set; }
+
+    /// <summary>Whether exchanges come.</summary>
+    public bool IsSyncUp { get; set; } = true;
+
+    /// <summary>Whether samples come.</summary>
+    public bool IsPlantUp { get; set; } = true;
+
+    /// <summary>What the console says.</summary>
+    public IEnumerable<string> Messages => Player.Logs.Select(log => log.Message);
+
+    /// <summary>An object with a session that is fed by this cell instead of a gateway; inactive, to be filled in and switched on.</summary>
+    public MrilSession NewSession(string robot = "youbot", SessionSettings settings = null)
+    {
+        var cell = new GameObject("Cell");
+        cell.SetActive(false);
+        var session = cell.AddComponent<MrilSession>().With("_connectOnEnable", false);
+        session.Settings = settings ?? Offline;
+        session.HeadsetClock = Clock;
+        if (robot != null) session.RobotAsset = RobotDescriptionAsset.Create(robot, RobotFiles.LoadText(robot));
+        return session;
+    }
+
+    /// <summary>The same, switched on.</summary>
+    public MrilSession Play(string robot = "youbot", SessionSettings settings = null)
+    {
+        var session = NewSession(robot, settings);
+        session.gameObject.SetActive(true);
+        return session;
+    }
+
+    /// <summary>Frames at 60 Hz; what the control system has sent by then is there before each.</summary>
+    public void Run(double seconds, MrilSession session, Action seen = null)
+    {
+        for (var end = Now + seconds; Now < end; seen?.Invoke()) Frame(session);
+    }
+
+    /// <summary>One frame, for a session that may be null or destroyed.</summary>
+    public void Frame(MrilSession session)
+    {
+        Now += FrameSeconds;
+        Clock.Set(Start + Now);
+        if (session != null && session.Session != null) Feed(session.Session);
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        Player.Step(Now);
+        Allocated += GC.GetAllocatedBytesForCurrentThread() - before;
+    }
+
+    /// <summary>Joint positions at a time of the headset clock, within all limits of the robots used, mimic joints apart.</summary>
+    public static double PositionAt(HeadsetTime at, int joint) => 0.005 + 0.004 * Math.Sin(at.SinceEpoch.TotalSeconds * (1 + 0.1 * joint));
+
+    public void Dispose() => Player.Dispose();
+
+    void Feed(CompensationSession session)
+    {
+        var now = new HeadsetTime(TimeSpan.FromSeconds(Start + Now));
+        if (IsSyncUp && Now >= _nextExchange) Exchange(session, now);
+        if (IsPlantUp && Now >= _nextSample) Sample(session, now);
+    }
+
+    void Exchange(CompensationSession session, HeadsetTime now)
+    {
+        _nextExchange = Now + 0.2;
+        var there = Control(now - OneWay);
+        session.Clock.Add(new SyncExchange(now - OneWay - OneWay, there, there, now), out _);
+    }
+
+    void Sample(CompensationSession session, HeadsetTime now)
+    {
+        _nextSample = Now + 0.05;
+        if (session.Robot.MovingJoints.Count == 0) return;
+        if (_names.Length != session.Robot.MovingJoints.Count) _names = [.. session.Robot.MovingJoints.Select(joint => joint.Name)];
+        var positions = new double[_names.Length];
+        for (var i = 0; i < positions.Length; i++) positions[i] = PositionAt(now - Latency, i);
+        session.Received(new JointStateMessage(Control(now - Latency), _names, positions), now);
+    }
+
+    static ControlTime Control(HeadsetTime at) => new(at.SinceEpoch - HeadsetMinusControl);
+}
