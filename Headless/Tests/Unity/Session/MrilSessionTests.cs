@@ -361,6 +361,21 @@ public class MrilSessionTests
     }
 
     [Test]
+    public void Description_CannotBeRead_IsSaidOnce()
+    {
+        var session = _cell.Play(robot: null);
+
+        for (var i = 0; i < 3; i++)
+        {
+            session.Session.Described("<robot name='r'>");
+            _cell.Run(0.1, session);
+        }
+
+        Assert.That(session.Robot, Is.Null);
+        Assert.That(_cell.Messages.Single(), Does.Contain("/robot_description").And.Contain("cannot be used"));
+    }
+
+    [Test]
     public void RobotAsset_TakenAway_TheGatewaysRobotComes()
     {
         var session = _cell.Play("youbot");

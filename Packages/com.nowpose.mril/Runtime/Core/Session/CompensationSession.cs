@@ -34,6 +34,7 @@ namespace Nowpose.Session
         readonly object _gate = new object();
         VisualisationLatency _visualisation;
         volatile ReceivedDescription _description = ReceivedDescription.None;
+        volatile string _descriptionFault;
         SyncClient _syncClient;
         RosbridgeClient _rosbridgeClient;
         bool _wasKnown;
@@ -69,6 +70,9 @@ namespace Nowpose.Session
 
         /// <summary>Whether <see cref="Robot"/> was read from the same text. Any thread.</summary>
         public RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
+
+        /// <summary>Why the newest description could not be read, in one line; null when it could, or there is none. Any thread.</summary>
+        public string RobotDescriptionFault => _descriptionFault;
 
         /// <summary>Takes sync exchanges; the network feeds it, and so may a test.</summary>
         public ClockSynchroniser Clock => _synchroniser;
@@ -160,11 +164,14 @@ namespace Nowpose.Session
         /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
         public void Described(string urdf)
         {
+            string fault = null;
             // The same again after each reconnection.
-            if (urdf == _description.Text) return;
-            var reason = ReceivedDescription.TryRead(urdf, Robot, out var description);
-            Drops.Count(reason);
-            if (reason == DropReason.None) _description = description;
+            if (urdf != _description.Text)
+            {
+                if (ReceivedDescription.TryRead(urdf, Robot, out var description, out fault)) _description = description;
+                else Drops.Count(DropReason.NotUrdf);
+            }
+            _descriptionFault = fault;
         }
 
         /// <summary>A message that never came so far as to be queued. Any thread.</summary>

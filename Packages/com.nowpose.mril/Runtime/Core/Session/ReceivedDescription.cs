@@ -16,10 +16,11 @@ namespace Nowpose.Session
         public RobotModel Model { get; private set; }
         public RobotDescriptionMatch Match { get; private set; }
 
-        /// <returns>Why the text is of no use; <see cref="DropReason.None"/> when it is.</returns>
-        public static DropReason TryRead(string text, RobotModel displayed, out ReceivedDescription described)
+        /// <param name="fault">What is wrong with the text, in one line; null when nothing is.</param>
+        public static bool TryRead(string text, RobotModel displayed, out ReceivedDescription described, out string fault)
         {
             described = null;
+            fault = null;
             try
             {
                 var model = UrdfReader.Read(text, RosTopics.RobotDescription);
@@ -30,11 +31,12 @@ namespace Nowpose.Session
                     Model = model,
                     Match = isSame ? RobotDescriptionMatch.Same : RobotDescriptionMatch.Different,
                 };
-                return DropReason.None;
+                return true;
             }
-            catch (InputException)
+            catch (InputException notUrdf)
             {
-                return DropReason.NotUrdf;
+                fault = notUrdf.Message;
+                return false;
             }
         }
     }

@@ -257,6 +257,8 @@ namespace Nowpose.Unity
 
         void FollowDescription()
         {
+            var fault = Session.RobotDescriptionFault;
+            if (_description.IsNews(fault)) _log.Warn("the gateway's robot description cannot be used: " + fault);
             var described = Session.DescribedRobot;
             if (!_description.IsNews(described, Robot)) return;
             if (_robot != null)

@@ -81,6 +81,9 @@ namespace Nowpose.Tests
             Assert.That(_session.Drops.Total, Is.EqualTo(1));
             Assert.That(_session.RobotDescription, Is.SameAs(before));
             Assert.That(Shown, Is.EqualTo(RobotDescriptionMatch.Same));
+            Assert.That(_session.RobotDescriptionFault, Does.StartWith("/robot_description").And.Not.Contains("\n"));
+            _session.Described(UrdfFiles.Text("youbot.urdf"));
+            Assert.That(_session.RobotDescriptionFault, Is.Null);
         }
 
         [Test]
