@@ -1,0 +1,36 @@
+using System;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>How a <see cref="VirtualCell"/> samples and how well its network does. Immutable, checked once; no allocation.</summary>
+    public readonly struct VirtualCellSettings
+    {
+        /// <param name="samplingMs">T_s, from one sample to the next, ms, 5 to 1000.</param>
+        /// <param name="latencyMinMs">Shortest time from t_k until a sample is sent, ms, 0 to 2000: subscription and middleware.</param>
+        /// <param name="latencyMaxMs">Longest; in between all are equally likely, and no sample overtakes another.</param>
+        /// <param name="jitterMs">
+        /// What each packet of samples and sync exchanges takes longer at most, ms, 0 to 1000, all equally likely; samples
+        /// may overtake each other.
+        /// </param>
+        /// <param name="loss">Probability that a packet never arrives, 0 to 1.</param>
+        /// <param name="network">What lies between the cell and the headset besides.</param>
+        /// <exception cref="InputException">A value is out of range.</exception>
+        public VirtualCellSettings(
+            double samplingMs, double latencyMinMs, double latencyMaxMs, double jitterMs, double loss, NetworkProfile network)
+        {
+            SamplingInterval = SettingRange.RequireMs(samplingMs, 5, 1000, "sampling interval");
+            LatencyMin = SettingRange.RequireMs(latencyMinMs, 0, 2000, "shortest latency");
+            LatencyMax = SettingRange.RequireMs(latencyMaxMs, latencyMinMs, 2000, "longest latency");
+            Jitter = SettingRange.RequireMs(jitterMs, 0, 1000, "jitter");
+            Loss = SettingRange.Require(loss, 0, 1, "loss", "");
+            Network = network ?? throw new ArgumentNullException(nameof(network));
+        }
+
+        public TimeSpan SamplingInterval { get; }
+        public TimeSpan LatencyMin { get; }
+        public TimeSpan LatencyMax { get; }
+        public TimeSpan Jitter { get; }
+        public double Loss { get; }
+        public NetworkProfile Network { get; }
+    }
+}

@@ -1,0 +1,64 @@
+using System;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>The sync exchanges of a <see cref="VirtualCell"/>: one under way at a time, as over TCP. One thread.</summary>
+    sealed class VirtualExchanges
+    {
+        static readonly TimeSpan Interval = ClockTicks.Span(ProtocolLimits.SyncIntervalMs / 1000);
+
+        /// <summary>From a request's arrival until its reply is sent.</summary>
+        static readonly TimeSpan Turnaround = new TimeSpan(200);
+
+        readonly VirtualClock _clock;
+        readonly VirtualPath _up;
+        readonly VirtualPath _down;
+        SyncExchange? _underway;
+        HeadsetTime _next;
+
+        public VirtualExchanges(VirtualClock clock, int seed, HeadsetTime start)
+        {
+            _clock = clock;
+            _up = new VirtualPath(network => network.Up(seed), seed + 1);
+            _down = new VirtualPath(network => network.Down(seed + 2), seed + 3);
+            _next = start;
+        }
+
+        /// <summary>What happens until now; none is begun that would lie longer back than <paramref name="from"/>.</summary>
+        public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
+        {
+            if (_next < from) _next = from;
+            while (true)
+            {
+                if (_underway?.T4 <= now) Deliver(session);
+                if (_underway.HasValue || _next > now) return;
+                Begin(settings);
+            }
+        }
+
+        void Deliver(CompensationSession session)
+        {
+            if (session.Clock.Add(_underway.Value, out var fault) == SyncVerdict.SetAside)
+                session.SyncFaults.Count(SyncExchangeFault.Contradiction);
+            session.SyncFaults.Count(fault);
+            // The next waits for this one, and comes at once when it is due already.
+            if (_next < _underway.Value.T4) _next = _underway.Value.T4;
+            _underway = null;
+        }
+
+        void Begin(in VirtualCellSettings settings)
+        {
+            var t1 = _next;
+            _next += Interval;
+            var there = _up.TrySend(settings, out var up, out var upJitter);
+            var back = _down.TrySend(settings, out var down, out var downJitter);
+            if (!there || !back) return;
+            var arrived = t1 + up + upJitter;
+            var sent = arrived + Turnaround;
+            _underway = new SyncExchange(t1, _clock.At(arrived), _clock.At(sent), sent + down + downJitter);
+        }
+    }
+}

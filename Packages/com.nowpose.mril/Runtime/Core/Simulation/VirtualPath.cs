@@ -1,0 +1,35 @@
+using System;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>One direction of a network that may get better or worse while it is in use. Draws the same however it is set.</summary>
+    sealed class VirtualPath
+    {
+        readonly Func<NetworkProfile, PathDelay> _newDelay;
+        readonly Random _random;
+        NetworkProfile _network;
+        PathDelay _delay;
+
+        public VirtualPath(Func<NetworkProfile, PathDelay> newDelay, int seed)
+        {
+            _newDelay = newDelay;
+            _random = new Random(seed);
+        }
+
+        /// <summary>Sends a packet.</summary>
+        /// <param name="took">What the network takes.</param>
+        /// <param name="jitter">What it takes longer.</param>
+        /// <returns>False when it is lost.</returns>
+        public bool TrySend(in VirtualCellSettings settings, out TimeSpan took, out TimeSpan jitter)
+        {
+            if (_network != settings.Network)
+            {
+                _network = settings.Network;
+                _delay = _newDelay(_network);
+            }
+            took = _delay.Next();
+            jitter = new TimeSpan((long)(_random.NextDouble() * settings.Jitter.Ticks));
+            return _random.NextDouble() >= settings.Loss;
+        }
+    }
+}

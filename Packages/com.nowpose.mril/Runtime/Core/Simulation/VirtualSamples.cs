@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Motion;
+using Nowpose.Protocol;
+using Nowpose.Session;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>The samples of a <see cref="VirtualCell"/>: taken, sent, on their way, handed over. One thread.</summary>
+    sealed class VirtualSamples
+    {
+        readonly IMotion _motion;
+        readonly VirtualClock _clock;
+        readonly string[] _names;
+        readonly HeadsetTime _start;
+        readonly VirtualPath _path;
+        readonly Random _random;
+        // By arrival.
+        readonly List<SampleArrival> _underway = new List<SampleArrival>(1000);
+        HeadsetTime _lastTaken;
+        HeadsetTime _inOrder;
+
+        public VirtualSamples(IMotion motion, VirtualClock clock, int seed, HeadsetTime start)
+        {
+            _motion = motion;
+            _clock = clock;
+            _names = new List<string>(motion.JointNames).ToArray();
+            _start = _lastTaken = _inOrder = start;
+            _path = new VirtualPath(network => network.Down(seed), seed + 1);
+            _random = new Random(seed + 2);
+        }
+
+        /// <summary>What happens until now; nothing that lies longer back than <paramref name="from"/> is taken.</summary>
+        public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
+        {
+            if (_lastTaken < from) _lastTaken = from;
+            while (_lastTaken + settings.SamplingInterval <= now) Take(_lastTaken += settings.SamplingInterval, settings);
+            var arrived = 0;
+            for (; arrived < _underway.Count && _underway[arrived].At <= now; arrived++)
+                session.Received(_underway[arrived].Message, _underway[arrived].At);
+            _underway.RemoveRange(0, arrived);
+        }
+
+        void Take(HeadsetTime at, in VirtualCellSettings settings)
+        {
+            var spread = settings.LatencyMax - settings.LatencyMin;
+            var sent = at + settings.LatencyMin + new TimeSpan((long)(_random.NextDouble() * spread.Ticks));
+            if (!_path.TrySend(settings, out var took, out var jitter)) return;
+            // As on any stream, it waits for its forerunner.
+            if (sent + took > _inOrder) _inOrder = sent + took;
+            var positions = new double[_names.Length];
+            _motion.At(ClockTicks.Seconds(at - _start), positions);
+            Enqueue(new SampleArrival(new JointStateMessage(_clock.At(at), _names, positions), _inOrder + jitter));
+        }
+
+        void Enqueue(in SampleArrival arrival)
+        {
+            var place = _underway.Count;
+            while (place > 0 && _underway[place - 1].At > arrival.At) place--;
+            _underway.Insert(place, arrival);
+        }
+    }
+}

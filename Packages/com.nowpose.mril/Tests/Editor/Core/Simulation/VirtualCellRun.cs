@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Motion;
+using Nowpose.Network;
+using Nowpose.Session;
+using Nowpose.Simulation;
+
+namespace Nowpose.Tests
+{
+    /// <summary>A session fed by a virtual cell with a youBot, at 60 fps in virtual time, scored against the truth.</summary>
+    sealed class VirtualCellRun
+    {
+        static readonly RobotModel Robot = UrdfFiles.Robot("youbot");
+        static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
+        static readonly HeadsetTime Start = HeadsetTime.FromSeconds(500);
+
+        readonly ForwardKinematics _kinematics = new ForwardKinematics(Robot);
+        readonly RigidTransform[] _truePoses = new RigidTransform[Robot.Links.Count];
+        readonly RigidTransform[] _heldPoses = new RigidTransform[Robot.Links.Count];
+        readonly double[] _truth = new double[Robot.MovingJoints.Count];
+        readonly double _fps;
+        long _frames;
+
+        public VirtualCellRun(VirtualCellSettings settings, int seed = 1, double fps = 60)
+        {
+            _fps = fps;
+            Clock = new VirtualClock(Start, TimeSpan.FromSeconds(1000), 37e-6);
+            Cell = new VirtualCell(new PickAndPlaceMotion(Robot), Clock, settings, seed, Start);
+            Session = new CompensationSession(
+                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation)), Robot,
+                new StopwatchHeadsetClock());
+            Session.SampleTaken += (arrival, _) => Taken.Add(arrival);
+        }
+
+        public VirtualCell Cell { get; }
+        public VirtualClock Clock { get; }
+        public CompensationSession Session { get; }
+        public List<SampleArrival> Taken { get; } = new List<SampleArrival>();
+
+        /// <summary>Of the frames since the last <see cref="Run"/>: distance of the displayed tool from the true one, m, where current.</summary>
+        public List<double> Errors { get; } = new List<double>();
+
+        /// <summary>The same of the hold, in the same frames.</summary>
+        public List<double> HoldErrors { get; } = new List<double>();
+
+        public int Frames { get; private set; }
+        public HeadsetTime Now => Start + TimeSpan.FromTicks((long)(_frames / _fps * TimeSpan.TicksPerSecond));
+        public SessionStatistics Statistics => Session.Statistics(Now);
+
+        public static VirtualCellSettings Settings(
+            double samplingMs = 50, double latencyMinMs = 55, double latencyMaxMs = 105, double jitterMs = 0, double loss = 0) =>
+            new VirtualCellSettings(samplingMs, latencyMinMs, latencyMaxMs, jitterMs, loss, NetworkProfile.Lan);
+
+        public VirtualCellRun Run(double seconds)
+        {
+            Errors.Clear();
+            HoldErrors.Clear();
+            Frames = 0;
+            for (var end = _frames + (long)Math.Round(seconds * _fps); _frames < end; _frames++)
+            {
+                Cell.Run(Now, Session);
+                Score(Session.Tick(Now));
+            }
+            return this;
+        }
+
+        /// <summary>Nobody asks the cell for so long.</summary>
+        public void Sleep(double seconds) => _frames += (long)Math.Round(seconds * _fps);
+
+        void Score(DisplayFrame frame)
+        {
+            Frames++;
+            if (frame.State != PoseState.Current) return;
+            Cell.TruthAt(frame.Start + Visualisation, _truth);
+            _kinematics.Compute(_truth, _truePoses);
+            _kinematics.Compute(frame.HeldJoints, _heldPoses);
+            var tool = Robot.IndexOfLink(Robot.ToolLink.Name);
+            Errors.Add(Distance(frame.ToolPose, _truePoses[tool]));
+            HoldErrors.Add(Distance(_heldPoses[tool], _truePoses[tool]));
+        }
+
+        static double Distance(in RigidTransform a, in RigidTransform b) =>
+            Math.Sqrt(Math.Pow(a.X - b.X, 2) + Math.Pow(a.Y - b.Y, 2) + Math.Pow(a.Z - b.Z, 2));
+    }
+}
