@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -8,23 +9,38 @@ sealed class FrameLoop
 {
     readonly World _world;
     bool _started;
+    bool _loaded;
+    bool _paused;
 
-    internal FrameLoop(World world) => _world = world;
+    internal FrameLoop(World world)
+    {
+        _world = world;
+        LoadMethods.Call(RuntimeInitializeLoadType.SubsystemRegistration);
+        LoadMethods.Call(RuntimeInitializeLoadType.AfterAssembliesLoaded);
+        LoadMethods.Call(RuntimeInitializeLoadType.BeforeSplashScreen);
+        LoadMethods.Call(RuntimeInitializeLoadType.BeforeSceneLoad);
+    }
 
+    /// <summary>In place of what was loaded before.</summary>
     internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
     {
+        var before = new List<SceneContent>(_world.Scenes.Loaded);
         _world.Scenes.Active = _world.Scenes.Add(name, path);
+        foreach (var scene in before) Unload(scene);
         _world.Clock.NoteLevelLoad();
         _world.Scenes.Active.Adopt(roots);
+        FirstLoaded();
     }
 
     internal void Run(double seconds)
     {
         _world.Clock.Advance(seconds);
         TellTheStart();
+        _world.Gpu.Advance();
         _world.Scripts.Start();
         _world.Scripts.Update();
         _world.Coroutines.Update();
+        // Start of what came during the updates: before its first LateUpdate, in the same frame.
         _world.Scripts.Start();
         _world.Scripts.LateUpdate();
         _world.Destruction.Flush();
@@ -32,15 +48,22 @@ sealed class FrameLoop
         _world.Cameras.Render();
         _world.Coroutines.EndOfFrame();
         _world.Destruction.Flush();
-        _world.Gpu.Advance();
     }
 
-    internal void Pause(bool paused) => Tell((script, value) => script.Script.Pause(script, value), paused);
+    internal void Pause(bool paused)
+    {
+        if (_paused == paused) return;
+
+        _paused = paused;
+        TellPause();
+    }
 
     internal void Focus(bool focused)
     {
+        if (_world.Host.Focused == focused) return;
+
         _world.Host.ChangeFocus(focused);
-        Tell((script, value) => script.Script.Focus(script, value), focused);
+        TellFocus();
     }
 
     internal void Quit()
@@ -50,8 +73,37 @@ sealed class FrameLoop
         foreach (var root in _world.Scenes.Roots()) _world.Destruction.End(root);
     }
 
+    void Unload(SceneContent scene)
+    {
+        foreach (var root in new List<GameObject>(scene.Roots)) _world.Destruction.End(root);
+        _world.Scenes.Forget(scene);
+    }
+
+    // As Unity's first frame does, after everything woke and before any Start.
+    void TellTheStart()
+    {
+        if (_started) return;
+
+        _started = true;
+        FirstLoaded();
+        TellPause();
+        TellFocus();
+    }
+
+    void FirstLoaded()
+    {
+        if (_loaded) return;
+
+        _loaded = true;
+        LoadMethods.Call(RuntimeInitializeLoadType.AfterSceneLoad);
+    }
+
+    void TellPause() => Tell((script, value) => script.Script.Pause(script, value), _paused);
+
+    void TellFocus() => Tell((script, value) => script.Script.Focus(script, value), _world.Host.Focused);
+
     // Also scripts that are disabled hear these, as long as their object is active.
-    void Tell(System.Action<MonoBehaviour, bool> call, bool value)
+    void Tell(Action<MonoBehaviour, bool> call, bool value)
     {
         foreach (var gameObject in _world.Scenes.GameObjects())
         {
@@ -62,14 +114,5 @@ sealed class FrameLoop
                 if (component is MonoBehaviour { Awoken: true } script && script) call(script, value);
             }
         }
-    }
-
-    void TellTheStart()
-    {
-        if (_started) return;
-
-        _started = true;
-        Pause(false);
-        Focus(true);
     }
 }

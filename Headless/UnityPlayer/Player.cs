@@ -29,9 +29,9 @@ public sealed class Player : IDisposable
     /// <summary>With an empty scene, and without assets.</summary>
     public Player()
     {
-        _world = new World(isPlaying: true, _log.Add);
-        _loop = new FrameLoop(_world);
+        _world = new World(WorldKind.Playing, _log.Add);
         World.MakeCurrent(_world);
+        _loop = new FrameLoop(_world);
     }
 
     /// <summary>What was written to the console so far, oldest first.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Reflection;
+using System.Runtime.ExceptionServices;
 using UnityEngine.Serialization;
 
 namespace UnityEngine.Events;
@@ -31,12 +32,21 @@ sealed class PersistentCall
             return;
         }
 
-        method.Invoke(_target, _mode switch
+        var arguments = _mode switch
         {
             PersistentListenerMode.EventDefined => eventArguments,
             PersistentListenerMode.Void => null,
             _ => new[] { _arguments.ValueFor(_mode) },
-        });
+        };
+        try
+        {
+            method.Invoke(_target, arguments);
+        }
+        catch (TargetInvocationException e)
+        {
+            // The caller of Invoke gets what the listener threw, as from a delegate.
+            ExceptionDispatchInfo.Capture(e.InnerException).Throw();
+        }
     }
 
     /// <summary>Null where there is none of that name for these arguments.</summary>

@@ -43,18 +43,6 @@ public abstract class UnityEventBase : ISerializationCallbackReceiver
     internal void InvokePersistent(Type[] types, object[] arguments)
     {
         // An index: a listener may change the list, and nothing is allocated.
-        for (var i = 0; i < _persistent.Calls.Count; i++) Guard(_persistent.Calls[i], types, arguments);
-    }
-
-    static void Guard(PersistentCall call, Type[] types, object[] arguments)
-    {
-        try
-        {
-            call.Invoke(types, arguments);
-        }
-        catch (TargetInvocationException e)
-        {
-            Debug.LogException(e.InnerException, call.Target);
-        }
+        for (var i = 0; i < _persistent.Calls.Count; i++) _persistent.Calls[i].Invoke(types, arguments);
     }
 }

@@ -52,6 +52,9 @@ public partial class Object
     /// <summary>A component bears the name of its GameObject.</summary>
     internal virtual Object NameOwner => this;
 
+    /// <summary>Someone wrote its serialised fields.</summary>
+    internal virtual void FieldsChanged() { }
+
     /// <summary>A copy made by the class itself; null where Instantiate copies the serialised fields.</summary>
     internal virtual Object Duplicate() => null;
 
@@ -71,9 +74,18 @@ public partial class Object
     }
 
     public static void Destroy(Object obj) => Destroy(obj, 0);
-    public static void Destroy(Object obj, float t) => World.Current.Destruction.Later(obj, t);
+
+    public static void Destroy(Object obj, float t)
+    {
+        if (Alive(obj)) obj.World.Destruction.Later(obj, t);
+    }
+
     public static void DestroyImmediate(Object obj) => DestroyImmediate(obj, false);
-    public static void DestroyImmediate(Object obj, bool allowDestroyingAssets) => World.Current.Destruction.Now(obj, allowDestroyingAssets);
+
+    public static void DestroyImmediate(Object obj, bool allowDestroyingAssets)
+    {
+        if (Alive(obj)) obj.World.Destruction.Now(obj, allowDestroyingAssets);
+    }
 
     internal static bool Alive(Object o) => o is not null && !o.Destroyed;
 

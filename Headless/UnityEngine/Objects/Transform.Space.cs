@@ -198,6 +198,8 @@ public partial class Transform
     public void LookAt(Vector3 worldPosition) => LookAt(worldPosition, Vector3.up);
     public void LookAt(Vector3 worldPosition, Vector3 worldUp) => rotation = Quaternion.LookRotation(worldPosition - position, worldUp);
 
+    internal override void FieldsChanged() => MarkMoved();
+
     internal void MarkMoved()
     {
         hasChanged = true;

@@ -44,6 +44,13 @@ public partial class Transform : Component, IEnumerable
 
     public void SetParent(Transform parent, bool worldPositionStays)
     {
+        Hang(parent, worldPositionStays);
+        Lifecycle.Refresh(Owner);
+    }
+
+    /// <summary>As SetParent, but nothing wakes or stops yet.</summary>
+    internal void Hang(Transform parent, bool worldPositionStays)
+    {
         ThrowIfDestroyed();
         // A destroyed one counts as none.
         if (!Alive(parent)) parent = null;
@@ -55,11 +62,10 @@ public partial class Transform : Component, IEnumerable
             return;
         }
 
-        var world = new WorldPlace(this);
+        var place = worldPositionStays ? new WorldPlace(this) : default;
         Reparent(parent);
-        if (worldPositionStays) world.Restore(this);
-        else MarkMoved();
-        Lifecycle.Refresh(Owner);
+        MarkMoved();
+        if (worldPositionStays) place.Restore(this);
     }
 
     public bool IsChildOf(Transform parent)

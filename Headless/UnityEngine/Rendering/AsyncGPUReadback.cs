@@ -8,7 +8,7 @@ public static class AsyncGPUReadback
     {
         if (!src) throw new ArgumentNullException(nameof(src));
 
-        return new AsyncGPUReadbackRequest(World.Current.Gpu.Request(callback));
+        return World.Current.Gpu.Request(callback);
     }
 
     public static void WaitAllRequests() => World.Current.Gpu.FinishReadbacks();

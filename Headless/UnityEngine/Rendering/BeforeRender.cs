@@ -8,6 +8,7 @@ namespace UnityEngine.Rendering;
 sealed class BeforeRender
 {
     readonly List<(int Order, UnityAction Call)> _calls = new();
+    readonly List<UnityAction> _calling = new();
 
     internal int Count => _calls.Count;
 
@@ -27,16 +28,9 @@ sealed class BeforeRender
 
     internal void Invoke()
     {
-        for (var i = 0; i < _calls.Count; i++)
-        {
-            try
-            {
-                _calls[i].Call();
-            }
-            catch (System.Exception e)
-            {
-                Debug.LogException(e);
-            }
-        }
+        // A copy: a call may take itself off.
+        _calling.Clear();
+        foreach (var (_, call) in _calls) _calling.Add(call);
+        foreach (var call in _calling) Callbacks.Call(call);
     }
 }

@@ -4,7 +4,7 @@ namespace UnityEngine;
 static class BuiltIn
 {
     // Of the process, as in the engine: nobody changes or destroys them.
-    static readonly World Own = new(isPlaying: false, _ => { });
+    static readonly World Own = new(WorldKind.Assets, _ => { });
 
     static Material s_material;
     static readonly Mesh[] Meshes = new Mesh[6];

@@ -50,6 +50,7 @@ sealed class Cameras
 
     internal void Render()
     {
+        SortByDepth();
         // An index: a callback may switch a camera off.
         for (var i = 0; i < _enabled.Count; i++) Render(_enabled[i]);
     }
@@ -57,13 +58,25 @@ sealed class Cameras
     void Render(Camera camera)
     {
         Rendering = camera;
-        Camera.onPreCull?.Invoke(camera);
+        Callbacks.Call(Camera.onPreCull, camera);
         Tell(camera, Message.OnPreCull);
-        Camera.onPreRender?.Invoke(camera);
+        Callbacks.Call(Camera.onPreRender, camera);
         Tell(camera, Message.OnPreRender);
-        Camera.onPostRender?.Invoke(camera);
+        Callbacks.Call(Camera.onPostRender, camera);
         Tell(camera, Message.OnPostRender);
         Rendering = null;
+    }
+
+    // In place and stable; a depth may change at any time.
+    void SortByDepth()
+    {
+        for (var i = 1; i < _enabled.Count; i++)
+        {
+            for (var k = i; k > 0 && _enabled[k - 1].depth > _enabled[k].depth; k--)
+            {
+                (_enabled[k - 1], _enabled[k]) = (_enabled[k], _enabled[k - 1]);
+            }
+        }
     }
 
     void Tell(Camera camera, Message message)

@@ -18,7 +18,7 @@ sealed class Gpu
     /// <summary>Milliseconds of the last frames, newest first; empty where nothing is measured.</summary>
     internal List<FrameTiming> FrameTimings { get; } = new();
 
-    /// <summary>Frames until a readback is done; negative where there is none.</summary>
+    /// <summary>Whole frames that a readback takes, 0: done when the next frame begins; negative where readbacks are not supported.</summary>
     internal int ReadbackFrames { get; set; } = -1;
 
     /// <summary>Readbacks report an error.</summary>
@@ -34,15 +34,15 @@ sealed class Gpu
 
     internal void DisconnectDisplay() => Display = null;
 
-    internal Readback Request(System.Action<AsyncGPUReadbackRequest> callback)
+    internal AsyncGPUReadbackRequest Request(System.Action<AsyncGPUReadbackRequest> callback)
     {
         var readback = _done.Count > 0 ? _done.Pop() : new Readback();
         readback.Begin(callback, ReadbackFrames, failed: ReadbackFrames < 0 || ReadbacksFail);
         _readbacks.Add(readback);
-        return readback;
+        return new AsyncGPUReadbackRequest(readback);
     }
 
-    /// <summary>At the end of a frame.</summary>
+    /// <summary>At the beginning of a frame.</summary>
     internal void Advance()
     {
         var count = _readbacks.Count;
@@ -59,6 +59,5 @@ sealed class Gpu
     internal void FinishReadbacks()
     {
         foreach (var readback in _readbacks.ToArray()) readback.Finish();
-        _readbacks.Clear();
     }
 }

@@ -33,6 +33,6 @@ sealed class Readback
         if (Done) return;
 
         Done = true;
-        _callback?.Invoke(new AsyncGPUReadbackRequest(this));
+        Callbacks.Call(_callback, new AsyncGPUReadbackRequest(this));
     }
 }

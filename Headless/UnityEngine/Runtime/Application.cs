@@ -34,7 +34,7 @@ public class Application
 
     public static bool isPlaying => World.Current.IsPlaying;
     public static bool isFocused => Host.Focused;
-    public static bool isEditor => false;
+    public static bool isEditor => !isPlaying;
     public static bool isBatchMode => true;
     public static bool isMobilePlatform => false;
     public static RuntimePlatform platform => RuntimePlatform.LinuxPlayer;

@@ -13,9 +13,7 @@ sealed class Destruction
 
     internal void Later(Object what, float seconds)
     {
-        if (!Object.Alive(what)) return;
-
-        if (!_world.IsPlaying)
+        if (_world.Kind == WorldKind.Editing)
         {
             Debug.LogError(
                 "Destroy may not be called from edit mode! Use DestroyImmediate instead.\n" +
@@ -26,7 +24,7 @@ sealed class Destruction
 
     internal void Now(Object what, bool alsoAssets)
     {
-        if (Object.Alive(what) && MayEnd(what, alsoAssets)) End(what);
+        if (MayEnd(what, alsoAssets)) End(what);
     }
 
     /// <summary>Ends what is due.</summary>
@@ -94,7 +92,7 @@ sealed class Destruction
             return false;
         }
 
-        if (what.World != _world && !alsoAssets)
+        if (_world.Kind == WorldKind.Assets && !alsoAssets)
         {
             Debug.LogError("Destroying assets is not permitted to avoid data loss.", what);
             return false;

@@ -23,10 +23,10 @@ sealed class Host
     internal void ChangeFocus(bool focused)
     {
         Focused = focused;
-        FocusChanged?.Invoke(focused);
+        Callbacks.Call(FocusChanged, focused);
     }
 
-    internal void Quit() => Quitting?.Invoke();
+    internal void Quit() => Callbacks.Call(Quitting == null ? null : new Events.UnityAction(Quitting));
 
     internal void Logged(LogEntry entry)
     {

@@ -35,10 +35,12 @@ static class Lifecycle
         else Activate(changed);
     }
 
+    /// <summary>Children before their parents.</summary>
     internal static void Deactivate(GameObject root)
     {
         var stopping = new List<GameObject>();
         Hierarchy.Collect(root, stopping);
+        stopping.Reverse();
         stopping.RemoveAll(g => !g.activeInHierarchy);
         foreach (var gameObject in stopping) gameObject.SetActiveInHierarchy(false);
         foreach (var component in stopping.SelectMany(g => g.Components).ToList())

@@ -7,16 +7,11 @@ namespace UnityEngine;
 /// <summary>The loaded scenes of a world.</summary>
 sealed class Scenes
 {
-    readonly World _world;
     readonly List<SceneContent> _loaded = new();
     int _lastHandle;
     SceneContent _kept;
 
-    internal Scenes(World world)
-    {
-        _world = world;
-        Active = Add("", "");
-    }
+    internal Scenes() => Active = Add("", "");
 
     /// <summary>Where new objects go.</summary>
     internal SceneContent Active { get; set; }

@@ -11,6 +11,10 @@ sealed class ScriptType
 {
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
+    // Of Unity's messages those that would change what a script does: better refused than silently left out.
+    static readonly string[] NotCalled = { "FixedUpdate", "OnGUI", "OnBecameVisible", "OnBecameInvisible", "OnWillRenderObject", "OnRenderObject",
+        "OnTransformParentChanged", "OnTransformChildrenChanged", "OnBeforeTransformParentChanged" };
+
     static readonly ConcurrentDictionary<Type, ScriptType> Known = new();
 
     readonly MessageCall[] _messages = new MessageCall[(int)Message.Count];
@@ -23,6 +27,11 @@ sealed class ScriptType
     {
         Order = type.GetCustomAttribute<DefaultExecutionOrder>(true)?.order ?? 0;
         RunsInEditMode = type.IsDefined(typeof(ExecuteAlways), true) || type.IsDefined(typeof(ExecuteInEditMode), true);
+        foreach (var message in NotCalled)
+        {
+            if (Method(type, message) != null) throw new NotSupportedException($"{type.Name}.{message}: the stand-in does not call that message");
+        }
+
         for (var i = 0; i < _messages.Length; i++) _messages[i] = MessageCall.To(type, Method(type, ((Message)i).ToString()));
 
         var start = Method(type, "Start");

@@ -7,7 +7,7 @@ namespace UnityEngine;
 sealed class World
 {
     // What tests in edit mode use: nobody makes it and nobody ends it.
-    static readonly World EditMode = new(isPlaying: false, EditModeLog);
+    static readonly World EditMode = new(WorldKind.Editing, EditModeLog);
 
     static World s_current = EditMode;
 
@@ -15,22 +15,22 @@ sealed class World
     readonly Action<LogEntry> _log;
     int _lastId;
 
-    /// <param name="isPlaying">Scripts run; otherwise only those that run in edit mode.</param>
-    /// <param name="log">Gets every entry, under a lock, from whatever thread.</param>
-    internal World(bool isPlaying, Action<LogEntry> log)
+    /// <param name="kind">What happens in it.</param>
+    /// <param name="log">Gets every entry, from whatever thread.</param>
+    internal World(WorldKind kind, Action<LogEntry> log)
     {
-        IsPlaying = isPlaying;
+        Kind = kind;
         _log = log;
         Destruction = new Destruction(this);
         Coroutines = new Coroutines(this);
-        Scenes = new Scenes(this);
     }
 
     internal static World Current => s_current;
 
-    internal bool IsPlaying { get; private set; }
+    internal WorldKind Kind { get; }
+    internal bool IsPlaying => Kind == WorldKind.Playing;
     internal Clock Clock { get; } = new();
-    internal Scenes Scenes { get; }
+    internal Scenes Scenes { get; } = new();
     internal Scripts Scripts { get; } = new();
     internal Coroutines Coroutines { get; }
     internal Destruction Destruction { get; }
@@ -63,7 +63,7 @@ sealed class World
 
     internal void Log(LogEntry entry)
     {
-        lock (_log) _log(entry);
+        _log(entry);
         Host.Logged(entry);
     }
 

@@ -14,7 +14,7 @@ sealed class Cloner
     {
         Check(original);
         return HierarchyOf(original) is { } source
-            ? Finish(original, source, copy => copy.transform.SetParent(parent, worldPositionStays))
+            ? Finish(original, source, copy => copy.transform.Hang(parent, worldPositionStays))
             : CopyAlone(original);
     }
 
@@ -24,7 +24,7 @@ sealed class Cloner
         return HierarchyOf(original) is { } source
             ? Finish(original, source, copy =>
             {
-                copy.transform.SetParent(parent, false);
+                copy.transform.Hang(parent, false);
                 copy.transform.SetPositionAndRotation(position, rotation);
             })
             : CopyAlone(original);
@@ -45,6 +45,7 @@ sealed class Cloner
         cloner.CopyAllFields();
         place(copy);
         if (copy.transform.parent is null) World.Current.Scenes.Active.Adopt(new[] { copy });
+        else Lifecycle.Refresh(copy);
         return cloner._copies[original];
     }
 
@@ -73,7 +74,7 @@ sealed class Cloner
         copy.SetActiveSelf(source.activeSelf);
         _copies.Add(source, copy);
         foreach (var component in source.Components) _copies.Add(component, copy.Add(component.GetType()));
-        if (parent is not null) copy.transform.SetParent(parent, false);
+        copy.transform.Hang(parent, false);
         for (var i = 0; i < source.transform.childCount; i++) CopyObjects(source.transform.GetChild(i).gameObject, copy.transform);
         return copy;
     }
@@ -86,6 +87,7 @@ sealed class Cloner
 
             (source as ISerializationCallbackReceiver)?.OnBeforeSerialize();
             CopyFields(source, copy);
+            copy.FieldsChanged();
             (copy as ISerializationCallbackReceiver)?.OnAfterDeserialize();
         }
     }
@@ -101,7 +103,7 @@ sealed class Cloner
         if (type == typeof(string)) return value ?? "";
         if (type.IsArray) return CopyOfArray((Array)value, type.GetElementType());
         if (SerializedFields.IsList(type)) return CopyOfList((System.Collections.IList)value, type);
-        if (!SerializedFields.IsNested(type)) return value;
+        if (!SerializedFields.IsNested(type) || SerializedFields.IsEngineValue(type)) return value;
 
         // Files know no null for these.
         var made = Activator.CreateInstance(type, nonPublic: true);

@@ -42,7 +42,11 @@ static class SerializedFields
     /// <summary>A class or struct of the user's (or of the engine) that is written field by field.</summary>
     internal static bool IsNested(Type type) =>
         !type.IsPrimitive && !type.IsEnum && type != typeof(string) && !typeof(Object).IsAssignableFrom(type) && !type.IsAbstract &&
-        (type.IsSerializable || IsEngineStruct(type)) && type.Namespace?.StartsWith("System", StringComparison.Ordinal) != true;
+        !typeof(Delegate).IsAssignableFrom(type) &&
+        (type.IsSerializable || IsEngineValue(type)) && type.Namespace?.StartsWith("System", StringComparison.Ordinal) != true;
+
+    /// <summary>A vector, a colour and the like.</summary>
+    internal static bool IsEngineValue(Type type) => type.IsValueType && type.Assembly == typeof(Object).Assembly;
 
     static FieldInfo[] Read(Type type)
     {
@@ -64,6 +68,4 @@ static class SerializedFields
 
         return type.IsPrimitive || type.IsEnum || type == typeof(string) || typeof(Object).IsAssignableFrom(type) || IsNested(type);
     }
-
-    static bool IsEngineStruct(Type type) => type.IsValueType && type.Assembly == typeof(Object).Assembly;
 }

@@ -1,0 +1,5 @@
+namespace Nowpose.Headless.Tests.Engine;
+
+sealed class Derived : HiddenMessages
+{
+}

@@ -1,0 +1,8 @@
+using UnityEngine;
+
+namespace Nowpose.Headless.Tests.Engine;
+
+[DefaultExecutionOrder(10)]
+sealed class LateRecorder : Recorder
+{
+}

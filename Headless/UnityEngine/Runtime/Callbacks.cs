@@ -1,0 +1,44 @@
+using System;
+using UnityEngine.Events;
+
+namespace UnityEngine;
+
+/// <summary>Calls of scripts' delegates: what they throw is logged and goes no further.</summary>
+static class Callbacks
+{
+    internal static void Call(UnityAction call)
+    {
+        try
+        {
+            call?.Invoke();
+        }
+        catch (Exception e)
+        {
+            Debug.LogException(e);
+        }
+    }
+
+    internal static void Call(Camera.CameraCallback call, Camera camera)
+    {
+        try
+        {
+            call?.Invoke(camera);
+        }
+        catch (Exception e)
+        {
+            Debug.LogException(e);
+        }
+    }
+
+    internal static void Call<T>(Action<T> call, T argument)
+    {
+        try
+        {
+            call?.Invoke(argument);
+        }
+        catch (Exception e)
+        {
+            Debug.LogException(e);
+        }
+    }
+}
