@@ -149,7 +149,8 @@ public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
     }
 
     public static Vector4 operator *(Matrix4x4 lhs, Vector4 vector) => new(
-        Vector4.Dot(lhs.GetRow(0), vector), Vector4.Dot(lhs.GetRow(1), vector), Vector4.Dot(lhs.GetRow(2), vector), Vector4.Dot(lhs.GetRow(3), vector));
+        Vector4.Dot(lhs.GetRow(0), vector), Vector4.Dot(lhs.GetRow(1), vector),
+        Vector4.Dot(lhs.GetRow(2), vector), Vector4.Dot(lhs.GetRow(3), vector));
 
     public static Matrix4x4 operator *(Matrix4x4 lhs, Matrix4x4 rhs) =>
         new(lhs * rhs.GetColumn(0), lhs * rhs.GetColumn(1), lhs * rhs.GetColumn(2), lhs * rhs.GetColumn(3));

@@ -80,7 +80,8 @@ public sealed partial class GameObject : Object
         var required = Requirements.Of(componentType);
         if (required.Alone && GetComponent(componentType))
         {
-            Debug.LogError($"Can't add component '{componentType.Name}' to {name} because such a component is already added to the game object!", this);
+            Debug.LogError(
+                $"Can't add component '{componentType.Name}' to {name} because such a component is already added to the game object!", this);
             return null;
         }
 

@@ -18,7 +18,7 @@ sealed class Gpu
     /// <summary>Milliseconds of the last frames, newest first; empty where nothing is measured.</summary>
     internal List<FrameTiming> FrameTimings { get; } = new();
 
-    /// <summary>Whole frames that a readback takes, 0: done when the next frame begins; negative where readbacks are not supported.</summary>
+    /// <summary>Frames until a readback is done, when that frame begins: 1 the next one, as soon as can be; negative where there is none.</summary>
     internal int ReadbackFrames { get; set; } = -1;
 
     /// <summary>Readbacks report an error.</summary>

@@ -127,7 +127,15 @@ public sealed class Mesh : Object
 
     internal override Object Duplicate()
     {
-        var copy = new Mesh { indexFormat = indexFormat, vertices = _vertices, normals = _normals, uv = _uv, colors32 = _colors32, subMeshCount = subMeshCount };
+        var copy = new Mesh
+        {
+            indexFormat = indexFormat,
+            vertices = _vertices,
+            normals = _normals,
+            uv = _uv,
+            colors32 = _colors32,
+            subMeshCount = subMeshCount,
+        };
         for (var i = 0; i < subMeshCount; i++) copy.SetTriangles(_triangles[i], i);
         return copy;
     }
@@ -136,7 +144,10 @@ public sealed class Mesh : Object
 
     int[] Checked(int[] triangles)
     {
-        if (triangles.Length % 3 != 0) throw new ArgumentException("The number of supplied triangle indices must be a multiple of 3.", nameof(triangles));
+        if (triangles.Length % 3 != 0)
+        {
+            throw new ArgumentException("The number of supplied triangle indices must be a multiple of 3.", nameof(triangles));
+        }
 
         foreach (var index in triangles)
         {

@@ -1,9 +1,12 @@
+using System;
 using UnityEngine.Serialization;
 
 namespace UnityEngine;
 
 public sealed class MeshFilter : Component
 {
+    const string Copied = " Instance";
+
     [SerializeField, SerializedName("m_Mesh")] Mesh _mesh;
 
     public Mesh sharedMesh
@@ -18,15 +21,16 @@ public sealed class MeshFilter : Component
         get
         {
             if (!_mesh) _mesh = new Mesh();
-            else if (!_mesh.name.EndsWith(" Instance", System.StringComparison.Ordinal)) _mesh = Named((Mesh)_mesh.Duplicate(), _mesh.name + " Instance");
+            else if (!_mesh.name.EndsWith(Copied, StringComparison.Ordinal)) Copy();
             return _mesh;
         }
         set => _mesh = value;
     }
 
-    static Mesh Named(Mesh mesh, string name)
+    void Copy()
     {
-        mesh.name = name;
-        return mesh;
+        var name = _mesh.name + Copied;
+        _mesh = (Mesh)_mesh.Duplicate();
+        _mesh.name = name;
     }
 }

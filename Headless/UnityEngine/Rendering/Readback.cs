@@ -25,7 +25,7 @@ sealed class Readback
 
     internal void Advance()
     {
-        if (_framesLeft-- <= 0) Finish();
+        if (--_framesLeft <= 0) Finish();
     }
 
     internal void Finish()

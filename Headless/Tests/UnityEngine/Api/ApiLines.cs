@@ -39,7 +39,8 @@ static class ApiLines
         if (type.IsEnum) return $"enum {Name(field)} = {Convert.ToInt64(field.GetRawConstantValue(), CultureInfo.InvariantCulture)}";
 
         var modifiers = field.IsLiteral ? "const " : (field.IsStatic ? "static " : "") + (field.IsInitOnly ? "readonly " : "");
-        return $"{modifiers}field {Name(field)} : {TypeNames.Of(field.FieldType)}{(field.IsLiteral ? " = " + Constant(field.GetRawConstantValue()) : "")}";
+        var value = field.IsLiteral ? " = " + Constant(field.GetRawConstantValue()) : "";
+        return $"{modifiers}field {Name(field)} : {TypeNames.Of(field.FieldType)}{value}";
     }
 
     static string PropertyLine(PropertyInfo property)

@@ -1,4 +1,5 @@
 using System.Reflection;
+using System.Runtime.CompilerServices;
 
 namespace Nowpose.Headless.Tests.Engine.Api;
 
@@ -14,7 +15,8 @@ static class TypeLines
         }
 
         var bases = type.IsEnum ? "" : string.Join(", ", Bases(type).Select(TypeNames.Of));
-        return $"type {Kind(type)} {TypeNames.Of(type)}{(bases.Length > 0 ? " : " + bases : "")}{Constraints(type.GetGenericArguments())}{Attributes(type)}";
+        var name = TypeNames.Of(type) + (bases.Length > 0 ? " : " + bases : "");
+        return $"type {Kind(type)} {name}{Constraints(type.GetGenericArguments())}{Attributes(type)}";
     }
 
     internal static string Constraints(Type[] parameters) =>
@@ -33,9 +35,15 @@ static class TypeLines
     {
         if (type.IsEnum) return "enum";
         if (type.IsInterface) return "interface";
-        if (type.IsValueType) return type.IsDefined(typeof(System.Runtime.CompilerServices.IsReadOnlyAttribute), false) ? "readonly struct" : "struct";
+        if (type.IsValueType) return type.IsDefined(typeof(IsReadOnlyAttribute), false) ? "readonly struct" : "struct";
 
-        return type is { IsAbstract: true, IsSealed: true } ? "static class" : type.IsAbstract ? "abstract class" : type.IsSealed ? "sealed class" : "class";
+        return (type.IsAbstract, type.IsSealed) switch
+        {
+            (true, true) => "static class",
+            (true, false) => "abstract class",
+            (false, true) => "sealed class",
+            _ => "class",
+        };
     }
 
     static IEnumerable<Type> Bases(Type type)

@@ -4,8 +4,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Engine.Api;
 
 /// <summary>
-/// What a stand-in shows to scripts is Unity's, line by line, and no more: else code could compile here and not there. The lists hold the lines for the
-/// members in use, as they were read from Unity's own assemblies; a line is added by copying it from there.
+/// What a stand-in shows to scripts is Unity's, line by line, and no more: else code could compile here and not there. The lists hold the
+/// lines for the members in use, as they were read from Unity's own assemblies; a line is added by copying it from there.
 /// </summary>
 [TestFixture("UnityEngine", "UnityEngine/Api/unity-api-used.txt")]
 [TestFixture("UnityEditor", "UnityEngine/Api/unity-editor-api-used.txt")]

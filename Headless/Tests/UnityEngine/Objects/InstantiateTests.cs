@@ -42,7 +42,8 @@ public sealed class InstantiateTests : PlayerFixture
         source.points[0] = Vector3.zero;
 
         Assert.That((copy.number, copy.item.text, copy.points[0], copy.Hidden), Is.EqualTo((10, "x", Vector3.one, source.Hidden)));
-        Assert.That((copy.unsaved, copy.item.forgotten, copy.State, copy.table, copy.fixedOnce), Is.EqualTo((3, 7, 5, (Dictionary<int, int>)null, 4)));
+        Assert.That((copy.unsaved, copy.item.forgotten, copy.State, copy.fixedOnce), Is.EqualTo((3, 7, 5, 4)));
+        Assert.That(copy.table, Is.Null);
     }
 
     [Test]

@@ -44,15 +44,15 @@ public sealed class GpuTests : PlayerFixture
         Assert.That(timings[0].gpuFrameTime, Is.EqualTo(7.5));
     }
 
-    [TestCase(0)]
-    [TestCase(2)]
+    [TestCase(1)]
+    [TestCase(3)]
     public void Readback_TakesItsFrames(int frames)
     {
         Player.World.Gpu.ReadbackFrames = frames;
         Frame();
         var request = AsyncGPUReadback.Request(new Texture2D(1, 1), 0, r => Journal.Note($"done {r.done} {r.hasError}"));
 
-        Assert.That(Frame(frames), Is.Empty);
+        Assert.That(Frame(frames - 1), Is.Empty);
         Assert.That(request.done, Is.False);
         Assert.That(Frame(), Is.EqualTo("done True False"));
         Assert.That((request.done, request.hasError, Frame(3)), Is.EqualTo((true, false, "")));
@@ -90,6 +90,6 @@ public sealed class GpuTests : PlayerFixture
 
         Assert.That(allocated, Is.Zero);
         Assert.That(first.done);
-        Assert.That(Player.World.Gpu.PendingReadbacks, Is.EqualTo(1));
+        Assert.That(Player.World.Gpu.PendingReadbacks, Is.Zero);
     }
 }
