@@ -1,1 +1,32 @@
-return 0;
+using Nowpose.Metas;
+using Nowpose.Prefabs;
+
+const string Help = """
+    Writes the prefabs, materials, robot descriptions, settings and scenes of the Unity project that the current folder lies in.
+
+      (no option)  write those that differ, and their .meta where it is missing
+      --check      write nothing, only list what differs
+
+    Exit status: 0 nothing differs, 1 something did, 2 wrong use.
+    """;
+
+if (args.Contains("--help"))
+{
+    Console.WriteLine(Help);
+    return 0;
+}
+var unknown = args.FirstOrDefault(a => a != "--check");
+if (unknown != null) return Refuse($"unknown option {unknown}; --check and --help are known");
+var root = ProjectRoot.Find(Directory.GetCurrentDirectory());
+if (root == null) return Refuse($"no Unity project at or above {Directory.GetCurrentDirectory()}");
+
+var isCheck = args.Contains("--check");
+var differing = isCheck ? AssetPlan.Differing(root) : AssetPlan.Write(root);
+foreach (var path in differing) Console.WriteLine(isCheck ? $"{path}: differs from what is built; run this tool without --check" : $"wrote {path}");
+return isCheck && differing.Count > 0 ? 1 : 0;
+
+static int Refuse(string message)
+{
+    Console.Error.WriteLine(message);
+    return 2;
+}

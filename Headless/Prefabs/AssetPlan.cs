@@ -1,0 +1,57 @@
+using Nowpose.Metas;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>All that this tool writes, each after what it refers to.</summary>
+public static class AssetPlan
+{
+    static readonly (string Path, Func<Workshop, string> Make)[] Assets =
+    {
+        (PackagePaths.Hologram, MaterialAssets.Hologram),
+        (PackagePaths.Ghost, MaterialAssets.Ghost),
+        (PackagePaths.Occluder, MaterialAssets.Occluder),
+        (PackagePaths.Panel, MaterialAssets.Panel),
+        (PackagePaths.Youbot, w => RobotAssets.Description(w, PackagePaths.Youbot, PackagePaths.YoubotUrdf)),
+        (PackagePaths.Ur5, w => RobotAssets.Description(w, PackagePaths.Ur5, PackagePaths.Ur5Urdf)),
+        (PackagePaths.Settings, RobotAssets.Settings),
+        (PackagePaths.Gripper, GripperPrefab.Make),
+        (PackagePaths.Cell, w => CellPrefab.Make(w, PackagePaths.Cell, PackagePaths.Youbot)),
+        (PackagePaths.CellUr5, w => CellPrefab.Make(w, PackagePaths.CellUr5, PackagePaths.Ur5)),
+        (PackagePaths.DemoScene, Scenes.Demo),
+    };
+
+    public static IEnumerable<string> Paths => Assets.Select(a => a.Path);
+
+    /// <summary>Writes nothing.</summary>
+    /// <returns>Paths of those that are missing or have another text than is built now.</returns>
+    public static IReadOnlyList<string> Differing(string root)
+    {
+        var workshop = new Workshop(root);
+        return Assets.Where(a => Differs(root, a.Path, a.Make(workshop))).Select(a => a.Path).ToList();
+    }
+
+    /// <returns>Paths of those written.</returns>
+    public static IReadOnlyList<string> Write(string root)
+    {
+        var written = new List<string>();
+        var workshop = new Workshop(root);
+        foreach (var (path, make) in Assets)
+        {
+            var text = make(workshop);
+            if (!Differs(root, path, text)) continue;
+            Directory.CreateDirectory(Path.GetDirectoryName(Path.Combine(root, path)));
+            File.WriteAllText(Path.Combine(root, path), text);
+            MetaWriter.WriteMissing(root);
+            written.Add(path);
+            // What comes after refers to it as it is now.
+            workshop = new Workshop(root);
+        }
+        return written;
+    }
+
+    static bool Differs(string root, string path, string text)
+    {
+        var full = Path.Combine(root, path);
+        return !File.Exists(full) || File.ReadAllText(full) != text;
+    }
+}

@@ -1,0 +1,56 @@
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>Everything that a scene needs of one robot: its session, where it stands, its rig with the virtual gripper, and the ghost.</summary>
+static class CellPrefab
+{
+    /// <param name="path">Of the prefab, which bears the file's name.</param>
+    /// <param name="robotPath">Of the robot's description.</param>
+    public static string Make(Workshop workshop, string path, string robotPath)
+    {
+        var cell = new GameObject(Path.GetFileNameWithoutExtension(path));
+        var robot = workshop.Load<RobotDescriptionAsset>(robotPath);
+        var session = cell.AddComponent<MrilSession>();
+        Fields.Set(session, "_settings", workshop.Load<SessionSettingsAsset>(PackagePaths.Settings));
+        Fields.Set(session, "_robot", robot);
+        Fields.Set(cell.AddComponent<RenderTimeSource>(), "_session", session);
+
+        var anchor = new GameObject("Base Anchor");
+        anchor.transform.SetParent(cell.transform, worldPositionStays: false);
+        anchor.AddComponent<BaseAnchor>();
+
+        var occluder = workshop.Load<Material>(PackagePaths.Occluder);
+        var displayed = Rig(workshop, session, robot, anchor.transform, occluder, workshop.Load<Material>(PackagePaths.Hologram));
+        AddGripper(workshop, displayed);
+        AddGhost(workshop, session, robot, displayed);
+        return workshop.Prefab(cell);
+    }
+
+    static RobotRig Rig(Workshop workshop, MrilSession session, RobotDescriptionAsset robot, Transform anchor, Material arm, Material tool)
+    {
+        var rig = Rigs.Build(robot, anchor, arm, tool);
+        Fields.Set(rig, "_session", session);
+        return rig;
+    }
+
+    static GameObject AddGripper(Workshop workshop, RobotRig rig)
+    {
+        Rigs.HideBelow(rig.Flange);
+        return workshop.Instantiate(PackagePaths.Gripper, rig.Flange);
+    }
+
+    /// <summary>Hidden until somebody wants to compare.</summary>
+    static void AddGhost(Workshop workshop, MrilSession session, RobotDescriptionAsset robot, RobotRig displayed)
+    {
+        var look = workshop.Load<Material>(PackagePaths.Ghost);
+        var rig = Rig(workshop, session, robot, displayed.transform.parent, look, look);
+        rig.name = "Ghost";
+        Fields.Set(rig, "_shows", RigPose.Held);
+        Fields.Set(rig.gameObject.AddComponent<Ghost>(), "_displayed", displayed);
+        var gripper = AddGripper(workshop, rig);
+        foreach (var renderer in gripper.GetComponentsInChildren<MeshRenderer>(includeInactive: true)) renderer.sharedMaterial = look;
+        rig.gameObject.SetActive(false);
+    }
+}

@@ -1,0 +1,36 @@
+using Nowpose.Unity;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>The youBot's gripper by itself, in the flange's frame, its fingers closed.</summary>
+static class GripperPrefab
+{
+    public static string Make(Workshop workshop)
+    {
+        var hologram = workshop.Load<Material>(PackagePaths.Hologram);
+        var robot = Rigs.Build(workshop.Load<RobotDescriptionAsset>(PackagePaths.Youbot), null, hologram, hologram);
+
+        // The names differ from the links', or a rig that the gripper rides on would take them for its own.
+        var palm = Named(robot.Link("gripper_palm_link"), "Palm");
+        var left = Named(robot.Link("gripper_finger_link_l"), "Left Finger");
+        var right = Named(robot.Link("gripper_finger_link_r"), "Right Finger");
+        Object.DestroyImmediate(robot.Link("tool_centre_point").gameObject);
+
+        var gripper = new GameObject("Virtual Gripper");
+        palm.SetParent(gripper.transform, worldPositionStays: false);
+        Fields.Set(gripper.AddComponent<VirtualGripper>(), "_fingers", new List<GripperFinger>
+        {
+            new("gripper_finger_joint_l", left),
+            new("gripper_finger_joint_r", right),
+        });
+        return workshop.Prefab(gripper);
+    }
+
+    static Transform Named(Transform link, string name)
+    {
+        link.name = name;
+        return link;
+    }
+}

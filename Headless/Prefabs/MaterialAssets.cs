@@ -1,0 +1,37 @@
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+static class MaterialAssets
+{
+    /// <summary>Before what is transparent: the text in front of it has to be drawn after it.</summary>
+    const int BehindText = 2900;
+
+    /// <summary>The virtual parts: bright, for a headset's display only adds light.</summary>
+    public static string Hologram(Workshop workshop) => Make(workshop, "Hologram", new Color(0.25f, 0.75f, 1, 1));
+
+    /// <summary>The uncompensated pose: colourless and half transparent, so told from the other without its colour too.</summary>
+    public static string Ghost(Workshop workshop) => Make(workshop, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f));
+
+    public static string Occluder(Workshop workshop)
+    {
+        return workshop.Asset(new Material(workshop.Load<Shader>(PackagePaths.OccluderShader)) { name = "Occluder", enableInstancing = true });
+    }
+
+    /// <summary>Behind the status panel's text: dark, so on a headset hardly there, in the editor a ground for light letters.</summary>
+    public static string Panel(Workshop workshop) => Make(workshop, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
+
+    static string Make(Workshop workshop, string name, Color colour, int renderQueue = -1)
+    {
+        var material = new Material(workshop.Load<Shader>(PackagePaths.HologramShader))
+        {
+            name = name,
+            color = colour,
+            renderQueue = renderQueue,
+            enableInstancing = true,
+        };
+        material.SetFloat("_Fade", 0);
+        material.SetFloat("_Hatch", 0);
+        return workshop.Asset(material);
+    }
+}

@@ -1,0 +1,23 @@
+namespace Nowpose.Prefabs;
+
+/// <summary>Where the assets are, as Unity calls them.</summary>
+static class PackagePaths
+{
+    const string Runtime = "Packages/com.nowpose.mril/Runtime/";
+
+    public const string HologramShader = Runtime + "Shaders/Hologram.shader";
+    public const string OccluderShader = Runtime + "Shaders/Occluder.shader";
+    public const string Hologram = Runtime + "Materials/Hologram.mat";
+    public const string Ghost = Runtime + "Materials/Ghost.mat";
+    public const string Occluder = Runtime + "Materials/Occluder.mat";
+    public const string Panel = Runtime + "Materials/Panel.mat";
+    public const string YoubotUrdf = Runtime + "Robots/youbot.urdf";
+    public const string Ur5Urdf = Runtime + "Robots/ur5.urdf";
+    public const string Youbot = Runtime + "Robots/youBot.asset";
+    public const string Ur5 = Runtime + "Robots/UR5.asset";
+    public const string Settings = Runtime + "Settings/Default Session Settings.asset";
+    public const string Gripper = Runtime + "Prefabs/Virtual Gripper.prefab";
+    public const string Cell = Runtime + "Prefabs/Nowpose Robot Cell.prefab";
+    public const string CellUr5 = Runtime + "Prefabs/Nowpose Robot Cell UR5.prefab";
+    public const string DemoScene = "Assets/Scenes/Demo.unity";
+}

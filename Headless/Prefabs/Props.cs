@@ -1,0 +1,62 @@
+using Nowpose.UnityPlayer.Assets.Objects;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>What a scene for a desktop has around the robot.</summary>
+static class Props
+{
+    /// <param name="position">Metres.</param>
+    /// <param name="eulerAngles">Degrees.</param>
+    public static GameObject Camera(Vector3 position, Vector3 eulerAngles)
+    {
+        var camera = new GameObject("Main Camera") { tag = "MainCamera" };
+        camera.transform.position = position;
+        camera.transform.eulerAngles = eulerAngles;
+        var settings = camera.AddComponent<Camera>();
+        settings.backgroundColor = new Color(0.1f, 0.11f, 0.13f, 0);
+        settings.nearClipPlane = 0.05f;
+        settings.farClipPlane = 100;
+        settings.fieldOfView = 50;
+        settings.depth = -1;
+        return camera;
+    }
+
+    public static GameObject Light()
+    {
+        var light = new GameObject("Directional Light");
+        light.transform.position = new Vector3(0, 3, 0);
+        light.transform.eulerAngles = new Vector3(50, -30, 0);
+        var component = light.AddComponent<OpaqueComponent>();
+        component.ClassName = "Light";
+        foreach (var (name, value) in LightFields().Children) component.Fields.Add(name, value);
+        return light;
+    }
+
+    /// <summary>4 m in square, at the robot's base.</summary>
+    public static GameObject Ground()
+    {
+        var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);
+        ground.name = "Ground";
+        ground.transform.eulerAngles = new Vector3(90, 0, 0);
+        ground.transform.localScale = new Vector3(4, 4, 1);
+        return ground;
+    }
+
+    static YamlDotNet.RepresentationModel.YamlMappingNode LightFields() => Nodes.Lines(
+        ("m_Enabled", Nodes.Number(1)),
+        ("serializedVersion", Nodes.Number(10)),
+        ("m_Type", Nodes.Number(1)),
+        ("m_Shape", Nodes.Number(0)),
+        ("m_Color", Nodes.Braces(("r", Nodes.Number(1)), ("g", Nodes.Text("0.96")), ("b", Nodes.Text("0.9")), ("a", Nodes.Number(1)))),
+        ("m_Intensity", Nodes.Number(1)),
+        ("m_Shadows", Nodes.Lines(
+            ("m_Type", Nodes.Number(2)),
+            ("m_Resolution", Nodes.Number(-1)),
+            ("m_CustomResolution", Nodes.Number(-1)),
+            ("m_Strength", Nodes.Number(1)),
+            ("m_Bias", Nodes.Text("0.05")),
+            ("m_NormalBias", Nodes.Text("0.4")),
+            ("m_NearPlane", Nodes.Text("0.2")))));
+}

@@ -1,0 +1,31 @@
+using Nowpose.Unity;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>Rigs as the component itself builds them at run time, made to stay.</summary>
+static class Rigs
+{
+    /// <param name="parent">Null for none.</param>
+    /// <param name="arm">Material of the links up to the flange.</param>
+    /// <param name="tool">Material of the links that the flange carries.</param>
+    public static RobotRig Build(RobotDescriptionAsset robot, Transform parent, Material arm, Material tool)
+    {
+        var rig = new GameObject("Robot").AddComponent<RobotRig>();
+        if (parent != null) rig.transform.SetParent(parent, worldPositionStays: false);
+        Fields.Set(rig, "_armMaterial", arm);
+        Fields.Set(rig, "_toolMaterial", tool);
+        rig.Bind(robot.Read());
+        return rig;
+    }
+
+    /// <summary>Takes away what shows the links below one of them: the virtual gripper shows itself.</summary>
+    public static void HideBelow(Transform link)
+    {
+        foreach (var renderer in link.GetComponentsInChildren<MeshRenderer>(includeInactive: true))
+        {
+            if (renderer.transform.parent != link) Object.DestroyImmediate(renderer.gameObject);
+        }
+    }
+}

@@ -1,0 +1,24 @@
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+static class RobotAssets
+{
+    /// <summary>The URDF's text in an asset that prefabs may refer to: what an importer makes of a .urdf has fileIDs that only Unity knows.</summary>
+    public static string Description(Workshop workshop, string path, string urdfPath)
+    {
+        var asset = ScriptableObject.CreateInstance<RobotDescriptionAsset>();
+        asset.name = Path.GetFileNameWithoutExtension(path);
+        Fields.Set(asset, "_urdf", workshop.ReadText(urdfPath));
+        return workshop.Asset(asset);
+    }
+
+    /// <summary>A gateway on this machine, nothing calibrated: the class's own defaults.</summary>
+    public static string Settings(Workshop workshop)
+    {
+        var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
+        asset.name = Path.GetFileNameWithoutExtension(PackagePaths.Settings);
+        return workshop.Asset(asset);
+    }
+}

@@ -1,0 +1,49 @@
+using Nowpose.UnityPlayer;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>What an asset is built with: the assets that are there already, and the writer.</summary>
+sealed class Workshop
+{
+    readonly string _root;
+    readonly AssetLibrary _library;
+    readonly AssetWriter _writer;
+
+    public Workshop(string root)
+    {
+        _root = root;
+        _library = new AssetLibrary(root);
+        _writer = new AssetWriter(_library);
+    }
+
+    public T Load<T>(string path)
+        where T : Object
+    {
+        return _library.Load<T>(path);
+    }
+
+    public string ReadText(string path) => File.ReadAllText(Path.Combine(_root, path));
+
+    /// <summary>A linked instance of a prefab.</summary>
+    /// <param name="parent">Null for a root.</param>
+    public GameObject Instantiate(string prefabPath, Transform parent)
+    {
+        var made = _library.InstantiatePrefab(Load<GameObject>(prefabPath));
+        if (parent != null) made.transform.SetParent(parent, worldPositionStays: false);
+        return made;
+    }
+
+    public string Prefab(GameObject root)
+    {
+        Tidy.Transforms(root.transform);
+        return _writer.Prefab(root);
+    }
+
+    public string Scene(params GameObject[] roots) => _writer.Scene(roots);
+
+    public string Asset(ScriptableObject asset) => _writer.Asset(asset);
+
+    public string Asset(Material material) => _writer.Asset(material);
+}

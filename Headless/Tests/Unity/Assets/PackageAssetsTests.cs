@@ -1,0 +1,207 @@
+using System.Reflection;
+using Nowpose.Headless.Tests.Repository;
+using Nowpose.Kinematics;
+using Nowpose.Prefabs;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Serialization;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Headless.Tests.Unity.Assets;
+
+/// <summary>What the package, its samples and the host project ship as Unity's YAML.</summary>
+public sealed class PackageAssetsTests
+{
+    const string Runtime = "Packages/com.nowpose.mril/Runtime/";
+
+    /// <summary>References that may be empty, for then something else takes their place.</summary>
+    static readonly string[] MayBeEmpty = { "VirtualGripper._rig" };
+
+    AssetLibrary _library;
+
+    static IEnumerable<string> Assets => RepositoryFiles.All.Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".asset" or ".mat");
+
+    static IEnumerable<string> Prefabs => Assets.Where(f => f.EndsWith(".prefab", StringComparison.Ordinal));
+
+    [SetUp]
+    public void SetUp() => _library = new AssetLibrary(RepositoryFiles.Root);
+
+    [Test]
+    public void Assets_All_AreWhatTheToolBuilds()
+    {
+        Assert.That(AssetPlan.Differing(RepositoryFiles.Root), Is.Empty, "run: dotnet run --project Headless/Prefabs");
+        Assert.That(Assets, Is.EquivalentTo(AssetPlan.Paths));
+    }
+
+    [TestCaseSource(nameof(Assets))]
+    public void Asset_LoadedAndWritten_IsTheSameText(string path)
+    {
+        var writer = new AssetWriter(_library);
+
+        var written = Path.GetExtension(path) switch
+        {
+            ".unity" => _library.LoadScene(path) is var scene ? writer.Scene(scene.Roots, scene.Settings) : null,
+            ".prefab" => writer.Prefab(_library.Load<GameObject>(path)),
+            ".mat" => writer.Asset(_library.Load<Material>(path)),
+            _ => writer.Asset(_library.Load<ScriptableObject>(path)),
+        };
+
+        Assert.That(written, Is.EqualTo(RepositoryFiles.Read(path)));
+    }
+
+    [TestCaseSource(nameof(Prefabs))]
+    public void Prefab_References_AreSetUnlessTheyMayBeEmpty(string path)
+    {
+        var components = _library.Load<GameObject>(path).GetComponentsInChildren<Component>(true);
+
+        var empty = components.SelectMany(c => SerializedFields.Of(c.GetType()).SelectMany(f => Empty(f, c)).Select(f => c.GetType().Name + "." + f));
+
+        Assert.That(empty.Where(e => !MayBeEmpty.Contains(e)), Is.Empty);
+    }
+
+    [TestCase("youBot.asset", "youbot.urdf")]
+    [TestCase("UR5.asset", "ur5.urdf")]
+    public void RobotDescription_Text_IsThatOfTheUrdf(string asset, string urdf)
+    {
+        var description = _library.Load<RobotDescriptionAsset>(Runtime + "Robots/" + asset);
+
+        Assert.That(description.Urdf, Is.EqualTo(RepositoryFiles.Read(Runtime + "Robots/" + urdf)));
+    }
+
+    [Test]
+    public void DefaultSettings_ToSettings_AreAccepted()
+    {
+        var settings = _library.Load<SessionSettingsAsset>(Runtime + "Settings/Default Session Settings.asset");
+
+        Assert.That(() => settings.ToSettings(), Throws.Nothing);
+    }
+
+    [TestCase("Nowpose Robot Cell", "Robot")]
+    [TestCase("Nowpose Robot Cell", "Ghost")]
+    [TestCase("Nowpose Robot Cell UR5", "Robot")]
+    [TestCase("Nowpose Robot Cell UR5", "Ghost")]
+    public void Rig_AsSaved_StandsWhereForwardKinematicsPutsJointsAtZero(string cell, string rigName)
+    {
+        var (rig, model) = Rig(cell, rigName);
+        var expected = new ForwardPoses(model).At(new double[model.MovingJoints.Count]);
+
+        for (var i = 0; i < model.Links.Count; i++)
+        {
+            var link = rig.GetComponentsInChildren<Transform>(true).Single(t => t.name == model.Links[i].Name);
+            RequireAt(rig.transform, link, expected[i], "link " + link.name);
+        }
+    }
+
+    [TestCase("Nowpose Robot Cell", "Robot", 11)]
+    [TestCase("Nowpose Robot Cell", "Ghost", 12)]
+    [TestCase("Nowpose Robot Cell UR5", "Robot", 13)]
+    [TestCase("Nowpose Robot Cell UR5", "Ghost", 14)]
+    public void Rig_RandomJoints_StandsWhereForwardKinematicsPutsIt(string cell, string rigName, int seed)
+    {
+        var (rig, model) = Rig(cell, rigName);
+        var saved = rig.GetComponentsInChildren<Transform>(true).ToHashSet();
+        var poses = new ForwardPoses(model);
+        var random = new System.Random(seed);
+        rig.transform.SetPositionAndRotation(new Vector3(0.7f, -0.2f, 0.4f), Quaternion.Euler(10, 200, -30));
+        rig.Bind(model);
+
+        for (var n = 0; n < 200; n++)
+        {
+            var joints = model.MovingJoints.Select(j => (random.NextDouble() * 2 - 1) * (j.Kind == JointKind.Prismatic ? 0.1 : Math.PI)).ToArray();
+            rig.Apply(joints);
+            var expected = poses.At(joints);
+            for (var i = 0; i < model.Links.Count; i++)
+            {
+                var link = rig.Link(model.Links[i].Name);
+                Assert.That(saved, Does.Contain(link), "bound to what the prefab has, not built anew");
+                RequireAt(rig.transform, link, expected[i], $"seed {seed}, pose {n}, link {link.name}");
+            }
+        }
+    }
+
+    [Test]
+    public void Gripper_OnTheYoubot_HasItsFingersWhereForwardKinematicsPutsThem()
+    {
+        var (rig, model) = Rig("Nowpose Robot Cell", "Robot");
+        var gripper = rig.GetComponentInChildren<VirtualGripper>(true);
+        var poses = new ForwardPoses(model);
+        var random = new System.Random(21);
+        rig.Bind(model);
+        gripper.Mount(rig);
+
+        for (var n = 0; n < 50; n++)
+        {
+            var joints = model.MovingJoints.Select(j => random.NextDouble() * (j.Kind == JointKind.Prismatic ? 0.0115 : 2)).ToArray();
+            rig.Apply(joints);
+            var expected = poses.At(joints);
+            RequireAt(rig.transform, gripper.transform.Find("Palm/Left Finger"), expected[model.IndexOfLink("gripper_finger_link_l")], "left, seed 21");
+            RequireAt(rig.transform, gripper.transform.Find("Palm/Right Finger"), expected[model.IndexOfLink("gripper_finger_link_r")], "right, seed 21");
+        }
+    }
+
+    [TestCase("Nowpose Robot Cell")]
+    [TestCase("Nowpose Robot Cell UR5")]
+    public void Cell_Arm_HidesAndGripperShows(string cell)
+    {
+        var (rig, model) = Rig(cell, "Robot");
+        var gripper = rig.GetComponentInChildren<VirtualGripper>(true).transform;
+
+        var shown = rig.GetComponentsInChildren<MeshRenderer>(true).ToLookup(r => r.transform.IsChildOf(gripper), r => r.sharedMaterial.name);
+
+        Assert.That(shown[true].Distinct(), Is.EqualTo(new[] { "Hologram" }));
+        Assert.That(shown[false].Distinct(), Is.EqualTo(new[] { "Occluder" }));
+        Assert.That(gripper.parent.name, Is.EqualTo(model.FlangeLink.Name));
+    }
+
+    (RobotRig Rig, RobotModel Model) Rig(string cell, string name)
+    {
+        var root = _library.Load<GameObject>(Runtime + "Prefabs/" + cell + ".prefab").transform;
+        var rig = root.Find("Base Anchor/" + name).GetComponent<RobotRig>();
+        return (rig, root.GetComponent<MrilSession>().RobotAsset.Read());
+    }
+
+    /// <summary>0.01 mm and 1e-5 of the axes' length: floats over a chain of ten links.</summary>
+    static void RequireAt(Transform rig, Transform link, in RigidTransform expected, string what)
+    {
+        var pose = UnityFrame.ToUnity(expected);
+        var position = new Vector3((float)pose.X, (float)pose.Y, (float)pose.Z);
+        var rotation = new Quaternion((float)pose.RotationX, (float)pose.RotationY, (float)pose.RotationZ, (float)pose.RotationW);
+        Assert.That((rig.InverseTransformPoint(link.position) - position).magnitude, Is.LessThan(1e-5), what);
+        foreach (var axis in new[] { Vector3.right, Vector3.up, Vector3.forward })
+        {
+            var error = rig.InverseTransformDirection(link.rotation * axis) - rotation * axis;
+            Assert.That(error.magnitude, Is.LessThan(1e-5), what);
+        }
+    }
+
+    static IEnumerable<string> Empty(FieldInfo field, object owner)
+    {
+        var value = field.GetValue(owner);
+        if (typeof(Object).IsAssignableFrom(field.FieldType)) return (Object)value == null ? new[] { field.Name } : Array.Empty<string>();
+        if (field.FieldType != typeof(string) && value is System.Collections.IEnumerable items)
+            return items.Cast<object>().SelectMany(i => i is Object or null ? (Object)i == null ? new[] { field.Name } : Array.Empty<string>() : EmptyIn(i));
+        return Array.Empty<string>();
+    }
+
+    static IEnumerable<string> EmptyIn(object part) => SerializedFields.Of(part.GetType()).SelectMany(f => Empty(f, part));
+
+    sealed class ForwardPoses
+    {
+        readonly ForwardKinematics _kinematics;
+        readonly RigidTransform[] _poses;
+
+        public ForwardPoses(RobotModel model)
+        {
+            _kinematics = new ForwardKinematics(model);
+            _poses = new RigidTransform[model.Links.Count];
+        }
+
+        public RigidTransform[] At(double[] joints)
+        {
+            _kinematics.Compute(joints, _poses);
+            return _poses;
+        }
+    }
+}
