@@ -5,6 +5,9 @@ public sealed record Importer(string Name, params string[] Fields)
 {
     const string NoExternalObjects = "externalObjects: {}";
 
+    /// <summary>GUID of the package's UrdfImporter.cs, the script that imports .urdf files.</summary>
+    public const string UrdfImporterGuid = "3a22306441ecdd92ccca08f85b8cecd8";
+
     static readonly Importer Default = new("DefaultImporter", NoExternalObjects);
     static readonly Importer Manifest = new("PackageManifestImporter", NoExternalObjects);
     static readonly Importer Text = new("TextScriptImporter", NoExternalObjects);
@@ -20,7 +23,8 @@ public sealed record Importer(string Name, params string[] Fields)
         [".xml"] = Text,
         [".csv"] = Text,
         [".bytes"] = Text,
-        [".urdf"] = Text,
+        [".urdf"] = new("ScriptedImporter", "internalIDToNameTable: []", NoExternalObjects, "serializedVersion: 2",
+            $"script: {{fileID: 11500000, guid: {UrdfImporterGuid}, type: 3}}"),
         [".prefab"] = new("PrefabImporter", NoExternalObjects),
         [".asset"] = new("NativeFormatImporter", NoExternalObjects, "mainObjectFileID: 11400000"),
         [".mat"] = new("NativeFormatImporter", NoExternalObjects, "mainObjectFileID: 2100000"),

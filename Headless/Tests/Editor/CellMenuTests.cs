@@ -10,15 +10,15 @@ public sealed class CellMenuTests : EditorFixture
 {
     static IEnumerable<TestCaseData> Items => new[]
     {
-        new TestCaseData("GameObject/Nowpose/Robot Cell", PackagePrefab.RobotCell),
-        new TestCaseData("GameObject/Nowpose/Robot Cell UR5", PackagePrefab.RobotCellUr5),
-        new TestCaseData("GameObject/Nowpose/Virtual Gripper", PackagePrefab.VirtualGripper),
+        new TestCaseData("GameObject/Nowpose/Robot Cell", PackageAsset.RobotCell),
+        new TestCaseData("GameObject/Nowpose/Robot Cell UR5", PackageAsset.RobotCellUr5),
+        new TestCaseData("GameObject/Nowpose/Virtual Gripper", PackageAsset.VirtualGripper),
     };
 
     [TestCaseSource(nameof(Items))]
     public void Item_PrefabThere_PlacesAnInstanceUndoablyAndSelectsIt(string item, object of)
     {
-        var prefab = Put((PackagePrefab)of);
+        var prefab = Put((PackageAsset)of);
 
         Choose(item);
 
@@ -32,11 +32,11 @@ public sealed class CellMenuTests : EditorFixture
     [Test]
     public void Place_WithAContext_PutsItUnderThatObject()
     {
-        Put(PackagePrefab.VirtualGripper);
+        Put(PackageAsset.VirtualGripper);
         var parent = Keep(new GameObject("parent"));
         parent.transform.position = new Vector3(1, 2, 3);
 
-        var instance = CellMenu.Place(PackagePrefab.VirtualGripper, new MenuCommand(parent));
+        var instance = CellMenu.Place(PackageAsset.VirtualGripper, new MenuCommand(parent));
 
         Assert.That(instance.transform.parent, Is.SameAs(parent.transform));
         Assert.That(instance.transform.localPosition, Is.EqualTo(Vector3.zero));
@@ -53,7 +53,7 @@ public sealed class CellMenuTests : EditorFixture
         Application.logMessageReceived += listen;
         try
         {
-            Assert.That(CellMenu.Place(PackagePrefab.RobotCell, new MenuCommand(null)), Is.Null);
+            Assert.That(CellMenu.Place(PackageAsset.RobotCell, new MenuCommand(null)), Is.Null);
         }
         finally
         {
@@ -62,7 +62,7 @@ public sealed class CellMenuTests : EditorFixture
 
         Assert.That(logs, Is.EqualTo(new[]
         {
-            $"Error: [Nowpose] The prefab 'Nowpose Robot Cell' (GUID {PackagePrefab.RobotCell.Guid}) is not in this project; "
+            $"Error: [Nowpose] The prefab 'Nowpose Robot Cell' (GUID {PackageAsset.RobotCell.Guid}) is not in this project; "
             + "reinstall the package com.nowpose.mril.",
         }));
         Assert.That(Undo.Steps, Is.Empty);
@@ -71,7 +71,7 @@ public sealed class CellMenuTests : EditorFixture
     static void Choose(string item) => typeof(CellMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
         .Single(m => m.GetCustomAttribute<MenuItem>()?.menuItem == item).Invoke(null, new object[] { new MenuCommand(null) });
 
-    GameObject Put(PackagePrefab prefab)
+    GameObject Put(PackageAsset prefab)
     {
         var made = Keep(new GameObject(prefab.Name));
         Project.PutAs(prefab.Guid, prefab.Name + ".prefab", made);

@@ -34,7 +34,7 @@ public sealed class MetaFileTests
     [TestCase("a.md", "TextScriptImporter")]
     [TestCase("a.txt", "TextScriptImporter")]
     [TestCase("a.xml", "TextScriptImporter")]
-    [TestCase("a.urdf", "TextScriptImporter")]
+    [TestCase("a.urdf", "ScriptedImporter")]
     [TestCase("a.prefab", "PrefabImporter")]
     [TestCase("a.unity", "DefaultImporter")]
     [TestCase("a.asset", "NativeFormatImporter")]
@@ -56,6 +56,18 @@ public sealed class MetaFileTests
         var text = MetaFile.Format(new AssetEntry("Assets/" + name, IsFolder: false), Guid);
 
         Assert.That(text, Does.Contain("\n  " + field + "\n"));
+    }
+
+    [Test]
+    public void Format_OfAUrdf_NamesThePackagesImporter()
+    {
+        var package = Path.Combine(ProjectRoot.Find(TestContext.CurrentContext.TestDirectory), "Packages", "com.nowpose.mril");
+        var importer = new MetaFile(File.ReadAllText(Path.Combine(package, "Editor", "Import", "UrdfImporter.cs.meta"))).AssetGuid;
+        var script = $"\n  script: {{fileID: 11500000, guid: {importer}, type: 3}}\n";
+
+        Assert.That(MetaFile.Format(new AssetEntry("Assets/a.urdf", IsFolder: false), Guid), Does.Contain(script));
+        foreach (var meta in Directory.GetFiles(package, "*.urdf.meta", SearchOption.AllDirectories))
+            Assert.That(File.ReadAllText(meta), Does.Contain(script), meta);
     }
 
     [TestCase("guid: 0123456789ABCDEF0123456789abcdef\n")]

@@ -16,15 +16,15 @@ static class Importers
     internal static Type For(string path)
     {
         var extension = Path.GetExtension(path).TrimStart('.');
-        return AppDomain.CurrentDomain.GetAssemblies()
-            .Where(a => a.GetReferencedAssemblies().Any(r => r.Name == typeof(Importers).Assembly.GetName().Name))
-            .SelectMany(a => a.GetTypes())
+        return EditorAssemblies.Types
             .FirstOrDefault(t => t.GetCustomAttribute<ScriptedImporterAttribute>()?.fileExtensions.Contains(extension) == true);
     }
 
-    internal static Imported Import(Type type, string path)
+    internal static Imported Import(Type type, string path) => Import((ScriptedImporter)Activator.CreateInstance(type), path);
+
+    /// <param name="importer">With its import settings.</param>
+    internal static Imported Import(ScriptedImporter importer, string path)
     {
-        var importer = (ScriptedImporter)Activator.CreateInstance(type);
         importer.assetPath = path;
         var context = new AssetImportContext(path);
         Project.InRoot(() =>

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
-using UnityEngine;
+using Nowpose.UnityPlayer;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
@@ -11,9 +11,13 @@ namespace UnityEditor;
 /// <summary>The project whose assets the editor knows: the one that the running code lies in, unless a test opens another.</summary>
 static class Project
 {
+    // What Unity keeps as text, or what the library knows enough of.
+    static readonly string[] NativeAssets = { ".prefab", ".asset", ".mat", ".shader" };
+
     static readonly Dictionary<string, Object[]> Loaded = new Dictionary<string, Object[]>();
     static readonly Dictionary<string, string> Paths = new Dictionary<string, string>();
     static string _root;
+    static AssetLibrary _library;
 
     /// <summary>Absolute path of the folder that holds Assets and Packages.</summary>
     internal static string Root => _root ?? Open(Above(AppContext.BaseDirectory));
@@ -24,6 +28,7 @@ static class Project
     {
         Loaded.Clear();
         Paths.Clear();
+        _library = null;
         return _root = root ?? Above(AppContext.BaseDirectory);
     }
 
@@ -85,7 +90,11 @@ static class Project
     static Object[] Read(string path)
     {
         var importer = Importers.For(path);
-        return importer == null ? Array.Empty<Object>() : Importers.Import(importer, path).Objects;
+        if (importer != null) return Importers.Import(importer, path).Objects;
+
+        return NativeAssets.Contains(Path.GetExtension(path))
+            ? new[] { (_library ??= new AssetLibrary(Root)).Load<Object>(path) }
+            : Array.Empty<Object>();
     }
 
     static void FindGuids()

@@ -10,9 +10,7 @@ static class EditorTypes
     /// <summary>The plain inspector where none is declared, or where it cannot show several objects.</summary>
     internal static Type For(Type inspected, bool several)
     {
-        var type = AppDomain.CurrentDomain.GetAssemblies()
-            .Where(a => a.GetReferencedAssemblies().Any(r => r.Name == typeof(Editor).Assembly.GetName().Name))
-            .SelectMany(a => a.GetTypes())
+        var type = EditorAssemblies.Types
             .FirstOrDefault(t => t.GetCustomAttribute<CustomEditor>()?.InspectedType == inspected);
         return type == null || several && type.GetCustomAttribute<CanEditMultipleObjects>() == null ? typeof(Editor) : type;
     }

@@ -13,18 +13,18 @@ namespace Nowpose.Editor
         const int Priority = 10;
 
         [MenuItem(Folder + "Robot Cell", false, Priority)]
-        static void RobotCell(MenuCommand command) => Place(PackagePrefab.RobotCell, command);
+        static void RobotCell(MenuCommand command) => Place(PackageAsset.RobotCell, command);
 
         [MenuItem(Folder + "Robot Cell UR5", false, Priority)]
-        static void RobotCellUr5(MenuCommand command) => Place(PackagePrefab.RobotCellUr5, command);
+        static void RobotCellUr5(MenuCommand command) => Place(PackageAsset.RobotCellUr5, command);
 
         [MenuItem(Folder + "Virtual Gripper", false, Priority)]
-        static void VirtualGripper(MenuCommand command) => Place(PackagePrefab.VirtualGripper, command);
+        static void VirtualGripper(MenuCommand command) => Place(PackageAsset.VirtualGripper, command);
 
         /// <returns>The new instance; null where the prefab is missing.</returns>
-        internal static GameObject Place(PackagePrefab prefab, MenuCommand command)
+        internal static GameObject Place(PackageAsset prefab, MenuCommand command)
         {
-            var asset = AssetDatabase.LoadAssetAtPath<GameObject>(AssetDatabase.GUIDToAssetPath(prefab.Guid));
+            var asset = prefab.Load<GameObject>();
             if (asset == null)
             {
                 Debug.LogError("[Nowpose] The prefab '" + prefab.Name + "' (GUID " + prefab.Guid

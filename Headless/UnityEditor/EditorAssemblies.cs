@@ -1,0 +1,25 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+
+namespace UnityEditor;
+
+/// <summary>The assemblies that use the editor's API. The editor loads all of a project; .NET loads one when something of it is used.</summary>
+static class EditorAssemblies
+{
+    static readonly Lazy<Type[]> All = new Lazy<Type[]>(() => Load().SelectMany(a => a.GetTypes()).ToArray());
+
+    internal static IEnumerable<Type> Types => All.Value;
+
+    static IEnumerable<Assembly> Load()
+    {
+        var own = typeof(EditorAssemblies).Assembly.GetName().Name;
+        foreach (var file in Directory.GetFiles(AppContext.BaseDirectory, "Nowpose*.dll"))
+        {
+            var assembly = Assembly.Load(AssemblyName.GetAssemblyName(file));
+            if (assembly.GetReferencedAssemblies().Any(r => r.Name == own)) yield return assembly;
+        }
+    }
+}

@@ -1,0 +1,64 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Shows an imported robot as its URDF says, or in materials that the user chose for it.</summary>
+    sealed class ImportedLook : IRigLook
+    {
+        static readonly VisualColour Uncoloured = new VisualColour(0.8, 0.8, 0.8, 1);
+
+        readonly AssetImportContext _context;
+        readonly MeshSource _meshes;
+        readonly Material _arm, _tool;
+        readonly Dictionary<Color32, Material> _materials = new Dictionary<Color32, Material>();
+        Shader _shader;
+
+        /// <param name="arm">For the links up to the flange; null for the URDF's own colours.</param>
+        /// <param name="tool">For the links that the flange carries; null for the URDF's own colours.</param>
+        public ImportedLook(AssetImportContext context, Material arm, Material tool)
+        {
+            _context = context;
+            _meshes = new MeshSource(context);
+            _arm = arm;
+            _tool = tool;
+        }
+
+        public Material MaterialOf(VisualColour? colour, bool isTool)
+        {
+            var chosen = Chosen(isTool);
+            return chosen != null ? chosen : OfColour(colour ?? Uncoloured);
+        }
+
+        public GameObject MeshOf(LinkVisual visual, bool isTool) =>
+            _meshes.Show(visual.MeshFile, MaterialOf(visual.Colour, isTool), replacesMaterials: Chosen(isTool) != null);
+
+        Material Chosen(bool isTool) => isTool ? _tool : _arm;
+
+        Material OfColour(VisualColour colour)
+        {
+            var key = new Color32(Byte(colour.Red), Byte(colour.Green), Byte(colour.Blue), Byte(colour.Alpha));
+            if (_materials.TryGetValue(key, out var known)) return known;
+            var name = "#" + key.r.ToString("x2") + key.g.ToString("x2") + key.b.ToString("x2") + key.a.ToString("x2");
+            var material = new Material(HologramShader()) { name = name, color = key };
+            _context.AddObjectToAsset("material " + name, material);
+            _materials.Add(key, material);
+            return material;
+        }
+
+        Shader HologramShader()
+        {
+            if (_shader != null) return _shader;
+            var path = PackageAsset.HologramShader.Path;
+            if (path.Length > 0) _context.DependsOnArtifact(path);
+            _shader = PackageAsset.HologramShader.Load<Shader>();
+            return _shader != null ? _shader : _shader = Shader.Find("Standard");
+        }
+
+        static byte Byte(double part) => (byte)Math.Round(255 * Math.Min(1, Math.Max(0, part)));
+    }
+}

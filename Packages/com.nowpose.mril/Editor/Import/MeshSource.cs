@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using UnityEditor;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Gives one import the meshes that its URDF names, and declares what the import depends on by that.</summary>
+    /// <remarks>What cannot be had is one warning for each file; the rest of the robot is imported.</remarks>
+    sealed class MeshSource
+    {
+        readonly AssetImportContext _context;
+        readonly MeshLocator _locator;
+        readonly Dictionary<string, Mesh> _stlMeshes = new Dictionary<string, Mesh>(StringComparer.Ordinal);
+        readonly HashSet<string> _failed = new HashSet<string>(StringComparer.Ordinal);
+
+        public MeshSource(AssetImportContext context)
+        {
+            _context = context;
+            _locator = ProjectFiles.LocatorFor(context.assetPath);
+        }
+
+        /// <param name="name">As the URDF names the file.</param>
+        /// <param name="material">Of an STL, and of a model where it is to replace the model's own; null otherwise.</param>
+        /// <returns>An object that shows it in Unity's axes of the visual's frame; null where it cannot be had.</returns>
+        public GameObject Show(string name, Material material, bool replacesMaterials)
+        {
+            if (_failed.Contains(name)) return null;
+            try
+            {
+                var path = Found(name);
+                if (IsStl(path)) return ShowStl(path, material);
+                return ShowModel(path, replacesMaterials ? material : null);
+            }
+            catch (Exception fault) when (fault is InputException || fault is IOException || fault is UnauthorizedAccessException)
+            {
+                _failed.Add(name);
+                _context.LogImportWarning(Path.GetFileName(_context.assetPath) + ": " + fault.Message);
+                return null;
+            }
+        }
+
+        /// <summary>Whether Unity itself imports such a file, and what it makes of it is used.</summary>
+        public static bool IsModel(string path)
+        {
+            var extension = Path.GetExtension(path).ToLowerInvariant();
+            return extension == ".obj" || extension == ".dae" || extension == ".fbx";
+        }
+
+        static bool IsStl(string path) => Path.GetExtension(path).Equals(".stl", StringComparison.OrdinalIgnoreCase);
+
+        string Found(string name)
+        {
+            var mesh = _locator.Find(name);
+            if (mesh.Path == null)
+            {
+                foreach (var candidate in mesh.Candidates) _context.DependsOnSourceAsset(candidate);
+                throw new InputException("mesh " + mesh.Fault);
+            }
+            if (IsStl(mesh.Path) || IsModel(mesh.Path)) return mesh.Path;
+            throw new InputException("mesh '" + name + "' is of no kind that is read; STL, OBJ, DAE and FBX are");
+        }
+
+        GameObject ShowStl(string path, Material material)
+        {
+            if (!_stlMeshes.TryGetValue(path, out var mesh))
+            {
+                _context.DependsOnSourceAsset(path);
+                var triangles = StlReader.ReadFile(ProjectFiles.FullPath(path), path);
+                mesh = StlMesh.Build(triangles, Path.GetFileNameWithoutExtension(path));
+                _context.AddObjectToAsset("mesh " + path, mesh);
+                _stlMeshes.Add(path, mesh);
+            }
+            var shown = new GameObject();
+            shown.AddComponent<MeshFilter>().sharedMesh = mesh;
+            shown.AddComponent<MeshRenderer>().sharedMaterial = material;
+            return shown;
+        }
+
+        GameObject ShowModel(string path, Material material)
+        {
+            _context.DependsOnArtifact(path);
+            var model = AssetDatabase.LoadAssetAtPath<GameObject>(path);
+            if (model == null) throw new InputException("mesh " + path + ": Unity has not imported it; its own import log says why");
+            var shown = new GameObject();
+            var axes = new GameObject("axes").transform;
+            axes.SetParent(shown.transform, worldPositionStays: false);
+            axes.localRotation = TurnOf(path);
+            Adapt(Object.Instantiate(model, axes, worldPositionStays: false), material);
+            return shown;
+        }
+
+        static Quaternion TurnOf(string path) =>
+            Path.GetExtension(path).Equals(".dae", StringComparison.OrdinalIgnoreCase) && ModelAxes.TurnsColladaByItself()
+                ? Quaternion.identity
+                : ModelAxes.ToRobot(ModelHeader.UpAxisOf(ProjectFiles.FullPath(path)));
+
+        // A model may bring cameras and lights, and names of its own that a rig would take for links.
+        static void Adapt(GameObject instance, Material material)
+        {
+            foreach (var behaviour in instance.GetComponentsInChildren<Behaviour>(true)) Object.DestroyImmediate(behaviour);
+            foreach (var part in instance.GetComponentsInChildren<Transform>(true)) part.name = "mesh";
+            if (material == null) return;
+            foreach (var renderer in instance.GetComponentsInChildren<Renderer>(true))
+            {
+                var materials = renderer.sharedMaterials;
+                for (var i = 0; i < materials.Length; i++) materials[i] = material;
+                renderer.sharedMaterials = materials;
+            }
+        }
+    }
+}

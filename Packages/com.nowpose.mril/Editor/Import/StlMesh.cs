@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Makes an engine's mesh of an STL's triangles: in Unity's axes, its faces flat.</summary>
+    /// <remarks>
+    /// STL knows neither which edges are round nor shared corners. Corners in one place become one vertex where their faces point
+    /// the same way, which leaves the edges of a machined part sharp.
+    /// </remarks>
+    sealed class StlMesh
+    {
+        // As many indices as 16 bits address.
+        const int MostShortIndices = 65535;
+
+        // Directions closer than about a twentieth of a degree are the rounding of one plane.
+        const float DirectionSteps = 1000;
+
+        readonly Dictionary<(Vector3, Vector3), int> _known = new Dictionary<(Vector3, Vector3), int>();
+        readonly List<Vector3> _vertices = new List<Vector3>();
+        readonly List<Vector3> _normals = new List<Vector3>();
+        readonly List<int> _indices = new List<int>();
+
+        public static Mesh Build(StlTriangles triangles, string name)
+        {
+            var builder = new StlMesh();
+            for (var i = 0; i < triangles.Count; i++) builder.Add(triangles.Coordinates, 9 * i);
+            var mesh = new Mesh { name = name };
+            if (builder._vertices.Count > MostShortIndices) mesh.indexFormat = IndexFormat.UInt32;
+            mesh.SetVertices(builder._vertices);
+            mesh.SetNormals(builder._normals);
+            mesh.SetTriangles(builder._indices, 0);
+            return mesh;
+        }
+
+        // The axes mirror, so the order of the corners turns: what was outside stays outside.
+        void Add(IReadOnlyList<float> coordinates, int at)
+        {
+            Vector3 a = Corner(coordinates, at), b = Corner(coordinates, at + 6), c = Corner(coordinates, at + 3);
+            var normal = Normal(a, b, c);
+            var direction = new Vector3(Step(normal.x), Step(normal.y), Step(normal.z));
+            foreach (var corner in new[] { a, b, c }) _indices.Add(Vertex(corner, normal, direction));
+        }
+
+        int Vertex(Vector3 place, Vector3 normal, Vector3 direction)
+        {
+            if (_known.TryGetValue((place, direction), out var index)) return index;
+            _known.Add((place, direction), index = _vertices.Count);
+            _vertices.Add(place);
+            _normals.Add(normal);
+            return index;
+        }
+
+        static Vector3 Corner(IReadOnlyList<float> coordinates, int at)
+        {
+            var (x, y, z) = UnityFrame.DirectionToUnity((coordinates[at], coordinates[at + 1], coordinates[at + 2]));
+            return new Vector3((float)x, (float)y, (float)z);
+        }
+
+        // In double: Vector3.Normalize takes the face of a triangle of a millimetre for zero.
+        static Vector3 Normal(Vector3 a, Vector3 b, Vector3 c)
+        {
+            double px = (double)b.x - a.x, py = (double)b.y - a.y, pz = (double)b.z - a.z;
+            double qx = (double)c.x - a.x, qy = (double)c.y - a.y, qz = (double)c.z - a.z;
+            double x = py * qz - pz * qy, y = pz * qx - px * qz, z = px * qy - py * qx;
+            var length = Math.Sqrt(x * x + y * y + z * z);
+            return new Vector3((float)(x / length), (float)(y / length), (float)(z / length));
+        }
+
+        static float Step(float part) => Mathf.Round(part * DirectionSteps);
+    }
+}

@@ -1,0 +1,30 @@
+using UnityEditor;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Editor
+{
+    /// <summary>An asset of the package, by the GUID in its .meta: its path differs between an embedded and an installed package.</summary>
+    sealed class PackageAsset
+    {
+        PackageAsset(string name, string guid)
+        {
+            Name = name;
+            Guid = guid;
+        }
+
+        public static PackageAsset RobotCell { get; } = new PackageAsset("Nowpose Robot Cell", "d0da6b2f3d4d30b3ea450fecec2534b3");
+        public static PackageAsset RobotCellUr5 { get; } = new PackageAsset("Nowpose Robot Cell UR5", "e602b3296d36eb3d20de88f1ba6a7342");
+        public static PackageAsset VirtualGripper { get; } = new PackageAsset("Virtual Gripper", "176885fd79569bed07f075035b658bde");
+        public static PackageAsset HologramShader { get; } = new PackageAsset("Hologram", "a80c51a6e93c28d02a1283edfb854dcd");
+        public static PackageAsset DefaultSettings { get; } = new PackageAsset("Default Session Settings", "66b6686ca18f5802cb9aa8d01ead1a10");
+
+        public string Name { get; }
+        public string Guid { get; }
+
+        /// <summary>Empty where the project has no such asset.</summary>
+        public string Path => AssetDatabase.GUIDToAssetPath(Guid);
+
+        /// <summary>Null where the project has no such asset.</summary>
+        public T Load<T>() where T : Object => AssetDatabase.LoadAssetAtPath<T>(Path);
+    }
+}
