@@ -29,7 +29,7 @@ public sealed class Player : IDisposable
     /// <summary>With an empty scene, and without assets.</summary>
     public Player()
     {
-        _world = new World(WorldKind.Playing, _log.Add);
+        _world = new World(isPlaying: true, _log.Add);
         World.MakeCurrent(_world);
         _loop = new FrameLoop(_world);
     }
@@ -37,7 +37,7 @@ public sealed class Player : IDisposable
     /// <summary>What was written to the console so far, oldest first.</summary>
     public IReadOnlyList<PlayerLogEntry> Logs => _log.Entries;
 
-    /// <summary>Objects that are not destroyed: of scenes, and what scripts made (meshes, materials, …).</summary>
+    /// <summary>Objects that are not destroyed: of scenes, and what scripts made (meshes, materials, …), but no assets.</summary>
     public int ObjectCount => _world.ObjectCount;
 
     /// <summary>Delegates that hang on the engine's events (Application, Camera, …): what a script forgot to take off.</summary>

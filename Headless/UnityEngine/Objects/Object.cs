@@ -49,6 +49,9 @@ public partial class Object
 
     internal bool Destroyed { get; private set; }
 
+    /// <summary>It is what a file holds: not to be destroyed by mistake.</summary>
+    internal bool IsAsset { get; private set; }
+
     /// <summary>A component bears the name of its GameObject.</summary>
     internal virtual Object NameOwner => this;
 
@@ -88,6 +91,12 @@ public partial class Object
     }
 
     internal static bool Alive(Object o) => o is not null && !o.Destroyed;
+
+    internal void BecomeAsset()
+    {
+        IsAsset = true;
+        World.Forget(this);
+    }
 
     internal void ThrowIfDestroyed()
     {

@@ -4,7 +4,7 @@ namespace UnityEngine;
 static class BuiltIn
 {
     // Of the process, as in the engine: nobody changes or destroys them.
-    static readonly World Own = new(WorldKind.Assets, _ => { });
+    static readonly World Own = new(isPlaying: false, _ => { });
 
     static Material s_material;
     static readonly Mesh[] Meshes = new Mesh[6];
@@ -18,13 +18,13 @@ static class BuiltIn
 
         using (Own.Enter())
         {
-            return Meshes[(int)type] = Box(type.ToString(), type switch
+            return Meshes[(int)type] = AsAsset(Box(type.ToString(), type switch
             {
                 PrimitiveType.Capsule or PrimitiveType.Cylinder => new Vector3(1, 2, 1),
                 PrimitiveType.Plane => new Vector3(10, 0, 10),
                 PrimitiveType.Quad => new Vector3(1, 1, 0),
                 _ => Vector3.one,
-            });
+            }));
         }
     }
 
@@ -42,7 +42,13 @@ static class BuiltIn
 
     static Material Make()
     {
-        using (Own.Enter()) return new Material(new Shader { name = "Standard" }) { name = "Default-Material" };
+        using (Own.Enter()) return AsAsset(new Material(AsAsset(new Shader { name = "Standard" })) { name = "Default-Material" });
+    }
+
+    static T AsAsset<T>(T made) where T : Object
+    {
+        made.BecomeAsset();
+        return made;
     }
 
     static Mesh Box(string name, Vector3 size)

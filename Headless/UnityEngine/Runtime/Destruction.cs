@@ -13,13 +13,15 @@ sealed class Destruction
 
     internal void Later(Object what, float seconds)
     {
-        if (_world.Kind == WorldKind.Editing)
+        if (!MayEnd(what, false)) return;
+
+        if (!_world.IsPlaying)
         {
             Debug.LogError(
                 "Destroy may not be called from edit mode! Use DestroyImmediate instead.\n" +
                 "Destroying an object in edit mode destroys it permanently.", what);
         }
-        else if (MayEnd(what, false)) _waiting.Add((what, _world.Clock.Scaled + seconds));
+        else _waiting.Add((what, _world.Clock.Scaled + seconds));
     }
 
     internal void Now(Object what, bool alsoAssets)
@@ -92,7 +94,7 @@ sealed class Destruction
             return false;
         }
 
-        if (_world.Kind == WorldKind.Assets && !alsoAssets)
+        if (what.IsAsset && !alsoAssets)
         {
             Debug.LogError("Destroying assets is not permitted to avoid data loss.", what);
             return false;

@@ -7,7 +7,7 @@ namespace UnityEngine;
 sealed class World
 {
     // What tests in edit mode use: nobody makes it and nobody ends it.
-    static readonly World EditMode = new(WorldKind.Editing, EditModeLog);
+    static readonly World EditMode = new(isPlaying: false, EditModeLog);
 
     static World s_current = EditMode;
 
@@ -15,11 +15,11 @@ sealed class World
     readonly Action<LogEntry> _log;
     int _lastId;
 
-    /// <param name="kind">What happens in it.</param>
+    /// <param name="isPlaying">Scripts run; otherwise only those that say that they do so in edit mode.</param>
     /// <param name="log">Gets every entry, from whatever thread.</param>
-    internal World(WorldKind kind, Action<LogEntry> log)
+    internal World(bool isPlaying, Action<LogEntry> log)
     {
-        Kind = kind;
+        IsPlaying = isPlaying;
         _log = log;
         Destruction = new Destruction(this);
         Coroutines = new Coroutines(this);
@@ -27,8 +27,7 @@ sealed class World
 
     internal static World Current => s_current;
 
-    internal WorldKind Kind { get; }
-    internal bool IsPlaying => Kind == WorldKind.Playing;
+    internal bool IsPlaying { get; }
     internal Clock Clock { get; } = new();
     internal Scenes Scenes { get; } = new();
     internal Scripts Scripts { get; } = new();
@@ -41,7 +40,7 @@ sealed class World
     internal Dictionary<string, Shader> Shaders { get; } = new();
     internal Dictionary<string, object> Preferences { get; } = new();
 
-    /// <summary>Objects made in it that are not destroyed.</summary>
+    /// <summary>Objects made in it that are not destroyed; assets do not count.</summary>
     internal int ObjectCount => _objects.Count;
 
     /// <summary>Delegates that hang on the engine's events.</summary>

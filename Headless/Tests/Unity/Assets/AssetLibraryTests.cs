@@ -71,6 +71,23 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
+    public void Load_Prefab_IsNoObjectOfTheSceneAndCannotBeDestroyedByMistake()
+    {
+        using var player = new Nowpose.UnityPlayer.Player();
+        var before = player.ObjectCount;
+        var arm = Load("");
+
+        UnityEngine.Object.Destroy(arm);
+        UnityEngine.Object.DestroyImmediate(arm.transform.GetChild(0).gameObject);
+        player.Step(1);
+
+        Assert.That(player.ObjectCount, Is.EqualTo(before));
+        Assert.That((arm != null, arm.transform.childCount, player.Logs.Count), Is.EqualTo((true, 1, 2)));
+        Assert.That(UnityEngine.Object.FindObjectOfType<Transform>(true) == null);
+        Assert.That((arm.activeInHierarchy, arm.scene.IsValid()), Is.EqualTo((false, false)));
+    }
+
+    [Test]
     public void Load_Fields_OfEveryKind_AreSet()
     {
         _project.AddYaml("Assets/Data.asset", 4, Scriptable("Data", "  _text: hello\n"));

@@ -161,7 +161,11 @@ sealed class LoadedAssets
     void Add(AssetFile file, IReadOnlyDictionary<long, Object> objects)
     {
         _byGuid.Add(file.Guid, objects);
-        foreach (var (id, made) in objects) _references.Add(made, new AssetReference(id, file.Guid, TypeOf(file).Value));
+        foreach (var (id, made) in objects)
+        {
+            made.BecomeAsset();
+            _references.Add(made, new AssetReference(id, file.Guid, TypeOf(file).Value));
+        }
     }
 
     /// <summary>What a reference to the asset has as type; null where Unity alone knows the fileIDs.</summary>
