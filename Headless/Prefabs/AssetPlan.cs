@@ -13,11 +13,13 @@ public static class AssetPlan
         (PackagePaths.Panel, MaterialAssets.Panel),
         (PackagePaths.Youbot, w => RobotAssets.Description(w, PackagePaths.Youbot, PackagePaths.YoubotUrdf)),
         (PackagePaths.Ur5, w => RobotAssets.Description(w, PackagePaths.Ur5, PackagePaths.Ur5Urdf)),
-        (PackagePaths.Settings, RobotAssets.Settings),
+        (PackagePaths.Settings, w => RobotAssets.Settings(w, PackagePaths.Settings)),
         (PackagePaths.Gripper, GripperPrefab.Make),
         (PackagePaths.Cell, w => CellPrefab.Make(w, PackagePaths.Cell, PackagePaths.Youbot)),
         (PackagePaths.CellUr5, w => CellPrefab.Make(w, PackagePaths.CellUr5, PackagePaths.Ur5)),
         (PackagePaths.DemoScene, Scenes.Demo),
+        (PackagePaths.ConnectSettings, w => RobotAssets.Settings(w, PackagePaths.ConnectSettings)),
+        (PackagePaths.ConnectScene, Scenes.Connect),
     };
 
     public static IEnumerable<string> Paths => Assets.Select(a => a.Path);

@@ -7,6 +7,9 @@ namespace Nowpose.Prefabs;
 /// <summary>What a scene for a desktop has around the robot.</summary>
 static class Props
 {
+    /// <summary>The engine's own, grey.</summary>
+    public static Material DefaultMaterial => (Material)BuiltInAssets.Find(BuiltInAssets.DefaultMaterial);
+
     /// <param name="position">Metres.</param>
     /// <param name="eulerAngles">Degrees.</param>
     public static GameObject Camera(Vector3 position, Vector3 eulerAngles)

@@ -15,10 +15,10 @@ static class RobotAssets
     }
 
     /// <summary>A gateway on this machine, nothing calibrated: the class's own defaults.</summary>
-    public static string Settings(Workshop workshop)
+    public static string Settings(Workshop workshop, string path)
     {
         var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
-        asset.name = Path.GetFileNameWithoutExtension(PackagePaths.Settings);
+        asset.name = Path.GetFileNameWithoutExtension(path);
         return workshop.Asset(asset);
     }
 }

@@ -1,15 +1,18 @@
 namespace UnityEngine;
 
-/// <summary>What the engine brings along: the meshes of the primitives, the default material.</summary>
+/// <summary>What the engine brings along: the meshes of the primitives, the default material, that of the font.</summary>
 static class BuiltIn
 {
     // Of the process, as in the engine: nobody changes or destroys them.
     static readonly World Own = new(isPlaying: false, _ => { });
 
     static Material s_material;
+    static Material s_fontMaterial;
     static readonly Mesh[] Meshes = new Mesh[6];
 
-    internal static Material DefaultMaterial => s_material ? s_material : s_material = Make();
+    internal static Material DefaultMaterial => s_material ? s_material : s_material = Make("Default-Material", "Standard");
+
+    internal static Material FontMaterial => s_fontMaterial ? s_fontMaterial : s_fontMaterial = Make("Font Material", "GUI/Text Shader");
 
     /// <summary>Boxes of the primitives' documented sizes: nothing draws them.</summary>
     internal static Mesh Mesh(PrimitiveType type)
@@ -40,9 +43,9 @@ static class BuiltIn
         _ => null,
     };
 
-    static Material Make()
+    static Material Make(string name, string shader)
     {
-        using (Own.Enter()) return AsAsset(new Material(AsAsset(new Shader { name = "Standard" })) { name = "Default-Material" });
+        using (Own.Enter()) return AsAsset(new Material(AsAsset(new Shader { name = shader })) { name = name });
     }
 
     static T AsAsset<T>(T made) where T : Object

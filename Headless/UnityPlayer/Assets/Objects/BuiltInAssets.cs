@@ -19,13 +19,19 @@ static class BuiltInAssets
         [Default(10208)] = BuiltIn.Mesh(PrimitiveType.Capsule),
         [Default(10209)] = BuiltIn.Mesh(PrimitiveType.Plane),
         [Default(10210)] = BuiltIn.Mesh(PrimitiveType.Quad),
-        [new AssetReference(10303, ExtraResources, AssetReference.BuiltIn)] = BuiltIn.DefaultMaterial,
+        [DefaultMaterial] = BuiltIn.DefaultMaterial,
+        [FontMaterial] = BuiltIn.FontMaterial,
     };
 
     static readonly Dictionary<Object, AssetReference> ByObject = ByReference.ToDictionary(b => b.Value, b => b.Key);
 
     /// <summary>Of text: Arial, from Unity 2022.2 on LegacyRuntime. The stand-in has no fonts.</summary>
-    public static AssetReference Font { get; } = Default(10102);
+    public static AssetReference Font => Default(10102);
+
+    /// <summary>What that font's letters are drawn with.</summary>
+    public static AssetReference FontMaterial => Default(10100);
+
+    public static AssetReference DefaultMaterial => new AssetReference(10303, ExtraResources, AssetReference.BuiltIn);
 
     public static bool Holds(AssetReference reference) => reference.Guid == DefaultResources || reference.Guid == ExtraResources;
 
