@@ -1,0 +1,12 @@
+using Nowpose.Simulation;
+
+namespace Nowpose.Samples
+{
+    /// <summary>What lies between the simulated control system and the headset; in the order of <see cref="NetworkProfile.All"/>.</summary>
+    public enum SimulatedNetwork
+    {
+        Lan,
+        Wifi,
+        BusyWifi,
+    }
+}

@@ -1,0 +1,69 @@
+using System;
+using Nowpose.Session;
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Samples
+{
+    /// <summary>Plays the real robot: moves the rig beside it to where the simulated robot truly is when a frame's light appears.</summary>
+    [AddComponentMenu("Nowpose/Samples/Truth Rig")]
+    [DefaultExecutionOrder(BeforeRigs)]
+    [RequireComponent(typeof(RobotRig))]
+    [DisallowMultipleComponent]
+    public sealed class TruthRig : MonoBehaviour
+    {
+        // A rig without a session says so at its start unless it is bound to a robot by then.
+        const int BeforeRigs = -1;
+
+        [SerializeField, Tooltip("Moves the robot.")]
+        SimulatedControlSystem _controlSystem = null;
+
+        [SerializeField, Range(0, 200), Tooltip("How long this display truly takes from the start of a frame until its light appears, ms. The same "
+            + "as Visualisation Ms of the session's settings when the display is calibrated; another value shows what an error of it does.")]
+        float _displayMs = 40;
+
+        [SerializeField, Tooltip("Show the tool, too. Off, for the real robot has none: its tool is virtual.")]
+        bool _showsTool = false;
+
+        RobotRig _rig;
+        MrilSession _session;
+        double[] _joints = Array.Empty<double>();
+
+        void OnEnable()
+        {
+            _rig = GetComponent<RobotRig>();
+            _session = _controlSystem != null ? _controlSystem.Session : null;
+            if (_session != null) _session.Shown += Show;
+            else Debug.LogError("[Nowpose] truth rig '" + name + "' has no control system with a session; assign one", this);
+        }
+
+        void OnDisable()
+        {
+            if (_session is null) return;
+            _session.Shown -= Show;
+            _session = null;
+        }
+
+        void Start()
+        {
+            if (_controlSystem != null) FollowRobot();
+        }
+
+        void Show(DisplayFrame frame)
+        {
+            FollowRobot();
+            var light = frame.Start + TimeSpan.FromTicks((long)(_displayMs * TimeSpan.TicksPerMillisecond));
+            if (_controlSystem.TryGetTruth(light, _joints)) _rig.Apply(_joints);
+        }
+
+        void FollowRobot()
+        {
+            var robot = _controlSystem.Robot;
+            if (robot == null || robot == _rig.Model) return;
+            _rig.Bind(robot);
+            _joints = new double[robot.MovingJoints.Count];
+            foreach (Transform child in _rig.Flange)
+                if (robot.IndexOfLink(child.name) >= 0) child.gameObject.SetActive(_showsTool);
+        }
+    }
+}
