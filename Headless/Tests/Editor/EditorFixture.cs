@@ -21,6 +21,7 @@ public abstract class EditorFixture
         Client.Reset();
         UnityEditor.PackageManager.PackageInfo.Registered.Clear();
         EditorApplication.MenuItems.Clear();
+        EditorApplication.Now = 0;
         Undo.Clear();
         Selection.activeObject = null;
         Project.Open(null);

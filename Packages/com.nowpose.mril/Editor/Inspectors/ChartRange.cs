@@ -1,0 +1,37 @@
+using System;
+
+namespace Nowpose.Editor
+{
+    /// <summary>The values between which a chart is drawn: round numbers around what is known, zero among them.</summary>
+    readonly struct ChartRange
+    {
+        ChartRange(float bottom, float top)
+        {
+            Bottom = bottom;
+            Top = top;
+        }
+
+        public float Bottom { get; }
+        public float Top { get; }
+
+        public static ChartRange Of(RollingSeries series)
+        {
+            if (!series.TryGetRange(out var least, out var greatest)) return new ChartRange(0, 1);
+            var top = greatest > 0 ? Round(greatest) : 0;
+            var bottom = least < 0 ? -Round(-least) : 0;
+            return top > bottom ? new ChartRange(bottom, top) : new ChartRange(0, 1);
+        }
+
+        /// <summary>0 at the bottom, 1 at the top.</summary>
+        public float PartOf(float value) => (value - Bottom) / (Top - Bottom);
+
+        // The next of 1, 2, 5, 10, …: a line that moves a little keeps its scale.
+        static float Round(float value)
+        {
+            var power = Math.Pow(10, Math.Floor(Math.Log10(value)));
+            foreach (var step in new[] { 1, 2, 5 })
+                if (value <= step * power * 1.0001) return (float)(step * power);
+            return (float)(10 * power);
+        }
+    }
+}

@@ -1,0 +1,16 @@
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor
+{
+    [CustomEditor(typeof(Ghost))]
+    [CanEditMultipleObjects]
+    sealed class GhostEditor : LiveInspector
+    {
+        readonly StripChart _gap = new StripChart("Gap to the displayed tool", "mm");
+
+        protected override void Sample(double time) => _gap.Take(time, 1000 * ((Ghost)target).GapMetres);
+
+        protected override void DrawLive() => _gap.Draw();
+    }
+}

@@ -1,0 +1,41 @@
+using Nowpose.Session;
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor
+{
+    [CustomEditor(typeof(MrilSession))]
+    [CanEditMultipleObjects]
+    sealed class MrilSessionEditor : LiveInspector
+    {
+        readonly StripChart _latency = new StripChart("L_app", "ms");
+        readonly StripChart _horizon = new StripChart("Horizon", "ms");
+        readonly StripChart _error = new StripChart("Error", "mm");
+
+        MrilSession Target => (MrilSession)target;
+
+        protected override void Sample(double time)
+        {
+            var statistics = Target.Statistics;
+            _latency.Take(time, statistics?.ApplicationLatency?.TotalMilliseconds);
+            _horizon.Take(time, statistics?.Horizon?.TotalMilliseconds);
+            _error.Take(time, statistics?.ErrorMm);
+        }
+
+        protected override void DrawLive()
+        {
+            if (Target.Problem != null) EditorGUILayout.HelpBox(Target.Problem, MessageType.Error);
+            var statistics = Target.Statistics;
+            if (statistics == null)
+            {
+                EditorGUILayout.LabelField("Session", LiveText.Unknown);
+                return;
+            }
+            EditorGUILayout.LabelField("Robot", Target.Robot == null ? LiveText.Unknown : Target.Robot.Name);
+            foreach (var (label, value) in SessionRows.Of(statistics)) EditorGUILayout.LabelField(label, value);
+            _latency.Draw();
+            _horizon.Draw();
+            _error.Draw();
+        }
+    }
+}

@@ -1,0 +1,22 @@
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor
+{
+    [CustomEditor(typeof(RenderTimeSource))]
+    [CanEditMultipleObjects]
+    sealed class RenderTimeSourceEditor : LiveInspector
+    {
+        readonly StripChart _renderTime = new StripChart("Render time", "ms");
+
+        RenderTimeSource Target => (RenderTimeSource)target;
+
+        protected override void Sample(double time) => _renderTime.Take(time, Target.RenderTime?.TotalMilliseconds);
+
+        protected override void DrawLive()
+        {
+            EditorGUILayout.LabelField("Source", RenderTimeWords.NameOf(Target.Source));
+            _renderTime.Draw();
+        }
+    }
+}

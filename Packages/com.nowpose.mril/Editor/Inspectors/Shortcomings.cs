@@ -1,0 +1,53 @@
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Unity;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Knows which references the package's components cannot do without.</summary>
+    static class Shortcomings
+    {
+        static readonly ReferenceRule[] Rules =
+        {
+            new ReferenceRule(
+                typeof(MrilSession), "_settings", null, "It has no settings and cannot start, unless a script gives it some.",
+                _ => PackageAsset.DefaultSettings.Load<SessionSettingsAsset>()),
+            new ReferenceRule(
+                typeof(RobotRig), "_session", typeof(MrilSession),
+                "There is no session on it or above that would move it. Assign one, or let a script bind and move it.", Only<MrilSession>),
+            new ReferenceRule(
+                typeof(RenderTimeSource), "_session", typeof(MrilSession),
+                "There is no session on it or above that it would tell. Assign one.", Only<MrilSession>),
+            new ReferenceRule(
+                typeof(VirtualGripper), "_rig", typeof(RobotRig),
+                "There is no rig above it that it would ride on. Place it below one, or assign one.", Only<RobotRig>),
+        };
+
+        /// <summary>What any of the objects lacks; each once.</summary>
+        /// <param name="objects">Of one type.</param>
+        public static IReadOnlyList<Shortcoming> Of(Object[] objects)
+        {
+            var found = new List<Shortcoming>();
+            foreach (var rule in Rules)
+            {
+                Shortcoming shortcoming = null;
+                foreach (var component in objects.OfType<Component>().Where(rule.IsBrokenBy))
+                {
+                    shortcoming = shortcoming ?? rule.Shortcoming(component);
+                    shortcoming.Add(component);
+                }
+                if (shortcoming != null) found.Add(shortcoming);
+            }
+            return found;
+        }
+
+        // Of its own scene, which may be that of an opened prefab; nothing is guessed where there are several.
+        static Object Only<T>(Component component) where T : Component
+        {
+            var all = component.gameObject.scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<T>(true)).ToArray();
+            return all.Length == 1 ? all[0] : null;
+        }
+    }
+}

@@ -1,0 +1,87 @@
+using System;
+using System.Globalization;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>A small plot of the newest ten seconds, the newest value in its corner, "–" while none is known.</summary>
+    sealed class StripChart
+    {
+        const float Height = 54;
+        const float LineWidth = 2;
+        const double Seconds = 10;
+
+        // Fifty a second: finer than the plot has pixels.
+        const double Interval = 0.02;
+        const int Capacity = 600;
+
+        static readonly Color Background = new Color(0, 0, 0, 0.25f);
+        static readonly Color Line = new Color(0.45f, 0.8f, 1);
+
+        readonly string _label, _unit;
+        readonly RollingSeries _series = new RollingSeries(Capacity, Seconds);
+        readonly Vector3[] _points = new Vector3[Capacity];
+
+        /// <param name="unit">Of the values, as it is written behind them.</param>
+        public StripChart(string label, string unit)
+        {
+            _label = label;
+            _unit = unit;
+        }
+
+        public RollingSeries Series => _series;
+
+        /// <param name="time">Seconds.</param>
+        /// <param name="value">Null while it is not known.</param>
+        public void Take(double time, double? value)
+        {
+            if (_series.Count > 0 && Math.Abs(time - _series.TimeAt(_series.Count - 1)) < Interval) return;
+            _series.Add(time, value);
+        }
+
+        /// <summary>Takes a strip of the inspector's width.</summary>
+        public void Draw() => Draw(EditorGUILayout.GetControlRect(false, Height));
+
+        internal void Draw(Rect area)
+        {
+            var range = ChartRange.Of(_series);
+            EditorGUI.DrawRect(area, Background);
+            DrawLine(area, range);
+            GUI.Label(Row(area, area.yMin), _label + " " + Text(_series.Newest) + "   (" + Text(range.Top) + " at the top)", EditorStyles.miniLabel);
+            if (range.Bottom < 0) GUI.Label(Row(area, area.yMax - EditorGUIUtility.singleLineHeight), Text(range.Bottom), EditorStyles.miniLabel);
+        }
+
+        // What is not known is a gap.
+        void DrawLine(Rect area, ChartRange range)
+        {
+            var before = Handles.color;
+            Handles.color = Line;
+            var count = 0;
+            for (var i = 0; i < _series.Count; i++)
+            {
+                var value = _series.ValueAt(i);
+                if (float.IsNaN(value)) count = Flush(count);
+                else _points[count++] = new Vector3(X(area, i), area.yMax - range.PartOf(value) * area.height);
+            }
+            Flush(count);
+            Handles.color = before;
+        }
+
+        int Flush(int count)
+        {
+            if (count > 1) Handles.DrawAAPolyLine(LineWidth, count, _points);
+            return 0;
+        }
+
+        float X(Rect area, int index)
+        {
+            var age = _series.TimeAt(_series.Count - 1) - _series.TimeAt(index);
+            return area.xMax - (float)(age / _series.Seconds) * area.width;
+        }
+
+        string Text(float value) => float.IsNaN(value) ? LiveText.Unknown : value.ToString("0.##", CultureInfo.InvariantCulture) + " " + _unit;
+
+        static Rect Row(Rect area, float y) => new Rect(area.xMin + 4, y, area.width - 8, EditorGUIUtility.singleLineHeight);
+    }
+}

@@ -1,0 +1,99 @@
+using System.Linq;
+using Nowpose.Editor;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Tests
+{
+    public class ShortcomingsTests
+    {
+        readonly SceneObjects _scene = new SceneObjects();
+
+        [TearDown]
+        public void Clean() => _scene.Destroy();
+
+        [Test]
+        public void Session_WithoutSettings_SaysSo()
+        {
+            var session = _scene.New<MrilSession>("Session");
+            Assert.That(Of(session).Single().Message, Is.EqualTo("It has no settings and cannot start, unless a script gives it some."));
+
+            session.With("_settings", _scene.Asset<SessionSettingsAsset>("Settings"));
+
+            Assert.That(Of(session), Is.Empty);
+        }
+
+        [Test]
+        public void Rig_BelowASession_LacksNothing()
+        {
+            var session = _scene.New<MrilSession>("Session");
+            session.gameObject.SetActive(false);
+
+            Assert.That(Of(_scene.New<RobotRig>("Robot", session.transform)), Is.Empty);
+        }
+
+        [Test]
+        public void Rig_BesideTheOnlySession_IsOfferedThat()
+        {
+            var session = _scene.New<MrilSession>("The Session");
+            var rig = _scene.New<RobotRig>("Robot");
+
+            var shortcoming = Of(rig).Single();
+            Assert.That(shortcoming.Message, Does.StartWith("There is no session on it or above"));
+            Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'The Session'"));
+            shortcoming.Fix();
+
+            Assert.That(Of(rig), Is.Empty);
+            _scene.New<MrilSession>("Another");
+            Assert.That(Of(rig), Is.Empty, "it was assigned");
+            Assert.That(session != null);
+        }
+
+        [Test]
+        public void Rig_BesideTwoSessions_IsOfferedNone()
+        {
+            _scene.New<MrilSession>("One");
+            _scene.New<MrilSession>("Two");
+
+            Assert.That(Of(_scene.New<RobotRig>("Robot")).Single().FixLabel, Is.Null);
+        }
+
+        [Test]
+        public void Gripper_BesideTheOnlyRig_IsOfferedThat()
+        {
+            _scene.New<RobotRig>("Robot", _scene.New<MrilSession>("Session").transform);
+            var gripper = _scene.New<VirtualGripper>("Gripper");
+
+            Assert.That(Of(gripper).Single().FixLabel, Is.EqualTo("Use 'Robot'"));
+        }
+
+        [Test]
+        public void RenderTimeSource_OnTheSession_LacksNothing()
+        {
+            var session = _scene.New<MrilSession>("Session");
+
+            Assert.That(Of(session.gameObject.AddComponent<RenderTimeSource>()), Is.Empty);
+            Assert.That(Of(_scene.New<RenderTimeSource>("Elsewhere")).Single().FixLabel, Is.EqualTo("Use 'Session'"));
+        }
+
+        [Test]
+        public void Several_SomeLacking_AreFixedTogetherAndOnlyThose()
+        {
+            var session = _scene.New<MrilSession>("Session");
+            var below = _scene.New<RobotRig>("Below", session.transform);
+            RobotRig one = _scene.New<RobotRig>("One"), two = _scene.New<RobotRig>("Two");
+
+            Shortcomings.Of(new Object[] { below, one, two }).Single().Fix();
+
+            Assert.That(Of(one).Concat(Of(two)), Is.Empty);
+            Assert.That(SessionOf(one), Is.SameAs(session));
+            Assert.That(SessionOf(below), Is.Null);
+        }
+
+        static object SessionOf(RobotRig rig) => typeof(RobotRig)
+            .GetField("_session", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic).GetValue(rig);
+
+        static Shortcoming[] Of(Object component) => Shortcomings.Of(new[] { component }).ToArray();
+    }
+}
