@@ -28,6 +28,7 @@ sealed class ScriptClass : ObjectClass
     {
     }
 
+    /// <exception cref="AssetException">It has a field of a type that cannot be read or written here yet.</exception>
     public static ScriptClass Of(Type type) => Known.GetOrAdd(type, t => new ScriptClass(t));
 
     protected override void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)
@@ -56,6 +57,18 @@ sealed class ScriptClass : ObjectClass
 
     static IEnumerable<Slot> OwnFields(Type type)
     {
-        return SerializedFields.Of(type).Where(f => f.DeclaringType.Assembly != typeof(Object).Assembly).Select(f => Slot.Field(type, f.Name));
+        return SerializedFields.Of(type).Where(f => f.DeclaringType.Assembly != typeof(Object).Assembly).Select(f => OwnField(type, f.Name));
+    }
+
+    static Slot OwnField(Type type, string name)
+    {
+        try
+        {
+            return Slot.Field(type, name);
+        }
+        catch (NotSupportedException exception)
+        {
+            throw new AssetException(type.Name + "." + name + ": " + exception.Message, exception);
+        }
     }
 }
