@@ -18,6 +18,8 @@ public static class AssetPlan
         (PackagePaths.Cell, w => CellPrefab.Make(w, PackagePaths.Cell, PackagePaths.Youbot)),
         (PackagePaths.CellUr5, w => CellPrefab.Make(w, PackagePaths.CellUr5, PackagePaths.Ur5)),
         (PackagePaths.DemoScene, Scenes.Demo),
+        (PackagePaths.VirtualSettings, w => RobotAssets.Settings(w, PackagePaths.VirtualSettings)),
+        (PackagePaths.VirtualScene, Scenes.VirtualRobotCell),
         (PackagePaths.ConnectSettings, w => RobotAssets.Settings(w, PackagePaths.ConnectSettings)),
         (PackagePaths.ConnectScene, Scenes.Connect),
     };

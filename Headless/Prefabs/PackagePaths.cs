@@ -4,6 +4,7 @@ namespace Nowpose.Prefabs;
 static class PackagePaths
 {
     const string Runtime = "Packages/com.nowpose.mril/Runtime/";
+    const string Virtual = "Packages/com.nowpose.mril/Samples~/Virtual Robot Cell/";
     const string Connect = "Packages/com.nowpose.mril/Samples~/Connect to a Gateway/";
 
     public const string HologramShader = Runtime + "Shaders/Hologram.shader";
@@ -20,6 +21,8 @@ static class PackagePaths
     public const string Gripper = Runtime + "Prefabs/Virtual Gripper.prefab";
     public const string Cell = Runtime + "Prefabs/Nowpose Robot Cell.prefab";
     public const string CellUr5 = Runtime + "Prefabs/Nowpose Robot Cell UR5.prefab";
+    public const string VirtualSettings = Virtual + "Virtual Cell Settings.asset";
+    public const string VirtualScene = Virtual + "Virtual Robot Cell.unity";
     public const string ConnectSettings = Connect + "Gateway Settings.asset";
     public const string ConnectScene = Connect + "Connect to a Gateway.unity";
     public const string DemoScene = "Assets/Scenes/Demo.unity";

@@ -1,31 +1,66 @@
+using Nowpose.Samples;
 using Nowpose.Unity;
 using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Scenes for a desktop: no real arm is there to be seen and to hide what is behind it, so the rig's own is drawn.</summary>
+/// <summary>Scenes for a desktop, where no real arm is to be seen.</summary>
 static class Scenes
 {
     /// <summary>Of the host project.</summary>
-    public static string Demo(Workshop workshop) => Save(workshop, VisibleCell(workshop));
-
-    /// <summary>With settings of its own, which can be changed where those of an installed package cannot.</summary>
-    public static string Connect(Workshop workshop)
+    public static string Demo(Workshop workshop)
     {
-        var cell = VisibleCell(workshop);
-        Fields.Set(cell.GetComponent<MrilSession>(), "_settings", workshop.Load<SessionSettingsAsset>(PackagePaths.ConnectSettings));
+        var cell = Cell(workshop, PackagePaths.Settings);
+        Draw(Arm(workshop, cell), Props.DefaultMaterial);
         return Save(workshop, cell);
     }
 
-    static GameObject VisibleCell(Workshop workshop)
+    public static string Connect(Workshop workshop)
+    {
+        var cell = Cell(workshop, PackagePaths.ConnectSettings);
+        Draw(Arm(workshop, cell), Props.DefaultMaterial);
+        return Save(workshop, cell);
+    }
+
+    /// <summary>Here the real arm is drawn, too, where the simulation has it; it hides what is behind it by itself.</summary>
+    public static string VirtualRobotCell(Workshop workshop)
+    {
+        var cell = Cell(workshop, PackagePaths.VirtualSettings);
+        foreach (var part in Arm(workshop, cell)) part.enabled = false;
+        cell.GetComponentInChildren<Ghost>(includeInactive: true).gameObject.SetActive(true);
+        var session = cell.GetComponent<MrilSession>();
+        Fields.Set(session, "_connectOnEnable", false);
+
+        var robot = workshop.Load<RobotDescriptionAsset>(PackagePaths.Youbot);
+        var control = new GameObject("Simulated Control System").AddComponent<SimulatedControlSystem>();
+        Fields.Set(control, "_session", session);
+        Fields.Set(control, "_robot", robot);
+        var real = Rigs.Build(robot, null, Props.DefaultMaterial, Props.DefaultMaterial);
+        real.name = "Real Robot";
+        Fields.Set(real.gameObject.AddComponent<TruthRig>(), "_controlSystem", control);
+        Tidy.Transforms(real.transform);
+        return Save(workshop, control.gameObject, real.gameObject, cell);
+    }
+
+    /// <param name="settingsPath">Its own, for those of an installed package cannot be changed.</param>
+    static GameObject Cell(Workshop workshop, string settingsPath)
     {
         var cell = workshop.Instantiate(PackagePaths.Cell, null);
-        var occluder = workshop.Load<Material>(PackagePaths.Occluder);
-        foreach (var renderer in cell.transform.Find("Base Anchor/Robot").GetComponentsInChildren<MeshRenderer>(includeInactive: true))
-        {
-            if (renderer.sharedMaterial == occluder) renderer.sharedMaterial = Props.DefaultMaterial;
-        }
+        Fields.Set(cell.GetComponent<MrilSession>(), "_settings", workshop.Load<SessionSettingsAsset>(settingsPath));
         return cell;
+    }
+
+    /// <summary>What hides the gripper where the real arm is: unseen itself.</summary>
+    static IEnumerable<MeshRenderer> Arm(Workshop workshop, GameObject cell)
+    {
+        var occluder = workshop.Load<Material>(PackagePaths.Occluder);
+        return cell.transform.Find("Base Anchor/Robot").GetComponentsInChildren<MeshRenderer>(includeInactive: true)
+            .Where(r => r.sharedMaterial == occluder);
+    }
+
+    static void Draw(IEnumerable<MeshRenderer> parts, Material material)
+    {
+        foreach (var part in parts) part.sharedMaterial = material;
     }
 
     static string Save(Workshop workshop, params GameObject[] robots)
