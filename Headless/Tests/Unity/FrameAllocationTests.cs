@@ -10,7 +10,7 @@ public class FrameAllocationTests
     [TestCase(true)]
     public void Frame_WarmWithEverythingShown_AllocatesNothing(bool rewrites)
     {
-        using var cell = new VirtualCell();
+        using var cell = new PlayedCell();
         var session = cell.NewSession();
         session.With("_settings", ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_rewriteBeforeRender", rewrites));
         var anchor = Below<BaseAnchor>(session.transform);

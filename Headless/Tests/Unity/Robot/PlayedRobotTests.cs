@@ -10,14 +10,14 @@ namespace Nowpose.Headless.Tests.Unity.Robot;
 /// <summary>Rig, gripper and ghost below a session that plays.</summary>
 public class PlayedRobotTests
 {
-    VirtualCell _cell;
+    PlayedCell _cell;
     MrilSession _session;
     RobotRig _rig;
 
     [SetUp]
     public void Start()
     {
-        _cell = new VirtualCell();
+        _cell = new PlayedCell();
         _session = _cell.NewSession();
         _rig = Below<RobotRig>("Robot", _session.transform);
     }

@@ -15,7 +15,7 @@ public class LifeCycleTests
     [Test]
     public async Task AnySequence_OfWhatAnApplicationDoes_LeavesNothingBehind([NUnit.Framework.Range(1, 25)] int seed)
     {
-        using var cell = new VirtualCell();
+        using var cell = new PlayedCell();
         Application.runInBackground = false;
         var scene = new Scene(cell, new Random(seed));
         var (objects, subscribers) = (cell.Player.ObjectCount, cell.Player.SubscriberCount);
@@ -42,7 +42,7 @@ public class LifeCycleTests
     /// <summary>One cell with all components, and everything that may happen to it.</summary>
     sealed class Scene
     {
-        readonly VirtualCell _cell;
+        readonly PlayedCell _cell;
         readonly Random _random;
         readonly RobotDescriptionAsset[] _robots;
         readonly string[] _descriptions;
@@ -55,7 +55,7 @@ public class LifeCycleTests
         Ghost _ghost;
         bool _isPaused, _isUnfocused;
 
-        public Scene(VirtualCell cell, Random random)
+        public Scene(PlayedCell cell, Random random)
         {
             _cell = cell;
             _random = random;
@@ -72,7 +72,7 @@ public class LifeCycleTests
                 ("rig in or out", () => ToggleActive(_rig)),
                 ("gripper in or out", () => ToggleActive(_gripper)),
                 ("ghost in or out", () => ToggleActive(_ghost)),
-                ("settings", () => Session(session => session.Settings = VirtualCell.Offline)),
+                ("settings", () => Session(session => session.Settings = PlayedCell.Offline)),
                 ("robot", () => Session(session => session.RobotAsset = _random.Next(3) is var i and < 2 ? _robots[i] : null)),
                 ("description", () => Session(session => session.Session?.Described(_descriptions[_random.Next(2)]))),
                 ("connect", () => Session(session => session.Connect())),

@@ -12,10 +12,10 @@ namespace Nowpose.Headless.Tests.Unity.Session;
 /// <summary>The session component in frames: what it owns when, what it shows and what it tells.</summary>
 public class MrilSessionTests
 {
-    VirtualCell _cell;
+    PlayedCell _cell;
 
     [SetUp]
-    public void Start() => _cell = new VirtualCell();
+    public void Start() => _cell = new PlayedCell();
 
     [TearDown]
     public void Stop() => _cell.Dispose();
@@ -48,8 +48,8 @@ public class MrilSessionTests
 
         Assert.That(session.Frame.State, Is.EqualTo(PoseState.Current));
         var light = session.Frame.Start + TimeSpan.FromMilliseconds(40);
-        Assert.That(session.Frame.Joints[0], Is.EqualTo(VirtualCell.PositionAt(light, 0)).Within(2e-5));
-        Assert.That(session.Frame.HeldJoints[0], Is.Not.EqualTo(VirtualCell.PositionAt(light, 0)).Within(1e-4), "or predicting shows nothing");
+        Assert.That(session.Frame.Joints[0], Is.EqualTo(PlayedCell.PositionAt(light, 0)).Within(2e-5));
+        Assert.That(session.Frame.HeldJoints[0], Is.Not.EqualTo(PlayedCell.PositionAt(light, 0)).Within(1e-4), "or predicting shows nothing");
         Assert.That(session.Statistics.Samples, Is.GreaterThan(90));
     }
 
@@ -217,6 +217,21 @@ public class MrilSessionTests
         Assert.That(session.Session, Is.Null, "still disabled");
 
         session.enabled = true;
+
+        Assert.That(session.Session, Is.Not.Null);
+    }
+
+    [Test]
+    public void Pause_EndsWhileInactive_DoesNotLast()
+    {
+        var session = _cell.Play();
+        _cell.Frame(session);
+        _cell.Player.Pause(true);
+        session.gameObject.SetActive(false);
+        // Nobody tells an inactive object.
+        _cell.Player.Pause(false);
+
+        session.gameObject.SetActive(true);
 
         Assert.That(session.Session, Is.Not.Null);
     }
@@ -406,7 +421,7 @@ public class MrilSessionTests
     }
 
     static SessionSettings WithLimit(double ms) => new(
-        VirtualCell.Offline.Connection, VirtualCell.Offline.Visualisation, range: new ConstantLatencyRange(ms, RenderTimeSourceKind.GpuTime));
+        PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, range: new ConstantLatencyRange(ms, RenderTimeSourceKind.GpuTime));
 
     static void Listen(MrilSession session, string name, List<string> told)
     {

@@ -15,16 +15,16 @@ namespace Nowpose.Headless.Tests.Unity.Session;
 /// <summary>The session component and sockets: a frame waits for none of them.</summary>
 public class SessionConnectionTests
 {
-    VirtualCell _cell;
+    PlayedCell _cell;
 
     [SetUp]
-    public void Start() => _cell = new VirtualCell();
+    public void Start() => _cell = new PlayedCell();
 
     [TearDown]
     public void Stop() => _cell.Dispose();
 
     static SessionSettings To(int syncPort, int webSocketPort) =>
-        new(new ConnectionSettings("127.0.0.1", syncPort, webSocketPort), VirtualCell.Offline.Visualisation);
+        new(new ConnectionSettings("127.0.0.1", syncPort, webSocketPort), PlayedCell.Offline.Visualisation);
 
     [Test]
     public async Task Connect_Gateway_ShowsItsRobotWhereItIs()

@@ -12,7 +12,7 @@ using UnityEngine;
 namespace Nowpose.Headless.Tests.Unity;
 
 /// <summary>A session component in a played scene, and a control system that hands it exchanges and samples in virtual time.</summary>
-sealed class VirtualCell : IDisposable
+sealed class PlayedCell : IDisposable
 {
     const double FrameSeconds = 1 / 60.0;
     const double Start = 1000;
