@@ -7,6 +7,9 @@ namespace Nowpose.Unity
     /// <summary>Transforms named and nested as the links of a robot, and what moves them.</summary>
     sealed class RigHierarchy
     {
+        // Rounding leaves less. The engine's own comparison of rotations lets a sixth of a degree pass.
+        const float Slack = 1e-5f;
+
         readonly RobotModel _model;
         readonly Transform[] _links;
         readonly JointDrive[] _drives;
@@ -65,14 +68,18 @@ namespace Nowpose.Unity
         {
             for (var at = link.parent; at != parent; at = at.parent)
             {
-                if (at.localPosition != Vector3.zero || at.localRotation != Quaternion.identity || at.localScale != Vector3.one)
+                if (at.localPosition.magnitude > Slack || IsTurned(at.localRotation) || IsScaled(at))
                     throw new InputException("robot '" + model.Name + "': '" + at.name + "' stands between the links '" + parent.name + "' and '"
                         + link.name + "' and is moved, turned or scaled; reset its transform");
             }
-            if (link.localScale != Vector3.one)
+            if (IsScaled(link))
                 throw new InputException("robot '" + model.Name + "': link '" + link.name
                     + "' is scaled, and everything that hangs on it with it; scale what shows it instead");
         }
+
+        static bool IsTurned(Quaternion q) => new Vector3(q.x, q.y, q.z).magnitude > Slack;
+
+        static bool IsScaled(Transform at) => (at.localScale - Vector3.one).magnitude > Slack;
 
         static InputException Missing(RobotModel model, RobotLink link, Transform rig)
         {

@@ -122,15 +122,19 @@ namespace Nowpose.Tests
             Assert.That(fault.Message, Does.Contain("'forearm_link'").And.Contain("scaled"));
         }
 
-        [TestCase(0f, true)]
-        [TestCase(0.01f, false)]
-        public void Bind_ObjectBetweenLinks_MayGroupButNotMove(float metres, bool isTaken)
+        [TestCase(0f, 0f, 1f, true)]
+        [TestCase(1e-4f, 0f, 1f, false)]
+        [TestCase(0f, 0.1f, 1f, false)]
+        [TestCase(0f, 0f, 1.001f, false)]
+        public void Bind_ObjectBetweenLinks_MayGroupButNotMove(float metres, float degrees, float scale, bool isTaken)
         {
             var model = UrdfFiles.Robot("youbot");
             var rig = NewRig();
             var links = _scene.Links(model, rig.transform);
             var group = _scene.New("Virtual Gripper", links["arm_link_5"]);
             group.localPosition = new Vector3(0, metres, 0);
+            group.localRotation = Quaternion.Euler(0, 0, degrees);
+            group.localScale = new Vector3(1, scale, 1);
             links["gripper_palm_link"].SetParent(group, false);
 
             if (isTaken) Assert.DoesNotThrow(() => rig.Bind(model));
