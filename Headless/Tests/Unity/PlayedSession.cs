@@ -52,6 +52,9 @@ sealed class PlayedSession : IDisposable
 
     public PlayedClock Clock { get; } = new();
 
+    /// <summary>Bytes that the player's frames have allocated so far; what the test feeds it with is not among them.</summary>
+    public long Allocated { get; private set; }
+
     public bool IsSampling { get; set; } = true;
 
     public bool IsSynchronising { get; set; } = true;
@@ -77,7 +80,9 @@ sealed class PlayedSession : IDisposable
         Clock.Now = now;
         if (Session.Session != null) Feed(Session.Session, now);
         EachFrame?.Invoke(_frames);
+        var before = GC.GetAllocatedBytesForCurrentThread();
         Player.Step(_frames++ / 60.0);
+        Allocated += GC.GetAllocatedBytesForCurrentThread() - before;
     }
 
     public void Dispose() => Player.Dispose();
@@ -86,7 +91,10 @@ sealed class PlayedSession : IDisposable
     {
         var control = new ControlTime(now.SinceEpoch);
         if (IsSynchronising && _frames % 12 == 0)
-            session.Clock.Add(new SyncExchange(now - TimeSpan.FromMilliseconds(2), control, control, now), out _);
+        {
+            var answered = control - TimeSpan.FromMilliseconds(1);
+            session.Clock.Add(new SyncExchange(now - TimeSpan.FromMilliseconds(2), answered, answered, now), out _);
+        }
         if (!IsSampling || _frames % 3 != 0) return;
         var taken = control - TimeSpan.FromMilliseconds(60);
         var t = taken.SinceEpoch.TotalSeconds;

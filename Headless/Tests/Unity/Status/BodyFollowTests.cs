@@ -1,0 +1,94 @@
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Headless.Tests.Unity.Status;
+
+public class BodyFollowTests
+{
+    PlayedSession _played;
+    Transform _head;
+    Transform _follower;
+
+    [SetUp]
+    public void Begin()
+    {
+        _played = new PlayedSession();
+        _follower = new GameObject("Follower").AddComponent<BodyFollow>().transform;
+    }
+
+    [TearDown]
+    public void End() => _played.Dispose();
+
+    void AddCamera()
+    {
+        _head = new GameObject("Camera") { tag = "MainCamera" }.AddComponent<Camera>().transform;
+        _head.position = new Vector3(0, 1.6f, 0);
+    }
+
+    float Azimuth => Mathf.Atan2(_follower.position.x - _head.position.x, _follower.position.z - _head.position.z) * Mathf.Rad2Deg;
+
+    [Test]
+    public void LateUpdate_HeadTurnsFar_FollowsInItsOwnTime()
+    {
+        AddCamera();
+        _played.Step();
+        var first = Azimuth;
+
+        _head.rotation = Quaternion.Euler(0, 90, 0);
+        _played.Run(0.2);
+        var soon = Azimuth;
+        _played.Run(4);
+
+        Assert.That(first, Is.EqualTo(0).Within(0.1));
+        Assert.That(soon, Is.InRange(20, 60), "never fixed to the head");
+        Assert.That(Azimuth, Is.EqualTo(90).Within(0.6));
+        Assert.That(_follower.up.y, Is.EqualTo(1).Within(1e-5));
+    }
+
+    [Test]
+    public void LateUpdate_HeadSways_StaysExactlyWhereItIs()
+    {
+        AddCamera();
+        _played.Step();
+        var before = (_follower.position, _follower.rotation);
+
+        for (var i = 0; i < 300; i++)
+        {
+            _head.SetPositionAndRotation(
+                new Vector3(0.1f * Mathf.Sin(i), 1.6f + 0.1f * Mathf.Cos(i), 0), Quaternion.Euler(20 * Mathf.Sin(i), 25 * Mathf.Cos(i), 10));
+            _played.Step();
+        }
+
+        Assert.That(_follower.position.Equals(before.position) && _follower.rotation.Equals(before.rotation), Is.True);
+    }
+
+    [Test]
+    public void LateUpdate_CameraComesLater_IsPlacedThen()
+    {
+        _follower.position = new Vector3(9, 9, 9);
+        _played.Run(0.2);
+        var before = _follower.position;
+        AddCamera();
+
+        _played.Step();
+
+        Assert.That(before, Is.EqualTo(new Vector3(9, 9, 9)));
+        Assert.That(Vector3.Distance(_follower.position, _head.position), Is.EqualTo(1.3f).Within(1e-4));
+    }
+
+    [Test]
+    public void OnEnable_Again_IsBeforeTheHeadAtOnce()
+    {
+        AddCamera();
+        _played.Step();
+        _follower.gameObject.SetActive(false);
+        _head.position = new Vector3(20, 1.6f, 5);
+        _played.Step();
+
+        _follower.gameObject.SetActive(true);
+        _played.Step();
+
+        Assert.That(Vector3.Distance(_follower.position, _head.position), Is.EqualTo(1.3f).Within(1e-4), "it does not fly across the hall");
+    }
+}

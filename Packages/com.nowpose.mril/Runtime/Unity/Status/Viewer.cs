@@ -1,0 +1,26 @@
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Whoever looks at the scene.</summary>
+    static class Viewer
+    {
+        /// <summary>The main camera, which is the wearer's head; null where there is none.</summary>
+        public static Transform Head
+        {
+            get
+            {
+                var camera = Camera.main;
+                return camera != null ? camera.transform : null;
+            }
+        }
+
+        /// <summary>Upright, and read from where the viewer stands: the engine's texts are read along their z axis.</summary>
+        public static Quaternion Facing(Vector3 text, Vector3 viewer)
+        {
+            var away = text - viewer;
+            away.y = 0;
+            return away.sqrMagnitude > 1e-6f ? Quaternion.LookRotation(away, Vector3.up) : Quaternion.identity;
+        }
+    }
+}
