@@ -1,0 +1,268 @@
+using Nowpose.Latency;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Headless.Tests.Unity.Rendering;
+
+public class PoseAppearanceTests
+{
+    PlayedSession _played;
+    RobotRig _rig;
+    PoseAppearance _appearance;
+    Renderer _tool;
+    TextMesh _words;
+    Transform _viewer;
+
+    [SetUp]
+    public void Begin()
+    {
+        _played = new PlayedSession(new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime));
+        _rig = Child("Robot", _played.Cell.transform).AddComponent<RobotRig>();
+        _tool = Child("Tool", _rig.transform).AddComponent<MeshRenderer>();
+        _words = Child("Words", _rig.transform).AddComponent<TextMesh>();
+        _words.gameObject.AddComponent<MeshRenderer>();
+        _words.fontSize = 64;
+        _appearance = _rig.gameObject.AddComponent<PoseAppearance>().With("_words", _words);
+        _viewer = new GameObject("Camera") { tag = "MainCamera" }.AddComponent<Camera>().transform;
+        _viewer.position = new Vector3(0, 1.6f, -2);
+    }
+
+    [TearDown]
+    public void End() => _played.Dispose();
+
+    static GameObject Child(string name, Transform parent)
+    {
+        var child = new GameObject(name);
+        child.transform.SetParent(parent, false);
+        return child;
+    }
+
+    (float Fade, float Hatch) Look(Renderer renderer)
+    {
+        var block = new MaterialPropertyBlock();
+        renderer.GetPropertyBlock(block);
+        return (block.GetFloat(Shader.PropertyToID("_Fade")), block.GetFloat(Shader.PropertyToID("_Hatch")));
+    }
+
+    void Take(double ms)
+    {
+        for (var i = 0; i < 20; i++) _played.Session.Session.Rendered(TimeSpan.FromMilliseconds(ms), RenderTimeSourceKind.GpuTime);
+    }
+
+    void BeCurrent()
+    {
+        _played.Start().Run(5);
+        Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
+    }
+
+    [Test]
+    public void Show_Current_IsDrawnAsItIsWithoutWords()
+    {
+        BeCurrent();
+
+        Assert.That(_tool.isVisible, Is.True);
+        Assert.That(Look(_tool), Is.EqualTo((0f, 0f)));
+        Assert.That(_words.text, Is.Empty);
+    }
+
+    [Test]
+    public void Show_BeforeTheFirstPositions_NothingIsDrawnButTheWords()
+    {
+        _played.IsSampling = false;
+        var wasVisible = new List<bool>();
+        _played.EachFrame = _ => wasVisible.Add(_tool.isVisible);
+
+        _played.Start().Run(2);
+
+        Assert.That(wasVisible, Is.All.False, "not in the first frame either");
+        Assert.That(_words.text, Is.EqualTo("no positions yet"));
+        Assert.That(_words.GetComponent<Renderer>().isVisible, Is.True);
+    }
+
+    [Test]
+    public void Show_NotSynchronised_IsFaintStripedAndSaysSo()
+    {
+        _played.IsSynchronising = false;
+
+        _played.Start().Run(2);
+
+        Assert.That(_tool.isVisible, Is.True);
+        Assert.That(Look(_tool).Fade, Is.GreaterThan(0.5));
+        Assert.That(Look(_tool).Hatch, Is.EqualTo(1));
+        Assert.That(_words.text, Is.EqualTo("not synchronised"));
+    }
+
+    [Test]
+    public void Show_SamplesStop_IsFaintStripedAndSaysSoUntilTheyComeAgain()
+    {
+        BeCurrent();
+
+        _played.IsSampling = false;
+        _played.Run(1);
+        var (held, words) = (Look(_tool), _words.text);
+        _played.IsSampling = true;
+        _played.Run(1);
+
+        Assert.That(held.Fade, Is.GreaterThan(0.2));
+        Assert.That(held.Hatch, Is.EqualTo(1));
+        Assert.That(words, Is.EqualTo("held"));
+        Assert.That(Look(_tool), Is.EqualTo((0f, 0f)));
+        Assert.That(_words.text, Is.Empty);
+    }
+
+    [Test]
+    public void Show_OutsideRange_IsFaintStripedAndSaysSo()
+    {
+        BeCurrent();
+
+        Take(30);
+        _played.Step();
+
+        Assert.That(Look(_tool).Fade, Is.GreaterThan(0.2));
+        Assert.That(Look(_tool).Hatch, Is.EqualTo(1));
+        Assert.That(_words.text, Is.EqualTo("outside range"));
+    }
+
+    [Test]
+    public void Abandon_Paused_WhatIsStillDrawnIsNotTakenForCurrent()
+    {
+        BeCurrent();
+
+        _played.Player.Pause(true);
+        var paused = (Look(_tool), _words.text, _tool.isVisible);
+        _played.Player.Pause(false);
+        _played.Step();
+        var resumed = _words.text;
+        _played.Run(5);
+
+        Assert.That(paused.Item1.Hatch, Is.EqualTo(1), "at once, no frame need come");
+        Assert.That(paused.text, Is.EqualTo("no session"));
+        Assert.That(paused.isVisible, Is.True);
+        Assert.That(resumed, Is.EqualTo("no positions yet").Or.EqualTo("not synchronised"));
+        Assert.That(Look(_tool), Is.EqualTo((0f, 0f)));
+    }
+
+    [Test]
+    public void Abandon_BeforeTheFirstPositions_StaysUndrawn()
+    {
+        _played.IsSampling = false;
+        _played.Start().Run(0.5);
+
+        _played.Session.enabled = false;
+        _played.Step();
+
+        Assert.That(_tool.isVisible, Is.False);
+    }
+
+    [Test]
+    public void Refresh_RigBuiltAtRunTime_IsTakenUp()
+    {
+        _played.IsSampling = false;
+
+        _played.Start().Run(0.5);
+
+        var built = _rig.GetComponentsInChildren<Renderer>().Where(r => r != _tool && r.gameObject != _words.gameObject).ToList();
+        Assert.That(_rig.Model, Is.Not.Null);
+        Assert.That(built.Select(r => r.isVisible), Is.All.False);
+    }
+
+    [Test]
+    public void Show_UsersOwnProperties_AreKept()
+    {
+        var block = new MaterialPropertyBlock();
+        block.SetFloat("_Own", 7);
+        _tool.SetPropertyBlock(block);
+
+        BeCurrent();
+
+        _tool.GetPropertyBlock(block);
+        Assert.That(block.GetFloat("_Own"), Is.EqualTo(7));
+    }
+
+    [Test]
+    public void Show_RendererTheUserSwitchedOff_StaysOff()
+    {
+        _tool.enabled = false;
+
+        BeCurrent();
+
+        Assert.That(_tool.enabled, Is.False);
+        Assert.That(_tool.isVisible, Is.False);
+    }
+
+    [Test]
+    public void LateUpdate_Words_FaceTheViewerAndCanBeRead()
+    {
+        _played.IsSampling = false;
+        _played.Start().Run(0.5);
+
+        _viewer.position = new Vector3(3, 1, 0);
+        _played.Step();
+
+        var away = _words.transform.position - _viewer.position;
+        away.y = 0;
+        Assert.That(Vector3.Angle(_words.transform.forward, away), Is.LessThan(0.1f));
+        Assert.That(_words.transform.up.y, Is.EqualTo(1).Within(1e-5));
+        var height = 0.519 * 6.4 * _words.transform.lossyScale.y;
+        Assert.That(2 * Math.Atan(height / 2 / Math.Sqrt(10)) * 180 / Math.PI, Is.InRange(0.5, 0.76));
+    }
+
+    [Test]
+    public void OnDisable_WhileFaint_GivesBackWhatItTook()
+    {
+        _played.IsSampling = false;
+        _played.Start().Run(1);
+
+        _appearance.enabled = false;
+
+        Assert.That(_tool.isVisible, Is.True);
+        Assert.That(Look(_tool), Is.EqualTo((0f, 0f)));
+        Assert.That(_words.text, Is.Empty);
+    }
+
+    [Test]
+    public void OnEnable_Again_LooksAsThePoseIs()
+    {
+        BeCurrent();
+        _played.IsSampling = false;
+        _appearance.enabled = false;
+        _played.Run(1);
+
+        _appearance.enabled = true;
+        var words = _words.text;
+
+        Assert.That(words, Is.EqualTo("held"), "before the next frame");
+    }
+
+    [Test]
+    public void Show_StatesComingAndGoing_AllocatesNothing()
+    {
+        // Too short for the console to be told each time.
+        _played.EachFrame = frame => _played.IsSampling = frame % 40 < 12;
+        _played.Start().Run(40);
+        var (before, changes) = (_played.Allocated, _words.TextChanges);
+
+        _played.Run(40);
+
+        Assert.That(_words.TextChanges - changes, Is.GreaterThan(50));
+        Assert.That(_played.Allocated - before, Is.EqualTo(0));
+    }
+
+    [Test]
+    public void OnDestroy_AtAnyFrame_ThrowsNothingLater([Values(0, 1, 2, 300)] int frames, [Values] bool words)
+    {
+        _played.Start();
+        for (var i = 0; i < frames; i++) _played.Step();
+
+        UnityEngine.Object.Destroy(words ? _words.gameObject : _appearance);
+        _played.Run(1);
+        _played.Player.Pause(true);
+        _played.Player.Pause(false);
+        _played.IsSampling = false;
+        _played.Run(1);
+
+        Assert.That(_played.Player.Logs.Where(l => l.Exception != null), Is.Empty);
+    }
+}
