@@ -1,0 +1,73 @@
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>The texts of a status panel in their places. One unit is the font's size.</summary>
+    sealed class PanelCells
+    {
+        const float RowHeight = 1.35f;
+
+        /// <summary>Left edges of labels, values and notes, and the right edge of all.</summary>
+        static readonly float[] Columns = { 0, 8, 17, 29 };
+
+        readonly Transform _sheet;
+        readonly TextMesh _model;
+        readonly PanelCell[] _labels = new PanelCell[StatusTexts.Rows];
+        readonly PanelCell[] _values = new PanelCell[StatusTexts.Rows];
+        readonly PanelCell[] _notes = new PanelCell[StatusTexts.Rows];
+
+        /// <param name="panel">What they hang below.</param>
+        /// <param name="model">What they are copies of.</param>
+        public PanelCells(Transform panel, TextMesh model)
+        {
+            _model = model;
+            model.gameObject.SetActive(false);
+            _sheet = new GameObject("Cells") { layer = panel.gameObject.layer }.transform;
+            _sheet.SetParent(panel, worldPositionStays: false);
+            for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
+            {
+                _labels[(int)row] = Copy(row, 0);
+                _values[(int)row] = Copy(row, 1);
+                _notes[(int)row] = Copy(row, 2);
+            }
+            _values[(int)StatusRow.Message] = Copy(StatusRow.Message, 0);
+        }
+
+        public void Show(StatusTexts texts)
+        {
+            for (var row = StatusRow.Pose; row <= StatusRow.Message; row++)
+                Show(row, StatusTexts.LabelOf(row), texts.ValueOf(row), texts.NoteOf(row));
+        }
+
+        public void Clear()
+        {
+            for (var row = StatusRow.Pose; row <= StatusRow.Message; row++) Show(row, "", "", "");
+        }
+
+        /// <param name="size">Of the font, metres.</param>
+        public void Resize(float size) => ReadingDistance.Scale(_sheet, size);
+
+        void Show(StatusRow row, string label, string value, string note)
+        {
+            _labels[(int)row].Show(label);
+            _values[(int)row].Show(value);
+            _notes[(int)row].Show(note);
+        }
+
+        PanelCell Copy(StatusRow row, int column)
+        {
+            var copy = Object.Instantiate(_model, _sheet);
+            copy.name = row + " " + column;
+            copy.anchor = TextAnchor.UpperLeft;
+            copy.alignment = TextAlignment.Left;
+            copy.richText = false;
+            copy.text = "";
+            copy.transform.SetLocalPositionAndRotation(
+                new Vector3(Columns[column] - Columns[Columns.Length - 1] / 2, (StatusTexts.Rows / 2f - (int)row) * RowHeight, 0),
+                Quaternion.identity);
+            copy.transform.localScale = Vector3.one / LetterSize.Of(_model);
+            copy.gameObject.SetActive(true);
+            return new PanelCell(copy);
+        }
+    }
+}

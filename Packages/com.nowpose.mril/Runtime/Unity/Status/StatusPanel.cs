@@ -1,0 +1,59 @@
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Tells in the scene how a session does: clock, latencies, render time, connection, and how much of the error is removed.</summary>
+    /// <remarks>
+    /// Copies its <c>Cell</c>, a text, into rows of label, value and note, centred about this object and as large as it takes
+    /// to read them from where the viewer is. Stands wherever its transform is put; <see cref="BodyFollow"/> beside it keeps
+    /// it with the viewer.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Status Panel")]
+    [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
+    [DisallowMultipleComponent]
+    public sealed class StatusPanel : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The session it tells of. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("A text below this object that is copied: font, material, style and colour of all cells. Inactive itself.")]
+        TextMesh _cell = null;
+
+        [SerializeField, Range(0.1f, 2), Tooltip("From one look at the session to the next, seconds. 0.25: numbers that change faster cannot be read.")]
+        float _refreshSeconds = 0.25f;
+
+        readonly StatusTexts _texts = new StatusTexts();
+        MrilSession _source;
+        PanelCells _cells;
+        ReadingDistance _distance;
+        float _due;
+
+        void OnEnable()
+        {
+            _source = _session != null ? _session : GetComponentInParent<MrilSession>();
+            _due = 0;
+            if (_source == null) Debug.LogWarning("[Nowpose] status panel '" + name + "' has no session above it to tell of; assign one", this);
+            if (_cell == null) Debug.LogError("[Nowpose] status panel '" + name + "' has no cell to copy; assign a text below it", this);
+        }
+
+        // Numbers that nobody keeps up are none.
+        void OnDisable() => _cells?.Clear();
+
+        // Objects must not be added while others are being enabled.
+        void Start()
+        {
+            if (_cell != null) _cells = new PanelCells(transform, _cell);
+        }
+
+        void LateUpdate()
+        {
+            if (_cells == null || Time.unscaledTime < _due) return;
+            _due = Time.unscaledTime + _refreshSeconds;
+            if (_source != null) _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem);
+            _cells.Show(_texts);
+            var viewer = Viewer.Head;
+            if (viewer != null && _distance.Update(Vector3.Distance(transform.position, viewer.position)))
+                _cells.Resize(LetterSize.At(_distance.Metres));
+        }
+    }
+}

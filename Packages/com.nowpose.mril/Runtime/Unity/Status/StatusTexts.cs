@@ -1,0 +1,192 @@
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+
+namespace Nowpose.Unity
+{
+    /// <summary>What the status panel says: a value and a note per row. "!" marks what is not as it should be, "–" what is not known.</summary>
+    /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message changes.</remarks>
+    sealed class StatusTexts
+    {
+        public const int Rows = (int)StatusRow.Message + 1;
+
+        /// <summary>Letters in a line of the message.</summary>
+        const int MessageWidth = 52;
+
+        const string Unknown = NumberTexts.Unknown;
+
+        static readonly string[] Labels =
+        {
+            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Gateway", "Robot", "",
+        };
+
+        static readonly NumberTexts Milliseconds = new NumberTexts("", " ms", (2, 1, 0));
+        static readonly NumberTexts Bounds = new NumberTexts("± ", " ms", (2, 1, 0));
+        static readonly NumberTexts Percentiles = new NumberTexts("95 % below ", " ms", (0, 0, 0));
+        static readonly NumberTexts Percents = new NumberTexts("", " %", (0, 0, 0));
+        static readonly NumberTexts Rests = new NumberTexts("", " mm left", (1, 1, 0));
+
+        readonly string[] _values = new string[Rows];
+        readonly string[] _notes = new string[Rows];
+        SessionSettings _settings;
+        bool _isLocal;
+        string _message;
+
+        public StatusTexts() => Update(null, null, null, null);
+
+        public static string LabelOf(StatusRow row) => Labels[(int)row];
+
+        public string ValueOf(StatusRow row) => _values[(int)row];
+
+        public string NoteOf(StatusRow row) => _notes[(int)row];
+
+        /// <param name="statistics">Null while there is no session.</param>
+        /// <param name="settings">Null when they are not known.</param>
+        /// <param name="robot">Its name; null while it is not known.</param>
+        /// <param name="problem">Why there is no session; null for no reason.</param>
+        public void Update(SessionStatistics statistics, SessionSettings settings, string robot, string problem)
+        {
+            for (var row = StatusRow.Pose; row < StatusRow.Message; row++) Set(row, Unknown, "");
+            if (statistics != null)
+            {
+                UpdateTimes(statistics);
+                UpdateLatencies(statistics);
+                Follow(settings);
+                Set(StatusRow.Connection, ConnectionOf(statistics), SecurityOf(statistics.Security));
+                Set(StatusRow.Robot, MatchOf(statistics.RobotDescriptionMatch), robot ?? "");
+            }
+            Say(problem ?? FaultOf(statistics));
+        }
+
+        void UpdateTimes(SessionStatistics statistics)
+        {
+            Set(StatusRow.Pose, PoseOf(statistics.Pose), ReasonOf(statistics.Pose));
+            Set(StatusRow.Clock, ClockOf(statistics.Clock.State), statistics.Clock.IsKnown ? Bounds.Of(statistics.Clock.ErrorBound) : "");
+            Set(StatusRow.Horizon, Milliseconds.Of(statistics.Horizon), "");
+        }
+
+        void UpdateLatencies(SessionStatistics statistics)
+        {
+            var percentile = statistics.ApplicationLatency95;
+            Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
+            Set(StatusRow.VisualisationLatency, Milliseconds.Of(statistics.VisualisationLatency), "as calibrated");
+            Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
+            Set(StatusRow.Range, RangeOf(statistics.Range), DoubtOf(statistics.RangeDoubt));
+            Set(StatusRow.Error, Percents.Of(statistics.ErrorReduction * 100), statistics.ErrorMm.HasValue ? Rests.Of(statistics.ErrorMm) : "");
+        }
+
+        // Reading an address costs garbage.
+        void Follow(SessionSettings settings)
+        {
+            if (settings == _settings) return;
+            _settings = settings;
+            _isLocal = settings != null && settings.Connection.IsLoopback;
+        }
+
+        void Set(StatusRow row, string value, string note)
+        {
+            _values[(int)row] = value;
+            _notes[(int)row] = note;
+        }
+
+        void Say(string message)
+        {
+            if (message == _message && _values[(int)StatusRow.Message] != null) return;
+            _message = message;
+            Set(StatusRow.Message, message == null ? "" : WrappedText.Of("! " + message, MessageWidth), "");
+        }
+
+        static string PoseOf(PoseState pose)
+        {
+            switch (pose)
+            {
+                case PoseState.Current: return "current";
+                case PoseState.OutsideRange: return "! outside range";
+                case PoseState.Held: return "! held";
+                case PoseState.Unsynchronised: return "! not synchronised";
+                default: return "! no positions yet";
+            }
+        }
+
+        static string ReasonOf(PoseState pose)
+        {
+            switch (pose)
+            {
+                case PoseState.Current: return "";
+                case PoseState.OutsideRange: return "rendering takes too long";
+                case PoseState.Held: return "samples too old or few";
+                case PoseState.Unsynchronised: return "time not known";
+                default: return "no samples of some joint";
+            }
+        }
+
+        static string ClockOf(ClockState state)
+        {
+            switch (state)
+            {
+                case ClockState.Synchronised: return "synchronised";
+                case ClockState.Converging: return "! converging";
+                case ClockState.Holdover: return "! holdover";
+                default: return "! no answer yet";
+            }
+        }
+
+        static string RangeOf(RangeState range)
+        {
+            switch (range)
+            {
+                case RangeState.Inside: return "inside";
+                case RangeState.Outside: return "! outside";
+                default: return Unknown;
+            }
+        }
+
+        static string DoubtOf(RangeDoubt doubt)
+        {
+            switch (doubt)
+            {
+                case RangeDoubt.NoLimit: return "no limit is set";
+                case RangeDoubt.NoRenderTime: return "nothing measures";
+                case RangeDoubt.TooFewFrames: return "measuring";
+                case RangeDoubt.OtherSource: return "limit of another source";
+                default: return "";
+            }
+        }
+
+        // Of the two connections the one that is worse off.
+        static string ConnectionOf(SessionStatistics statistics)
+        {
+            var (sync, samples) = (statistics.SyncLink.State, statistics.SampleLink.State);
+            if (sync == LinkState.Idle && samples == LinkState.Idle) return "not connected";
+            if (sync == LinkState.Waiting || samples == LinkState.Waiting) return "! trying again";
+            return sync == LinkState.Connected && samples == LinkState.Connected ? "connected" : "connecting";
+        }
+
+        string SecurityOf(TransportSecurity security)
+        {
+            switch (security)
+            {
+                case TransportSecurity.Pinned: return "encrypted, pinned key";
+                case TransportSecurity.DeviceTrust: return "encrypted, device trust";
+                default: return _isLocal ? "within this machine" : "! not encrypted";
+            }
+        }
+
+        static string MatchOf(RobotDescriptionMatch match)
+        {
+            switch (match)
+            {
+                case RobotDescriptionMatch.Same: return "as the gateway's";
+                case RobotDescriptionMatch.Different: return "! differs";
+                default: return Unknown;
+            }
+        }
+
+        static string FaultOf(SessionStatistics statistics)
+        {
+            if (statistics == null) return null;
+            if (statistics.SyncLink.State == LinkState.Waiting) return statistics.SyncLink.Detail;
+            return statistics.SampleLink.State == LinkState.Waiting ? statistics.SampleLink.Detail : null;
+        }
+    }
+}

@@ -1,0 +1,213 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class StatusTextsTests
+    {
+        static readonly SessionSettings Loopback = new SessionSettings(new ConnectionSettings("127.0.0.1"), default);
+        static readonly SessionSettings Plain = new SessionSettings(new ConnectionSettings("192.168.0.5", insecureLan: true), default);
+
+        // The setters are the session's.
+        static SessionStatistics Statistics(params (string Property, object Value)[] values)
+        {
+            var statistics = new SessionStatistics();
+            foreach (var (property, value) in values) typeof(SessionStatistics).GetProperty(property).SetValue(statistics, value);
+            return statistics;
+        }
+
+        static string Row(StatusRow row, SessionStatistics statistics, SessionSettings settings = null, string robot = null)
+        {
+            var texts = new StatusTexts();
+            texts.Update(statistics, settings ?? Loopback, robot, null);
+            return texts.ValueOf(row) + "|" + texts.NoteOf(row);
+        }
+
+        static string Row(StatusRow row, params (string Property, object Value)[] values) => Row(row, Statistics(values));
+
+        static TimeSpan Ms(double ms) => TimeSpan.FromTicks((long)(ms * TimeSpan.TicksPerMillisecond));
+
+        [Test]
+        public void Update_NothingKnown_IsDashes()
+        {
+            var texts = new StatusTexts();
+
+            texts.Update(null, null, null, null);
+
+            for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
+            {
+                Assert.That(texts.ValueOf(row), Is.EqualTo("–"), row.ToString());
+                Assert.That(texts.NoteOf(row), Is.Empty, row.ToString());
+            }
+            Assert.That(texts.ValueOf(StatusRow.Message), Is.Empty);
+        }
+
+        [Test]
+        public void Update_NewSession_ClaimsNothing()
+        {
+            Assert.That(Row(StatusRow.Pose), Does.StartWith("! no positions yet"));
+            Assert.That(Row(StatusRow.Clock), Is.EqualTo("! no answer yet|"));
+            Assert.That(Row(StatusRow.ApplicationLatency), Is.EqualTo("–|"));
+            Assert.That(Row(StatusRow.Horizon), Is.EqualTo("–|"));
+            Assert.That(Row(StatusRow.RenderTime), Is.EqualTo("–|nothing measures"));
+            Assert.That(Row(StatusRow.Error), Is.EqualTo("–|"));
+            Assert.That(Row(StatusRow.Connection), Does.StartWith("not connected|"));
+            Assert.That(Row(StatusRow.Robot), Is.EqualTo("–|"));
+        }
+
+        [TestCase(PoseState.Current, "current")]
+        [TestCase(PoseState.OutsideRange, "! outside range")]
+        [TestCase(PoseState.Held, "! held")]
+        [TestCase(PoseState.Unsynchronised, "! not synchronised")]
+        [TestCase(PoseState.Incomplete, "! no positions yet")]
+        public void Update_Pose_IsInWordsAndMarked(PoseState pose, string value)
+        {
+            var row = Row(StatusRow.Pose, ("Pose", pose)).Split('|');
+
+            Assert.That(row[0], Is.EqualTo(value));
+            Assert.That(row[1].Length > 0, Is.EqualTo(pose != PoseState.Current), "why");
+            Assert.That(value, Does.EndWith(pose == PoseState.Current ? "current" : PoseLook.Of(pose).Words), "the words that stand at the robot");
+        }
+
+        [TestCase(ClockState.Synchronised, "synchronised|± 0.35 ms")]
+        [TestCase(ClockState.Converging, "! converging|± 0.35 ms")]
+        [TestCase(ClockState.Holdover, "! holdover|± 0.35 ms")]
+        [TestCase(ClockState.Unsynchronised, "! no answer yet|")]
+        public void Update_Clock_HasItsBoundOnceItIsKnown(ClockState state, string expected)
+        {
+            Assert.That(Row(StatusRow.Clock, ("Clock", new ClockModel(default, default, 0, Ms(0.35), state))), Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void Update_Latencies_AreInMilliseconds()
+        {
+            var statistics = Statistics(
+                ("ApplicationLatency", Ms(83.44)), ("ApplicationLatency95", Ms(110.4)), ("VisualisationLatency", Ms(40)), ("Horizon", Ms(-3.2)));
+
+            Assert.That(Row(StatusRow.ApplicationLatency, statistics), Is.EqualTo("83.4 ms|95 % below 110 ms"));
+            Assert.That(Row(StatusRow.VisualisationLatency, statistics), Does.StartWith("40.0 ms|"));
+            Assert.That(Row(StatusRow.Horizon, statistics), Is.EqualTo("−3 ms|"));
+        }
+
+        [TestCase(RenderTimeSourceKind.GpuTime, "9.5 ms|GPU time")]
+        [TestCase(RenderTimeSourceKind.GpuCompletion, "9.5 ms|trigger to GPU done")]
+        [TestCase(RenderTimeSourceKind.CameraCpu, "9.5 ms|camera CPU, unverified")]
+        public void Update_RenderTime_NamesItsSource(RenderTimeSourceKind source, string expected)
+        {
+            Assert.That(Row(StatusRow.RenderTime, ("RenderTime", Ms(9.5)), ("RenderTimeSource", source)), Is.EqualTo(expected));
+        }
+
+        [TestCase(RangeState.Inside, RangeDoubt.None, "inside|")]
+        [TestCase(RangeState.Outside, RangeDoubt.None, "! outside|")]
+        [TestCase(RangeState.Unknown, RangeDoubt.NoLimit, "–|no limit is set")]
+        [TestCase(RangeState.Unknown, RangeDoubt.NoRenderTime, "–|nothing measures")]
+        [TestCase(RangeState.Unknown, RangeDoubt.TooFewFrames, "–|measuring")]
+        [TestCase(RangeState.Unknown, RangeDoubt.OtherSource, "–|limit of another source")]
+        public void Update_Range_SaysWhyItIsNotKnown(RangeState range, RangeDoubt doubt, string expected)
+        {
+            Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeDoubt", doubt)), Is.EqualTo(expected));
+        }
+
+        [TestCase(0.874, 3.24, "87 %|3.2 mm left")]
+        [TestCase(-0.12, 30.0, "−12 %|30.0 mm left")]
+        public void Update_Error_IsTheReductionAndWhatIsLeft(double reduction, double mm, string expected)
+        {
+            Assert.That(Row(StatusRow.Error, ("ErrorReduction", (double?)reduction), ("ErrorMm", (double?)mm)), Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void Update_RobotAtRest_HasAnErrorButNoReduction()
+        {
+            Assert.That(Row(StatusRow.Error, ("ErrorMm", (double?)0.0)), Is.EqualTo("–|0.0 mm left"));
+        }
+
+        static readonly LinkStatus Failed = LinkStatus.Waiting("clock sync: refused");
+
+        static IEnumerable<TestCaseData> Links()
+        {
+            yield return new TestCaseData(LinkStatus.Idle, LinkStatus.Idle, "not connected", "");
+            yield return new TestCaseData(LinkStatus.Connecting, LinkStatus.Connecting, "connecting", "");
+            yield return new TestCaseData(LinkStatus.Connected, LinkStatus.Connecting, "connecting", "");
+            yield return new TestCaseData(LinkStatus.Connected, LinkStatus.Connected, "connected", "");
+            yield return new TestCaseData(Failed, LinkStatus.Connected, "! trying again", "! clock sync: refused");
+            yield return new TestCaseData(LinkStatus.Connected, Failed, "! trying again", "! clock sync: refused");
+        }
+
+        [TestCaseSource(nameof(Links))]
+        public void Update_Connections_ShowTheOneThatIsWorseOff(LinkStatus sync, LinkStatus samples, string value, string message)
+        {
+            var texts = new StatusTexts();
+
+            texts.Update(Statistics(("SyncLink", sync), ("SampleLink", samples)), Loopback, null, null);
+
+            Assert.That(texts.ValueOf(StatusRow.Connection), Is.EqualTo(value));
+            Assert.That(texts.ValueOf(StatusRow.Message), Is.EqualTo(message));
+        }
+
+        [Test]
+        public void Update_Security_MarksPlainTextInANetwork()
+        {
+            string Note(TransportSecurity security, SessionSettings settings) =>
+                Row(StatusRow.Connection, Statistics(("Security", security)), settings).Split('|')[1];
+
+            Assert.That(Note(TransportSecurity.Pinned, Plain), Is.EqualTo("encrypted, pinned key"));
+            Assert.That(Note(TransportSecurity.DeviceTrust, Plain), Is.EqualTo("encrypted, device trust"));
+            Assert.That(Note(TransportSecurity.Plain, Plain), Is.EqualTo("! not encrypted"));
+            Assert.That(Note(TransportSecurity.Plain, Loopback), Is.EqualTo("within this machine"));
+        }
+
+        [TestCase(RobotDescriptionMatch.Same, "as the gateway's|youBot")]
+        [TestCase(RobotDescriptionMatch.Different, "! differs|youBot")]
+        [TestCase(RobotDescriptionMatch.Unknown, "–|youBot")]
+        public void Update_Robot_SaysWhetherTheGatewaysIsTheSame(RobotDescriptionMatch match, string expected)
+        {
+            Assert.That(Row(StatusRow.Robot, Statistics(("RobotDescriptionMatch", match)), robot: "youBot"), Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void Update_Problem_IsSaidInLinesThatFitAndGoesAgain()
+        {
+            var texts = new StatusTexts();
+            texts.Update(null, null, null, "visualisation latency: 900 ms is out of range; allowed are 0 to 500 ms; calibrate it for this device");
+            var lines = texts.ValueOf(StatusRow.Message).Split('\n');
+
+            texts.Update(null, null, null, null);
+
+            Assert.That(lines.Length, Is.GreaterThan(1));
+            Assert.That(lines.Max(l => l.Length), Is.LessThanOrEqualTo(52));
+            Assert.That(texts.ValueOf(StatusRow.Message), Is.Empty);
+        }
+
+        [Test]
+        public void Texts_All_FitTheirColumns()
+        {
+            var values = new List<string>();
+            var notes = new List<string>();
+            var texts = new StatusTexts();
+            for (var pose = PoseState.Incomplete; pose <= PoseState.Current; pose++)
+                for (var clock = ClockState.Unsynchronised; clock <= ClockState.Holdover; clock++)
+                    for (var doubt = RangeDoubt.None; doubt <= RangeDoubt.OtherSource; doubt++)
+                    {
+                        texts.Update(
+                            Statistics(("Pose", pose), ("Clock", new ClockModel(default, default, 0, Ms(0.35), clock)), ("RangeDoubt", doubt)),
+                            Plain, "", null);
+                        for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
+                        {
+                            values.Add(texts.ValueOf(row));
+                            notes.Add(texts.NoteOf(row));
+                        }
+                    }
+
+            // Half the font's size is the mean width of a letter; columns are 9 and 12 sizes wide.
+            Assert.That(values.Max(v => v.Length), Is.LessThanOrEqualTo(18));
+            Assert.That(notes.Max(n => n.Length), Is.LessThanOrEqualTo(24));
+        }
+    }
+}
