@@ -10,11 +10,11 @@ namespace Nowpose.Headless.Tests.Editor;
 /// <summary>The inspectors, drawn on the editor's stand-in while the player plays.</summary>
 public sealed class InspectorTests : EditorFixture
 {
-    VirtualCell _cell;
+    PlayedCell _cell;
     readonly List<UnityEditor.Editor> _editors = new();
 
     [SetUp]
-    public void SetUp() => _cell = new VirtualCell();
+    public void SetUp() => _cell = new PlayedCell();
 
     [TearDown]
     public void TearDown()
