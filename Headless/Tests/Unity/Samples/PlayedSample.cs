@@ -1,5 +1,5 @@
 using Nowpose.Gateway.Robots;
-using Nowpose.Headless.Tests.Unity;
+using Nowpose.Headless.Tests.Repository;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Samples;
@@ -15,6 +15,7 @@ sealed class PlayedSample : IDisposable
 {
     int _frames;
 
+    /// <summary>The components by themselves; nothing wakes until <see cref="Start"/>.</summary>
     public PlayedSample(string robot = "youbot", bool sessionKnowsTheRobot = true)
     {
         Player = new Player();
@@ -29,6 +30,21 @@ sealed class PlayedSample : IDisposable
         Control = Sleeping("Simulated Control System").AddComponent<SimulatedControlSystem>().With("_session", Session).With("_robot", asset);
         Truth = Sleeping("Real Robot").AddComponent<RobotRig>();
         Truth.gameObject.AddComponent<TruthRig>().With("_controlSystem", Control);
+    }
+
+    PlayedSample(string scene)
+    {
+        Player = new Player(new AssetLibrary(RepositoryFiles.Root));
+        Player.LoadScene(scene);
+        Session = Player.Find<MrilSession>();
+        Session.HeadsetClock = Clock;
+        // It has begun already, with the clock of this machine.
+        Session.Settings = Session.Settings;
+        Cell = Session.gameObject;
+        Displayed = Cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>();
+        Held = Cell.transform.Find("Base Anchor/Ghost").GetComponent<RobotRig>();
+        Control = Player.Find<SimulatedControlSystem>();
+        Truth = Player.Find<TruthRig>().GetComponent<RobotRig>();
     }
 
     public Player Player { get; }
@@ -48,6 +64,9 @@ sealed class PlayedSample : IDisposable
 
     /// <summary>In the same: that of the ghost.</summary>
     public List<double> HoldErrors { get; } = [];
+
+    /// <summary>The scene as a user imports it, awake.</summary>
+    public static PlayedSample OfScene() => new("Packages/com.nowpose.mril/Samples~/Virtual Robot Cell/Virtual Robot Cell.unity");
 
     public PlayedSample Start()
     {

@@ -1,5 +1,6 @@
 using System.Reflection;
 using Nowpose.Headless.Tests.Unity;
+using Nowpose.Network;
 using Nowpose.Samples;
 using Nowpose.Session;
 using Nowpose.Unity;
@@ -35,6 +36,33 @@ public class VirtualRobotCellTests
         Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(0.7));
         Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(0.7), "the panel says so, too");
         Assert.That(Complaints(sample), Is.Empty);
+    }
+
+    [Test]
+    public void Scene_Played_TheGapCloses()
+    {
+        using var sample = PlayedSample.OfScene().Run(6);
+
+        sample.Run(20);
+
+        Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
+        Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.01), "there is a gap to close");
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(0.7));
+        Assert.That(sample.Session.Statistics.SampleLink.State, Is.EqualTo(LinkState.Idle), "it needs no network");
+        Assert.That(Complaints(sample), Is.Empty);
+    }
+
+    [Test]
+    public void Scene_Played_DrawsTheArmOnceAndTheGripperOnIt()
+    {
+        using var sample = PlayedSample.OfScene().Run(6);
+        var gripper = sample.Displayed.GetComponentInChildren<VirtualGripper>();
+
+        Assert.That(gripper.GetComponentsInChildren<MeshRenderer>(), Is.Not.Empty);
+        Assert.That(sample.Displayed.GetComponentsInChildren<MeshRenderer>()
+            .Where(drawn => drawn.enabled && !drawn.transform.IsChildOf(gripper.transform)), Is.Empty);
+        Assert.That(sample.Truth.GetComponentsInChildren<MeshRenderer>(), Is.Not.Empty);
+        Assert.That(sample.Held.GetComponentsInChildren<MeshRenderer>(), Is.Not.Empty);
     }
 
     [Test]
