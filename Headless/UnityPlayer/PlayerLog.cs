@@ -3,21 +3,21 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>The console of a player; entries may come from any thread.</summary>
+/// <summary>The console of a player; lines may come from any thread, and the first thousand cost no allocation.</summary>
 sealed class PlayerLog
 {
-    readonly List<PlayerLogEntry> _entries = new();
+    readonly List<LogEntry> _lines = new(1000);
 
     internal IReadOnlyList<PlayerLogEntry> Entries
     {
         get
         {
-            lock (_entries) return _entries.ToArray();
+            lock (_lines) return _lines.ConvertAll(line => new PlayerLogEntry(line.Type, line.Message, line.Exception, line.Context));
         }
     }
 
-    internal void Add(LogEntry entry)
+    internal void Add(LogEntry line)
     {
-        lock (_entries) _entries.Add(new PlayerLogEntry(entry.Type, entry.Message, entry.Exception, entry.Context));
+        lock (_lines) _lines.Add(line);
     }
 }

@@ -3,7 +3,7 @@ using System;
 namespace UnityEngine;
 
 /// <summary>One line of the console.</summary>
-sealed class LogEntry
+readonly struct LogEntry
 {
     internal LogEntry(LogType type, string message, Exception exception, Object context)
     {
