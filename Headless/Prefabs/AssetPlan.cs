@@ -17,11 +17,13 @@ public static class AssetPlan
         (PackagePaths.Gripper, GripperPrefab.Make),
         (PackagePaths.Cell, w => CellPrefab.Make(w, PackagePaths.Cell, PackagePaths.Youbot)),
         (PackagePaths.CellUr5, w => CellPrefab.Make(w, PackagePaths.CellUr5, PackagePaths.Ur5)),
+        (PackagePaths.CellAnyRobot, w => CellPrefab.Make(w, PackagePaths.CellAnyRobot, null)),
         (PackagePaths.DemoScene, Scenes.Demo),
         (PackagePaths.VirtualSettings, w => RobotAssets.Settings(w, PackagePaths.VirtualSettings)),
         (PackagePaths.VirtualScene, Scenes.VirtualRobotCell),
         (PackagePaths.ConnectSettings, w => RobotAssets.Settings(w, PackagePaths.ConnectSettings)),
-        (PackagePaths.ConnectScene, Scenes.Connect),
+        (PackagePaths.ConnectScene, w => Scenes.Connect(w, PackagePaths.Cell)),
+        (PackagePaths.ConnectSceneAnyRobot, w => Scenes.Connect(w, PackagePaths.CellAnyRobot)),
     };
 
     public static IEnumerable<string> Paths => Assets.Select(a => a.Path);

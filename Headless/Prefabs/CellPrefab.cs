@@ -7,11 +7,11 @@ namespace Nowpose.Prefabs;
 static class CellPrefab
 {
     /// <param name="path">Of the prefab, which bears the file's name.</param>
-    /// <param name="robotPath">Of the robot's description.</param>
+    /// <param name="robotPath">Of the robot's description; null for the one that the gateway describes.</param>
     public static string Make(Workshop workshop, string path, string robotPath)
     {
         var cell = new GameObject(Path.GetFileNameWithoutExtension(path));
-        var robot = workshop.Load<RobotDescriptionAsset>(robotPath);
+        var robot = robotPath == null ? null : workshop.Load<RobotDescriptionAsset>(robotPath);
         var session = cell.AddComponent<MrilSession>();
         Fields.Set(session, "_settings", workshop.Load<SessionSettingsAsset>(PackagePaths.Settings));
         Fields.Set(session, "_robot", robot);
@@ -35,10 +35,11 @@ static class CellPrefab
         return rig;
     }
 
+    // Beside a robot that is not built yet: it then follows its flange.
     static GameObject AddGripper(Workshop workshop, RobotRig rig)
     {
-        Rigs.HideBelow(rig.Flange);
-        return workshop.Instantiate(PackagePaths.Gripper, rig.Flange);
+        if (rig.Flange != null) Rigs.HideBelow(rig.Flange);
+        return workshop.Instantiate(PackagePaths.Gripper, rig.Flange != null ? rig.Flange : rig.transform);
     }
 
     /// <summary>Hidden until somebody wants to compare.</summary>

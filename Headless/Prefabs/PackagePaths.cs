@@ -23,7 +23,9 @@ static class PackagePaths
     public const string CellUr5 = Runtime + "Prefabs/Nowpose Robot Cell UR5.prefab";
     public const string VirtualSettings = Virtual + "Virtual Cell Settings.asset";
     public const string VirtualScene = Virtual + "Virtual Robot Cell.unity";
+    public const string CellAnyRobot = Runtime + "Prefabs/Nowpose Robot Cell (Any Robot).prefab";
     public const string ConnectSettings = Connect + "Gateway Settings.asset";
     public const string ConnectScene = Connect + "Connect to a Gateway.unity";
+    public const string ConnectSceneAnyRobot = Connect + "Connect to a Gateway (Any Robot).unity";
     public const string DemoScene = "Assets/Scenes/Demo.unity";
 }

@@ -7,6 +7,7 @@ namespace Nowpose.Prefabs;
 /// <summary>Rigs as the component itself builds them at run time, made to stay.</summary>
 static class Rigs
 {
+    /// <param name="robot">Null for a rig that builds itself once it knows its robot.</param>
     /// <param name="parent">Null for none.</param>
     /// <param name="arm">Material of the links up to the flange.</param>
     /// <param name="tool">Material of the links that the flange carries.</param>
@@ -16,7 +17,7 @@ static class Rigs
         if (parent != null) rig.transform.SetParent(parent, worldPositionStays: false);
         Fields.Set(rig, "_armMaterial", arm);
         Fields.Set(rig, "_toolMaterial", tool);
-        rig.Bind(robot.Read());
+        if (robot != null) rig.Bind(robot.Read());
         return rig;
     }
 

@@ -10,22 +10,23 @@ static class Scenes
     /// <summary>Of the host project.</summary>
     public static string Demo(Workshop workshop)
     {
-        var cell = Cell(workshop, PackagePaths.Settings);
+        var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.Settings);
         Draw(Arm(workshop, cell), Props.DefaultMaterial);
         return Save(workshop, cell);
     }
 
-    public static string Connect(Workshop workshop)
+    public static string Connect(Workshop workshop, string cellPath)
     {
-        var cell = Cell(workshop, PackagePaths.ConnectSettings);
+        var cell = Cell(workshop, cellPath, PackagePaths.ConnectSettings);
         Draw(Arm(workshop, cell), Props.DefaultMaterial);
+        Fields.Set(cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>(), "_armMaterial", Props.DefaultMaterial);
         return Save(workshop, cell);
     }
 
     /// <summary>Here the real arm is drawn, too, where the simulation has it; it hides what is behind it by itself.</summary>
     public static string VirtualRobotCell(Workshop workshop)
     {
-        var cell = Cell(workshop, PackagePaths.VirtualSettings);
+        var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.VirtualSettings);
         foreach (var part in Arm(workshop, cell)) part.enabled = false;
         cell.GetComponentInChildren<Ghost>(includeInactive: true).gameObject.SetActive(true);
         var session = cell.GetComponent<MrilSession>();
@@ -43,9 +44,9 @@ static class Scenes
     }
 
     /// <param name="settingsPath">Its own, for those of an installed package cannot be changed.</param>
-    static GameObject Cell(Workshop workshop, string settingsPath)
+    static GameObject Cell(Workshop workshop, string cellPath, string settingsPath)
     {
-        var cell = workshop.Instantiate(PackagePaths.Cell, null);
+        var cell = workshop.Instantiate(cellPath, null);
         Fields.Set(cell.GetComponent<MrilSession>(), "_settings", workshop.Load<SessionSettingsAsset>(settingsPath));
         return cell;
     }
