@@ -4,14 +4,14 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The headset's frame loop at 60 fps: read C2, tick, keep what is displayed.</summary>
-sealed class DemoFrameLoop(DemoSettings settings, CompensationSession session, IHeadsetClock clock, DemoTruth truth)
+/// <summary>The headset's frame loop at 60 fps: read C2, play the frame, keep what is displayed.</summary>
+sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetClock clock, DemoTruth truth)
 {
     public const int FramesPerSecond = 60;
 
     readonly TimeSpan _visualisation = TimeSpan.FromMilliseconds(settings.VisualisationMs);
 
-    public DemoFrames Frames { get; } = new(session.Robot.MovingJoints.Count, (int)(settings.Seconds * FramesPerSecond) + 1);
+    public DemoFrames Frames { get; } = new(settings.Robot.MovingJoints.Count, (int)(settings.Seconds * FramesPerSecond) + 1);
 
     /// <param name="report">Takes the seconds done and what to say about them.</param>
     public void Run(Action<double, Func<string>> report, CancellationToken cancel)
@@ -23,7 +23,7 @@ sealed class DemoFrameLoop(DemoSettings settings, CompensationSession session, I
         {
             PreciseWait.Until(beginCount + (long)((double)i / FramesPerSecond * Stopwatch.Frequency));
             ShowFrame(begin);
-            report((i + 1) / (double)FramesPerSecond, () => DemoProgress.Describe(session, clock.Now));
+            report((i + 1) / (double)FramesPerSecond, () => DemoProgress.Describe(headset.Session, clock.Now));
         }
     }
 
@@ -32,13 +32,14 @@ sealed class DemoFrameLoop(DemoSettings settings, CompensationSession session, I
         var start = clock.Now;
         var bytes = GC.GetAllocatedBytesForCurrentThread();
         var count = Stopwatch.GetTimestamp();
-        var frame = session.Tick(start);
+        headset.Step((start - begin).TotalSeconds);
         var cpu = Stopwatch.GetElapsedTime(count);
         bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
-        var model = session.Clock.ModelAt(start);
+        var frame = headset.Frame;
+        var model = headset.Session.Clock.ModelAt(start);
         var offsetErrorUs = model.IsKnown ? (model.OffsetAt(start) - truth.OffsetAt(start)).TotalMicroseconds : double.NaN;
-        Frames.Add(frame.Joints, frame.HeldJoints, new DemoFrames.Row(
-            start - begin, start, truth.ControlAt(start + _visualisation), frame.DisplayTime, model,
-            frame.State, offsetErrorUs, ToolPosition.Of(frame.ToolPose), cpu.TotalMicroseconds, bytes));
+        Frames.Add(frame == null ? [] : frame.Joints, frame == null ? [] : frame.HeldJoints, new DemoFrames.Row(
+            start - begin, start, truth.ControlAt(start + _visualisation), frame?.DisplayTime, model,
+            frame?.State ?? PoseState.Incomplete, offsetErrorUs, headset.Tool, headset.HeldTool, cpu.TotalMicroseconds, bytes));
     }
 }

@@ -20,13 +20,16 @@ sealed class DemoFrames
 
     public List<Row> Rows { get; }
 
-    /// <param name="displayed">Joint positions as displayed.</param>
-    /// <param name="held">Joint positions as a headset without compensation would have shown them.</param>
+    /// <param name="displayed">Joint positions as displayed; empty before there is a robot.</param>
+    /// <param name="held">Joint positions as a headset without compensation would have shown them; empty before there is a robot.</param>
     public void Add(ReadOnlySpan<double> displayed, ReadOnlySpan<double> held, in Row row)
     {
         Rows.Add(row);
-        foreach (var joint in displayed) _displayed.Add(joint);
-        foreach (var joint in held) _held.Add(joint);
+        for (var joint = 0; joint < _joints; joint++)
+        {
+            _displayed.Add(displayed.IsEmpty ? 0 : displayed[joint]);
+            _held.Add(held.IsEmpty ? 0 : held[joint]);
+        }
     }
 
     /// <summary>Names the first frame that holds something that is no number; null when none does.</summary>
@@ -34,8 +37,8 @@ sealed class DemoFrames
     {
         for (var frame = 0; frame < Rows.Count; frame++)
         {
-            var tool = Rows[frame].Tool;
-            if (!double.IsFinite(tool.X + tool.Y + tool.Z)) return $"frame {frame}: the displayed tool is not at a finite position";
+            if (!Rows[frame].Tool.IsFinite) return $"frame {frame}: the displayed tool is not at a finite position";
+            if (!Rows[frame].HeldTool.IsFinite) return $"frame {frame}: the ghost's tool is not at a finite position";
             for (var joint = 0; joint < _joints; joint++)
                 if (!double.IsFinite(_displayed[frame * _joints + joint] + _held[frame * _joints + joint]))
                     return $"frame {frame}: moving joint {joint} is not at a finite position";
@@ -50,17 +53,14 @@ sealed class DemoFrames
     /// <summary>One joint's position as a headset without compensation would have shown it.</summary>
     public double Held(int frame, int joint) => _held[frame * _joints + joint];
 
-    /// <summary>All joints as a headset without compensation would have shown them.</summary>
-    public void CopyHeld(int frame, Span<double> into) =>
-        System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_held).Slice(frame * _joints, _joints).CopyTo(into);
-
     /// <param name="Elapsed">Since the session was started.</param>
     /// <param name="TrueLight">True control time of the frame's light.</param>
     /// <param name="AssumedLight">The runtime's; null before it knows a control time.</param>
     /// <param name="Clock">The runtime's model at the frame's start.</param>
     /// <param name="OffsetErrorUs">Estimated minus true offset, µs; NaN while unknown.</param>
-    /// <param name="Tool">Displayed position of the tool, metres in the base frame.</param>
+    /// <param name="Tool">Where the scene shows the tool.</param>
+    /// <param name="HeldTool">Where the scene's ghost, which is not compensated, shows it.</param>
     public readonly record struct Row(
         TimeSpan Elapsed, HeadsetTime Start, ControlTime TrueLight, ControlTime? AssumedLight, ClockModel Clock,
-        PoseState State, double OffsetErrorUs, ToolPosition Tool, double CpuUs, long AllocatedBytes);
+        PoseState State, double OffsetErrorUs, ToolPosition Tool, ToolPosition HeldTool, double CpuUs, long AllocatedBytes);
 }

@@ -9,13 +9,11 @@ sealed class DemoScore
     readonly DemoRun _run;
     readonly TimeSpan? _converged;
     readonly ToolKinematics _kinematics;
-    readonly double[] _joints;
 
     public DemoScore(DemoRun run)
     {
         _run = run;
         _kinematics = new ToolKinematics(run.Settings.Robot);
-        _joints = new double[run.Settings.Robot.MovingJoints.Count];
         _converged = FirstSynchronised();
         Errors = ScoredFrames().Select(ErrorOf).ToList();
     }
@@ -51,9 +49,8 @@ sealed class DemoScore
     {
         var row = _run.Frames.Rows[frame];
         var truth = _kinematics.TrueAt(_run.Truth, row.TrueLight);
-        _run.Frames.CopyHeld(frame, _joints);
         return new DemoError(
-            frame, _kinematics.At(_joints).DistanceMm(truth), row.Tool.DistanceMm(truth),
+            frame, row.HeldTool.DistanceMm(truth), row.Tool.DistanceMm(truth),
             (row.AssumedLight.Value - row.TrueLight).TotalMilliseconds, _run.Truth.CycleAt(row.TrueLight));
     }
 

@@ -44,17 +44,12 @@ static class DemoStage
     {
         var told = new VisualisationLatency(TimeSpan.FromMilliseconds(settings.VisualisationMs + settings.VisualisationErrorMs));
         var clock = new StopwatchHeadsetClock();
-        // Room for all of them: the runtime's frame is watched for allocations, and this is filled within it.
-        var latencies = new List<TimeSpan>((int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000);
-        using var session = new CompensationSession(
-            new SessionSettings(connection, told, new PredictionSettings(settings.Predictor)), settings.Robot, clock);
-        session.SampleTaken += (_, latency) =>
-        {
-            if (latency.HasValue) latencies.Add(latency.Value);
-        };
-        var loop = new DemoFrameLoop(settings, session, clock, truth);
-        session.Connect();
+        using var headset = new DemoHeadset(
+            settings.Robot, new SessionSettings(connection, told, new PredictionSettings(settings.Predictor)), clock,
+            (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000);
+        var loop = new DemoFrameLoop(settings, headset, clock, truth);
         DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
-        return new DemoRun(settings, truth, loop.Frames, latencies, session.Statistics(clock.Now));
+        if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);
+        return new DemoRun(settings, truth, loop.Frames, headset.ApplicationLatencies, headset.Session.Statistics(clock.Now));
     }
 }

@@ -7,6 +7,8 @@ readonly record struct ToolPosition(double X, double Y, double Z)
 {
     public static ToolPosition Of(in RigidTransform pose) => new(pose.X, pose.Y, pose.Z);
 
+    public bool IsFinite => double.IsFinite(X + Y + Z);
+
     public double DistanceMm(ToolPosition other)
     {
         var (dx, dy, dz) = (X - other.X, Y - other.Y, Z - other.Z);

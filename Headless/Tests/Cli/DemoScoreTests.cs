@@ -38,7 +38,8 @@ public class DemoScoreTests
             frames.Add([nan ?? wrong.Mm / 1000], [wrong.HeldMm / 1000], new DemoFrames.Row(
                 elapsed, new HeadsetTime(elapsed), light, light + TimeSpan.FromMilliseconds(wrong.LightMs),
                 new ClockModel(default, default, (Truth.SkewPpm + skewErrorPpm) * 1e-6, default, state), PoseState.Current, wrong.OffsetUs,
-                new ToolPosition(wrong.Mm / 1000, 0, 0), elapsed.TotalSeconds < 3 ? 1000 : 2, elapsed.TotalSeconds < 3 ? 500 : 0));
+                new ToolPosition(wrong.Mm / 1000, 0, 0), new ToolPosition(wrong.HeldMm / 1000, 0, 0),
+                elapsed.TotalSeconds < 3 ? 1000 : 2, elapsed.TotalSeconds < 3 ? 500 : 0));
         }
         var settings = new DemoSettings
         {

@@ -1,0 +1,92 @@
+using Nowpose.Kinematics;
+using Nowpose.Session;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using UnityEngine;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>The headset: the package's own sample scene, played on the stand-in engine. What it shows is read off its transforms.</summary>
+sealed class DemoHeadset : IDisposable
+{
+    const string Package = "Packages/com.nowpose.mril/";
+    const string Sample = Package + "Samples~/Connect to a Gateway/";
+
+    readonly Player _player;
+    readonly MrilSession _component;
+    readonly RobotRig _displayed;
+    readonly RobotRig _held;
+    readonly List<TimeSpan> _latencies;
+    CompensationSession _watched;
+
+    /// <param name="clock">The headset clock, also of the frames.</param>
+    /// <param name="samples">How many samples are expected; more are taken too.</param>
+    public DemoHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples)
+    {
+        // Room for all of them: the frame is watched for allocations, and this is filled within it.
+        _latencies = new List<TimeSpan>(samples);
+        var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
+        _player = new Player(assets);
+        _player.LoadScene(Sample + SceneFor(robot, assets));
+        _component = _player.Find<MrilSession>();
+        _component.HeadsetClock = clock;
+        _component.Settings = settings;
+        var ghost = _component.GetComponentInChildren<Ghost>(includeInactive: true);
+        ghost.Visible = true;
+        _held = ghost.GetComponent<RobotRig>();
+        _displayed = _component.GetComponentsInChildren<RobotRig>().First(rig => rig.Shows == RigPose.Displayed);
+    }
+
+    /// <summary>Null before the robot is known.</summary>
+    public DisplayFrame Frame => _component.Frame;
+
+    public CompensationSession Session => _component.Session;
+
+    /// <summary>L_app of every sample that arrived while the clock was known.</summary>
+    public IReadOnlyList<TimeSpan> ApplicationLatencies => _latencies;
+
+    /// <summary>Where the scene shows the tool; the origin before the robot is known.</summary>
+    public ToolPosition Tool => ToolOf(_displayed);
+
+    /// <summary>Where the scene's ghost shows it, uncompensated.</summary>
+    public ToolPosition HeldTool => ToolOf(_held);
+
+    /// <summary>Errors that the scene's scripts have logged; null when there are none.</summary>
+    public string Complaint => _player.Logs
+        .FirstOrDefault(entry => entry.Type is LogType.Error or LogType.Exception or LogType.Assert)?.ToString();
+
+    /// <summary>Plays one frame.</summary>
+    /// <param name="seconds">Since the scene was loaded.</param>
+    public void Step(double seconds)
+    {
+        Watch();
+        _player.Step(seconds);
+    }
+
+    public void Dispose() => _player.Dispose();
+
+    // The prefab with the youBot for a youBot; any other robot is built from what the gateway describes.
+    static string SceneFor(RobotModel robot, AssetLibrary assets) =>
+        assets.Load<RobotDescriptionAsset>(Package + "Runtime/Robots/youBot.asset").Read().SourceHash == robot.SourceHash
+            ? "Connect to a Gateway.unity"
+            : "Connect to a Gateway (Any Robot).unity";
+
+    static ToolPosition ToolOf(RobotRig rig)
+    {
+        if (rig.Tool == null) return default;
+        var place = rig.transform.InverseTransformPoint(rig.Tool.position);
+        return ToolPosition.Of(UnityFrame.FromUnity(new UnityPose(place.x, place.y, place.z, 0, 0, 0, 1)));
+    }
+
+    // The session is another one once the gateway has described the robot.
+    void Watch()
+    {
+        var session = _component.Session;
+        if (session == _watched || session == null) return;
+        _watched = session;
+        session.SampleTaken += (_, latency) =>
+        {
+            if (latency.HasValue) _latencies.Add(latency.Value);
+        };
+    }
+}
