@@ -5,7 +5,7 @@ using Nowpose.Benchmarks;
 Environment.CurrentDirectory = Path.GetFullPath("../../..", AppContext.BaseDirectory);
 
 // Without arguments everything runs; BenchmarkDotNet's own arguments choose, such as --filter *Frame*.
-var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(SampleBenchmarks), typeof(ExchangeBenchmarks)])
+var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(SampleBenchmarks), typeof(ExchangeBenchmarks), typeof(SceneBenchmarks)])
     .Run(args.Length > 0 ? args : ["--filter", "*"], MeasurementSettings.Create())
     .ToList();
 if (summaries.Count == 0) return 1;

@@ -1,0 +1,36 @@
+using BenchmarkDotNet.Attributes;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>
+/// A frame of a scene with 50 robots, all components of the prefab included: on the stand-in engine, so without anything that
+/// Unity does itself. Samples every 50 ms for each robot; the simulated plants that send them are measured alone, too.
+/// </summary>
+public class SceneBenchmarks : IDisposable
+{
+    const int Robots = 50;
+
+    CellScene _scene;
+
+    [GlobalSetup(Targets = [nameof(Play), nameof(Receive)])]
+    public void Prepare() => _scene = new CellScene(Robots, showGhost: false);
+
+    [GlobalSetup(Target = nameof(PlayWithGhosts))]
+    public void PrepareGhosts() => _scene = new CellScene(Robots, showGhost: true);
+
+    [GlobalCleanup]
+    public void Dispose()
+    {
+        _scene?.Dispose();
+        GC.SuppressFinalize(this);
+    }
+
+    [Benchmark(Description = "Scene frame: 50 robot cells, the whole player loop, and the plants' samples")]
+    public void Play() => _scene.Play();
+
+    [Benchmark(Description = "– the same with all ghosts shown")]
+    public void PlayWithGhosts() => _scene.Play();
+
+    [Benchmark(Description = "– of it the simulated plants")]
+    public void Receive() => _scene.Receive();
+}
