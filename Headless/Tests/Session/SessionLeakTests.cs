@@ -1,0 +1,49 @@
+using System.Diagnostics;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Robots;
+using Nowpose.Headless.Tests.Gateway;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Session;
+
+/// <summary>Each pause of the application ends a session, and none may leave anything behind.</summary>
+public class SessionLeakTests
+{
+    readonly StopwatchHeadsetClock _clock = new();
+
+    [Test]
+    public async Task Sessions_ConnectedAndLeftManyTimes_LeaveNoThreadAndNoConnection()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        await CycleAsync(gateway, 10);
+        var before = Threads();
+
+        await CycleAsync(gateway, 50);
+
+        Assert.That(Threads(), Is.LessThan(before + 10), "the pool may have grown, a thread for each may not");
+    }
+
+    async Task CycleAsync(GatewayServer gateway, int count)
+    {
+        var connection = new ConnectionSettings("127.0.0.1", gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port);
+        var settings = new SessionSettings(connection, VisualisationLatency.FromMilliseconds(40));
+        for (var i = 0; i < count; i++)
+        {
+            using var session = new CompensationSession(settings, RobotFiles.Load("youbot"), _clock);
+            session.Connect();
+            // Every other one is left before it is connected.
+            if (i % 2 == 0)
+                await Soon.BecomesAsync(() => session.Statistics(_clock.Now).SyncLink.State == LinkState.Connected, "connected");
+        }
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "no connection at the gateway");
+    }
+
+    static int Threads()
+    {
+        using var process = Process.GetCurrentProcess();
+        return process.Threads.Count;
+    }
+}
