@@ -1,0 +1,8 @@
+using UnityEngine;
+
+namespace Nowpose.Headless.Tests.Repository.Manual;
+
+/// <param name="Label">As the Inspector shows it; within a list after the list's own, "Fingers › Joint".</param>
+/// <param name="Default">What a new component has, in words.</param>
+/// <param name="Range">Null for none.</param>
+sealed record InspectedField(string Label, string Default, RangeAttribute Range);
