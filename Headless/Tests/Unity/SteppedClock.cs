@@ -1,11 +1,14 @@
 namespace Nowpose.Headless.Tests.Unity;
 
-/// <summary>A headset clock that a test sets; whoever reads it finds it a microsecond later.</summary>
+/// <summary>A headset clock that a test sets; whoever reads it finds it a little later, as after some work.</summary>
 sealed class SteppedClock : IHeadsetClock
 {
     long _ticks;
 
-    public HeadsetTime Now => new(new TimeSpan(Interlocked.Add(ref _ticks, 10)));
+    /// <summary>What one reading takes.</summary>
+    public TimeSpan Step { get; set; } = TimeSpan.FromMicroseconds(1);
+
+    public HeadsetTime Now => new(new TimeSpan(Interlocked.Add(ref _ticks, Step.Ticks)));
 
     /// <summary>What was read last.</summary>
     public HeadsetTime Read => new(new TimeSpan(Interlocked.Read(ref _ticks)));

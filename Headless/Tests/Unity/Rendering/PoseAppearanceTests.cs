@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
@@ -8,7 +9,10 @@ namespace Nowpose.Headless.Tests.Unity.Rendering;
 
 public class PoseAppearanceTests
 {
-    PlayedSession _played;
+    PlayedCell _cell;
+    MrilSession _session;
+    Action<int> _eachFrame;
+    int _frames;
     RobotRig _rig;
     PoseAppearance _appearance;
     Renderer _tool;
@@ -18,8 +22,13 @@ public class PoseAppearanceTests
     [SetUp]
     public void Begin()
     {
-        _played = new PlayedSession(new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime));
-        _rig = Child("Robot", _played.Cell.transform).AddComponent<RobotRig>();
+        _cell = new PlayedCell();
+        _session = _cell.NewSession(settings: new SessionSettings(
+            new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime)));
+        _eachFrame = null;
+        _frames = 0;
+        _rig = Child("Robot", _session.gameObject.transform).AddComponent<RobotRig>();
         _tool = Child("Tool", _rig.transform).AddComponent<MeshRenderer>();
         _words = Child("Words", _rig.transform).AddComponent<TextMesh>();
         _words.gameObject.AddComponent<MeshRenderer>();
@@ -30,7 +39,15 @@ public class PoseAppearanceTests
     }
 
     [TearDown]
-    public void End() => _played.Dispose();
+    public void End() => _cell.Dispose();
+
+    void Play(double seconds)
+    {
+        _session.gameObject.SetActive(true);
+        Run(seconds);
+    }
+
+    void Run(double seconds) => _cell.Run(seconds, _session, () => _eachFrame?.Invoke(_frames++));
 
     static GameObject Child(string name, Transform parent)
     {
@@ -48,13 +65,13 @@ public class PoseAppearanceTests
 
     void Take(double ms)
     {
-        for (var i = 0; i < 20; i++) _played.Session.Session.Rendered(TimeSpan.FromMilliseconds(ms), RenderTimeSourceKind.GpuTime);
+        for (var i = 0; i < 20; i++) _session.Session.Rendered(TimeSpan.FromMilliseconds(ms), RenderTimeSourceKind.GpuTime);
     }
 
     void BeCurrent()
     {
-        _played.Start().Run(5);
-        Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
+        Play(5);
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
     }
 
     [Test]
@@ -70,11 +87,11 @@ public class PoseAppearanceTests
     [Test]
     public void Show_BeforeTheFirstPositions_NothingIsDrawnButTheWords()
     {
-        _played.IsSampling = false;
+        _cell.IsPlantUp = false;
         var wasVisible = new List<bool>();
-        _played.EachFrame = _ => wasVisible.Add(_tool.isVisible);
+        _eachFrame = _ => wasVisible.Add(_tool.isVisible);
 
-        _played.Start().Run(2);
+        Play(2);
 
         Assert.That(wasVisible, Is.All.False, "not in the first frame either");
         Assert.That(_words.text, Is.EqualTo("no positions yet"));
@@ -84,9 +101,9 @@ public class PoseAppearanceTests
     [Test]
     public void Show_NotSynchronised_IsFaintStripedAndSaysSo()
     {
-        _played.IsSynchronising = false;
+        _cell.IsSyncUp = false;
 
-        _played.Start().Run(2);
+        Play(2);
 
         Assert.That(_tool.isVisible, Is.True);
         Assert.That(Look(_tool).Fade, Is.GreaterThan(0.5));
@@ -99,11 +116,11 @@ public class PoseAppearanceTests
     {
         BeCurrent();
 
-        _played.IsSampling = false;
-        _played.Run(1);
+        _cell.IsPlantUp = false;
+        Run(1);
         var (held, words) = (Look(_tool), _words.text);
-        _played.IsSampling = true;
-        _played.Run(1);
+        _cell.IsPlantUp = true;
+        Run(1);
 
         Assert.That(held.Fade, Is.GreaterThan(0.2));
         Assert.That(held.Hatch, Is.EqualTo(1));
@@ -118,7 +135,7 @@ public class PoseAppearanceTests
         BeCurrent();
 
         Take(30);
-        _played.Step();
+        _cell.Frame(_session);
 
         Assert.That(Look(_tool).Fade, Is.GreaterThan(0.2));
         Assert.That(Look(_tool).Hatch, Is.EqualTo(1));
@@ -130,12 +147,12 @@ public class PoseAppearanceTests
     {
         BeCurrent();
 
-        _played.Player.Pause(true);
+        _cell.Player.Pause(true);
         var paused = (Look(_tool), _words.text, _tool.isVisible);
-        _played.Player.Pause(false);
-        _played.Step();
+        _cell.Player.Pause(false);
+        _cell.Frame(_session);
         var resumed = _words.text;
-        _played.Run(5);
+        Run(5);
 
         Assert.That(paused.Item1.Hatch, Is.EqualTo(1), "at once, no frame need come");
         Assert.That(paused.text, Is.EqualTo("no session"));
@@ -147,11 +164,11 @@ public class PoseAppearanceTests
     [Test]
     public void Abandon_BeforeTheFirstPositions_StaysUndrawn()
     {
-        _played.IsSampling = false;
-        _played.Start().Run(0.5);
+        _cell.IsPlantUp = false;
+        Play(0.5);
 
-        _played.Session.enabled = false;
-        _played.Step();
+        _session.enabled = false;
+        _cell.Frame(_session);
 
         Assert.That(_tool.isVisible, Is.False);
     }
@@ -159,9 +176,9 @@ public class PoseAppearanceTests
     [Test]
     public void Refresh_RigBuiltAtRunTime_IsTakenUp()
     {
-        _played.IsSampling = false;
+        _cell.IsPlantUp = false;
 
-        _played.Start().Run(0.5);
+        Play(0.5);
 
         var built = _rig.GetComponentsInChildren<Renderer>().Where(r => r != _tool && r.gameObject != _words.gameObject).ToList();
         Assert.That(_rig.Model, Is.Not.Null);
@@ -195,11 +212,11 @@ public class PoseAppearanceTests
     [Test]
     public void LateUpdate_Words_FaceTheViewerAndCanBeRead()
     {
-        _played.IsSampling = false;
-        _played.Start().Run(0.5);
+        _cell.IsPlantUp = false;
+        Play(0.5);
 
         _viewer.position = new Vector3(3, 1, 0);
-        _played.Step();
+        _cell.Frame(_session);
 
         var away = _words.transform.position - _viewer.position;
         away.y = 0;
@@ -212,8 +229,8 @@ public class PoseAppearanceTests
     [Test]
     public void OnDisable_WhileFaint_GivesBackWhatItTook()
     {
-        _played.IsSampling = false;
-        _played.Start().Run(1);
+        _cell.IsPlantUp = false;
+        Play(1);
 
         _appearance.enabled = false;
 
@@ -226,9 +243,9 @@ public class PoseAppearanceTests
     public void OnEnable_Again_LooksAsThePoseIs()
     {
         BeCurrent();
-        _played.IsSampling = false;
+        _cell.IsPlantUp = false;
         _appearance.enabled = false;
-        _played.Run(1);
+        Run(1);
 
         _appearance.enabled = true;
         var words = _words.text;
@@ -240,29 +257,29 @@ public class PoseAppearanceTests
     public void Show_StatesComingAndGoing_AllocatesNothing()
     {
         // Too short for the console to be told each time.
-        _played.EachFrame = frame => _played.IsSampling = frame % 40 < 12;
-        _played.Start().Run(40);
-        var (before, changes) = (_played.Allocated, _words.TextChanges);
+        _eachFrame = frame => _cell.IsPlantUp = frame % 40 < 12;
+        Play(40);
+        var (before, changes) = (_cell.Allocated, _words.TextChanges);
 
-        _played.Run(40);
+        Run(40);
 
         Assert.That(_words.TextChanges - changes, Is.GreaterThan(50));
-        Assert.That(_played.Allocated - before, Is.EqualTo(0));
+        Assert.That(_cell.Allocated - before, Is.EqualTo(0));
     }
 
     [Test]
     public void OnDestroy_AtAnyFrame_ThrowsNothingLater([Values(0, 1, 2, 300)] int frames, [Values] bool words)
     {
-        _played.Start();
-        for (var i = 0; i < frames; i++) _played.Step();
+        Play(0);
+        for (var i = 0; i < frames; i++) _cell.Frame(_session);
 
         UnityEngine.Object.Destroy(words ? _words.gameObject : _appearance);
-        _played.Run(1);
-        _played.Player.Pause(true);
-        _played.Player.Pause(false);
-        _played.IsSampling = false;
-        _played.Run(1);
+        Run(1);
+        _cell.Player.Pause(true);
+        _cell.Player.Pause(false);
+        _cell.IsPlantUp = false;
+        Run(1);
 
-        Assert.That(_played.Player.Logs.Where(l => l.Exception != null), Is.Empty);
+        Assert.That(_cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
     }
 }

@@ -1,4 +1,6 @@
 using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
@@ -10,21 +12,37 @@ public class RenderTimeSourceTests
 {
     const double FrameMs = 1000 / 60.0;
 
-    PlayedSession _played;
+    PlayedCell _cell;
+    MrilSession _session;
+    Action<int> _eachFrame;
+    int _frames;
     RenderTimeSource _source;
 
-    Gpu Gpu => _played.Player.World.Gpu;
+    Gpu Gpu => _cell.Player.World.Gpu;
 
     [SetUp]
     public void Begin()
     {
-        _played = new PlayedSession(new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime));
-        _source = _played.Cell.AddComponent<RenderTimeSource>();
+        _cell = new PlayedCell();
+        _session = _cell.NewSession(settings: new SessionSettings(
+            new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime)));
+        _eachFrame = null;
+        _frames = 0;
+        _source = _session.gameObject.AddComponent<RenderTimeSource>();
         new GameObject("Camera").AddComponent<Camera>();
     }
 
     [TearDown]
-    public void End() => _played.Dispose();
+    public void End() => _cell.Dispose();
+
+    void Play(double seconds)
+    {
+        _session.gameObject.SetActive(true);
+        Run(seconds);
+    }
+
+    void Run(double seconds) => _cell.Run(seconds, _session, () => _eachFrame?.Invoke(_frames++));
 
     void DisplayTakes(float? seconds)
     {
@@ -38,7 +56,7 @@ public class RenderTimeSourceTests
         Gpu.FrameTimings.Add(new FrameTiming { gpuFrameTime = ms });
     }
 
-    IEnumerable<string> Said() => _played.Player.Logs.Select(l => l.Message).Where(m => m.StartsWith("[Nowpose] render time: ")).Select(m => m[23..]);
+    IEnumerable<string> Said() => _cell.Player.Logs.Select(l => l.Message).Where(m => m.StartsWith("[Nowpose] render time: ")).Select(m => m[23..]);
 
     [Test]
     public void LateUpdate_AllSourcesThere_TakesTheHeadsetsGpuTime()
@@ -47,12 +65,12 @@ public class RenderTimeSourceTests
         EngineTakes(11);
         Gpu.ReadbackFrames = 1;
 
-        _played.Start().Run(2);
+        Play(2);
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuTime));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
-        Assert.That(_played.Session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
-        Assert.That(_played.Session.Statistics.Range, Is.EqualTo(RangeState.Inside));
+        Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
+        Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
         Assert.That(Said(), Is.EqualTo(new[] { "GPU time" }), "once");
         Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "nobody needs them");
     }
@@ -66,7 +84,7 @@ public class RenderTimeSourceTests
         DisplayTakes(seconds);
         EngineTakes(11);
 
-        _played.Start().Run(2);
+        Play(2);
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuTime));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(11).Within(1e-3));
@@ -79,11 +97,11 @@ public class RenderTimeSourceTests
         EngineTakes(0);
         Gpu.ReadbackFrames = framesUntilDone;
 
-        _played.Start().Run(2);
+        Play(2);
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
-        Assert.That(_played.Session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * framesUntilDone).Within(0.01));
-        Assert.That(_played.Session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource), "the limit was found with the GPU's time");
+        Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * framesUntilDone).Within(0.01));
+        Assert.That(_session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource), "the limit was found with the GPU's time");
         Assert.That(Said(), Is.EqualTo(new[] { "trigger to GPU done" }));
     }
 
@@ -92,11 +110,11 @@ public class RenderTimeSourceTests
     {
         Gpu.ReadbackFrames = 20;
 
-        _played.Start().Run(4);
+        Play(4);
 
         Assert.That(Gpu.PendingReadbacks, Is.LessThanOrEqualTo(4));
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
-        Assert.That(_played.Session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * 20).Within(0.01));
+        Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * 20).Within(0.01));
     }
 
     [TestCase(-1, false)]
@@ -105,9 +123,9 @@ public class RenderTimeSourceTests
     {
         Gpu.ReadbackFrames = readbackFrames;
         Gpu.ReadbacksFail = fail;
-        _played.Clock.Step = TimeSpan.FromMilliseconds(2);
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(2);
 
-        _played.Start().Run(2);
+        Play(2);
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.CameraCpu));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "from before the camera to after it");
@@ -117,11 +135,11 @@ public class RenderTimeSourceTests
     [Test]
     public void LateUpdate_SeveralCameras_AreTakenTogether()
     {
-        _played.Clock.Step = TimeSpan.FromMilliseconds(1);
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
         new GameObject("second").AddComponent<Camera>();
         new GameObject("third").AddComponent<Camera>();
 
-        _played.Start().Run(2);
+        Play(2);
 
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(5).Within(1e-3));
     }
@@ -129,7 +147,9 @@ public class RenderTimeSourceTests
     [Test]
     public void LateUpdate_NothingMeasures_IsNone()
     {
-        _played.Start().Run(2);
+        _cell.Clock.Step = TimeSpan.Zero;
+
+        Play(2);
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None), "the clock stands still while the camera renders");
         Assert.That(_source.RenderTime, Is.Null);
@@ -141,18 +161,18 @@ public class RenderTimeSourceTests
     {
         DisplayTakes(0.02f);
         Gpu.ReadbackFrames = 1;
-        _played.Clock.Step = TimeSpan.FromMilliseconds(1);
-        _played.Start().Run(10);
-        var before = _played.Session.Statistics.Range;
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
+        Play(10);
+        var before = _session.Statistics.Range;
 
         Gpu.DisplayGpuTime = null;
-        _played.Run(0.4);
+        Run(0.4);
         var soon = _source.Source;
-        _played.Run(2);
+        Run(2);
 
         Assert.That(before, Is.EqualTo(RangeState.Outside));
         Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.GpuTime), "a few silent frames are none of its end");
-        Assert.That(_played.Session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
+        Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
         Assert.That(Said().First(), Is.EqualTo("GPU time"));
         Assert.That(Said().Last(), Is.EqualTo("trigger to GPU done"));
         Assert.That(Said(), Has.None.Contains("CPU"), "a better one was on its way");
@@ -163,29 +183,29 @@ public class RenderTimeSourceTests
     public void LateUpdate_LoadBeyondTheLimit_PoseIsNotCurrent()
     {
         DisplayTakes(0.01f);
-        _played.Start().Run(10);
-        var before = _played.Session.Frame.State;
+        Play(10);
+        var before = _session.Frame.State;
 
         DisplayTakes(0.02f);
-        _played.Run(0.2);
+        Run(0.2);
 
         Assert.That(before, Is.EqualTo(Nowpose.Session.PoseState.Current));
-        Assert.That(_played.Session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.OutsideRange));
+        Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.OutsideRange));
     }
 
     [Test]
     public void OnDisable_WhileMeasuring_TellsTheSessionThatNothingMeasures()
     {
         DisplayTakes(0.02f);
-        _played.Start().Run(2);
-        var before = _played.Session.Statistics.Range;
+        Play(2);
+        var before = _session.Statistics.Range;
 
         _source.enabled = false;
-        _played.Run(0.1);
+        Run(0.1);
 
         Assert.That(before, Is.EqualTo(RangeState.Outside));
-        Assert.That(_played.Session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
-        Assert.That(_played.Session.Statistics.RenderTime, Is.Null);
+        Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
+        Assert.That(_session.Statistics.RenderTime, Is.Null);
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None));
     }
 
@@ -193,70 +213,70 @@ public class RenderTimeSourceTests
     public void OnEnable_Again_MeasuresAgain()
     {
         Gpu.ReadbackFrames = 2;
-        _played.Start().Run(2);
+        Play(2);
 
         for (var i = 0; i < 5; i++)
         {
             _source.enabled = false;
-            _played.Step();
+            _cell.Frame(_session);
             _source.enabled = true;
-            _played.Step();
+            _cell.Frame(_session);
         }
-        _played.Run(2);
+        Run(2);
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
-        Assert.That(_played.Session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * 2).Within(0.01));
+        Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * 2).Within(0.01));
     }
 
     [Test]
     public void OnDestroy_AtAnyFrame_LeavesNothingBehind([Values] bool byObject, [Values(0, 1, 7, 45)] int frames)
     {
         Gpu.ReadbackFrames = 3;
-        _played.Clock.Step = TimeSpan.FromMilliseconds(1);
-        var objects = _played.Player.ObjectCount;
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
+        var objects = _cell.Player.ObjectCount;
         var other = new GameObject("Other");
         other.AddComponent<RenderTimeSource>();
-        for (var i = 0; i < frames; i++) _played.Step();
+        for (var i = 0; i < frames; i++) _cell.Frame(_session);
 
         UnityEngine.Object.Destroy(byObject ? other : other.GetComponent<RenderTimeSource>());
-        _played.Run(0.2);
+        Run(0.2);
         if (!byObject) UnityEngine.Object.Destroy(other);
-        _played.Run(0.2);
+        Run(0.2);
 
-        Assert.That(_played.Player.SubscriberCount, Is.EqualTo(0));
-        Assert.That(_played.Player.ObjectCount, Is.EqualTo(objects));
-        Assert.That(_played.Player.Logs.Where(l => l.Exception != null), Is.Empty);
+        Assert.That(_cell.Player.SubscriberCount, Is.EqualTo(0));
+        Assert.That(_cell.Player.ObjectCount, Is.EqualTo(objects));
+        Assert.That(_cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
     }
 
     [Test]
     public void LateUpdate_Warm_AllocatesNothing()
     {
         Gpu.ReadbackFrames = 2;
-        _played.Clock.Step = TimeSpan.FromMilliseconds(1);
-        _played.IsSampling = false;
-        _played.IsSynchronising = false;
-        _played.Session.enabled = false;
-        _played.Start().Run(3);
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
+        _cell.IsPlantUp = false;
+        _cell.IsSyncUp = false;
+        _session.enabled = false;
+        Play(3);
 
-        var before = GC.GetAllocatedBytesForCurrentThread();
-        _played.Run(5);
+        _cell.Allocated = 0;
+        Run(5);
 
-        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.EqualTo(0), "nothing of the stand-in either");
+        Assert.That(_cell.Allocated, Is.EqualTo(0));
     }
 
     [Test]
     public void Tell_SessionBeginsAnewAfterAPause_HearsOfRenderTimesAgain()
     {
         DisplayTakes(0.02f);
-        _played.Start().Run(2);
+        Play(2);
 
-        _played.Player.Pause(true);
-        _played.Run(0.1);
-        var whilePaused = _played.Session.Session;
-        _played.Player.Pause(false);
-        _played.Run(0.5);
+        _cell.Player.Pause(true);
+        Run(0.1);
+        var whilePaused = _session.Session;
+        _cell.Player.Pause(false);
+        Run(0.5);
 
         Assert.That(whilePaused, Is.Null);
-        Assert.That(_played.Session.Statistics.Range, Is.EqualTo(RangeState.Outside));
+        Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Outside));
     }
 }

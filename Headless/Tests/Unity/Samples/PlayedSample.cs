@@ -54,7 +54,7 @@ sealed class PlayedSample : IDisposable
     public RobotRig Displayed { get; }
     public RobotRig Held { get; }
     public RobotRig Truth { get; }
-    public PlayedClock Clock { get; } = new();
+    public SteppedClock Clock { get; } = new();
 
     /// <summary>Of the frames of the last <see cref="Run"/>: what state each was in.</summary>
     public List<PoseState> States { get; } = [];
@@ -87,7 +87,7 @@ sealed class PlayedSample : IDisposable
 
     public void Step()
     {
-        Clock.Now = HeadsetTime.FromSeconds(100 + _frames / 60.0);
+        Clock.Set(100 + _frames / 60.0);
         Player.Step(_frames++ / 60.0);
         if (Session.Frame == null) return;
         States.Add(Session.Frame.State);

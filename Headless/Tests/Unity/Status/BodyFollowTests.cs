@@ -6,19 +6,21 @@ namespace Nowpose.Headless.Tests.Unity.Status;
 
 public class BodyFollowTests
 {
-    PlayedSession _played;
+    PlayedCell _cell;
     Transform _head;
     Transform _follower;
 
     [SetUp]
     public void Begin()
     {
-        _played = new PlayedSession();
+        _cell = new PlayedCell();
         _follower = new GameObject("Follower").AddComponent<BodyFollow>().transform;
     }
 
     [TearDown]
-    public void End() => _played.Dispose();
+    public void End() => _cell.Dispose();
+
+    void Run(double seconds) => _cell.Run(seconds, null);
 
     void AddCamera()
     {
@@ -32,13 +34,13 @@ public class BodyFollowTests
     public void LateUpdate_HeadTurnsFar_FollowsInItsOwnTime()
     {
         AddCamera();
-        _played.Step();
+        _cell.Frame(null);
         var first = Azimuth;
 
         _head.rotation = Quaternion.Euler(0, 90, 0);
-        _played.Run(0.2);
+        Run(0.2);
         var soon = Azimuth;
-        _played.Run(4);
+        Run(4);
 
         Assert.That(first, Is.EqualTo(0).Within(0.1));
         Assert.That(soon, Is.InRange(20, 60), "never fixed to the head");
@@ -50,14 +52,14 @@ public class BodyFollowTests
     public void LateUpdate_HeadSways_StaysExactlyWhereItIs()
     {
         AddCamera();
-        _played.Step();
+        _cell.Frame(null);
         var before = (_follower.position, _follower.rotation);
 
         for (var i = 0; i < 300; i++)
         {
             _head.SetPositionAndRotation(
                 new Vector3(0.1f * Mathf.Sin(i), 1.6f + 0.1f * Mathf.Cos(i), 0), Quaternion.Euler(20 * Mathf.Sin(i), 25 * Mathf.Cos(i), 10));
-            _played.Step();
+            _cell.Frame(null);
         }
 
         Assert.That(_follower.position.Equals(before.position) && _follower.rotation.Equals(before.rotation), Is.True);
@@ -67,11 +69,11 @@ public class BodyFollowTests
     public void LateUpdate_CameraComesLater_IsPlacedThen()
     {
         _follower.position = new Vector3(9, 9, 9);
-        _played.Run(0.2);
+        Run(0.2);
         var before = _follower.position;
         AddCamera();
 
-        _played.Step();
+        _cell.Frame(null);
 
         Assert.That(before, Is.EqualTo(new Vector3(9, 9, 9)));
         Assert.That(Vector3.Distance(_follower.position, _head.position), Is.EqualTo(1.3f).Within(1e-4));
@@ -81,13 +83,13 @@ public class BodyFollowTests
     public void OnEnable_Again_IsBeforeTheHeadAtOnce()
     {
         AddCamera();
-        _played.Step();
+        _cell.Frame(null);
         _follower.gameObject.SetActive(false);
         _head.position = new Vector3(20, 1.6f, 5);
-        _played.Step();
+        _cell.Frame(null);
 
         _follower.gameObject.SetActive(true);
-        _played.Step();
+        _cell.Frame(null);
 
         Assert.That(Vector3.Distance(_follower.position, _head.position), Is.EqualTo(1.3f).Within(1e-4), "it does not fly across the hall");
     }

@@ -1,4 +1,6 @@
 using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
@@ -7,17 +9,25 @@ namespace Nowpose.Headless.Tests.Unity.Status;
 
 public class StatusPanelTests
 {
-    PlayedSession _played;
+    PlayedCell _cell;
+    MrilSession _session;
+    Action<int> _eachFrame;
+    int _frames;
     StatusPanel _panel;
     Camera _camera;
 
     [SetUp]
     public void Begin()
     {
-        _played = new PlayedSession(new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime));
+        _cell = new PlayedCell();
+        _session = _cell.NewSession("ur5", new SessionSettings(
+            new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime)));
+        _eachFrame = null;
+        _frames = 0;
         _camera = new GameObject("Camera") { tag = "MainCamera" }.AddComponent<Camera>();
         var panel = new GameObject("Status Panel");
-        panel.transform.SetParent(_played.Cell.transform);
+        panel.transform.SetParent(_session.gameObject.transform);
         panel.transform.position = new Vector3(0, 0, 2);
         var cell = new GameObject("Cell").AddComponent<TextMesh>();
         cell.fontSize = 64;
@@ -26,7 +36,15 @@ public class StatusPanelTests
     }
 
     [TearDown]
-    public void End() => _played.Dispose();
+    public void End() => _cell.Dispose();
+
+    void Play(double seconds)
+    {
+        _session.gameObject.SetActive(true);
+        Run(seconds);
+    }
+
+    void Run(double seconds) => _cell.Run(seconds, _session, () => _eachFrame?.Invoke(_frames++));
 
     Transform Sheet => _panel.transform.Find("Cells");
 
@@ -44,30 +62,30 @@ public class StatusPanelTests
     [Test]
     public void LateUpdate_WholeSession_TellsOfIt()
     {
-        _played.EachFrame = _ => _played.Session.Session?.Rendered(TimeSpan.FromMilliseconds(9.5), RenderTimeSourceKind.GpuTime);
+        _eachFrame = _ => _session.Session?.Rendered(TimeSpan.FromMilliseconds(9.5), RenderTimeSourceKind.GpuTime);
 
-        _played.Start().Run(20);
+        Play(20);
 
         Assert.That(Row("Pose"), Is.EqualTo(("current", "")));
         Assert.That(Row("Clock").Value, Is.EqualTo("synchronised"));
         Assert.That(Row("Clock").Note, Does.Match(@"^± \d\.\d+ ms$"));
-        Assert.That(Row("L_app"), Is.EqualTo(("60.0 ms", "95 % below 60 ms")));
+        Assert.That(Row("L_app"), Is.EqualTo(("80.0 ms", "95 % below 80 ms")));
         Assert.That(Row("L_visu").Value, Is.EqualTo("40.0 ms"));
-        Assert.That(Row("Horizon").Value, Does.Match(@"^1[0-4]\d ms$"));
+        Assert.That(Row("Horizon").Value, Does.Match(@"^1[2-6]\d ms$"));
         Assert.That(Row("Render time"), Is.EqualTo(("9.5 ms", "GPU time")));
         Assert.That(Row("Range"), Is.EqualTo(("inside", "")));
         Assert.That(Row("Error reduction").Value, Does.Match(@"^9\d %$"));
         Assert.That(Row("Gateway"), Is.EqualTo(("not connected", "within this machine")));
-        Assert.That(Row("Robot"), Is.EqualTo(("–", "two")));
+        Assert.That(Row("Robot"), Is.EqualTo(("–", "ur5")));
     }
 
     [Test]
     public void LateUpdate_FirstFrame_ShowsDashesForWhatIsNotKnown()
     {
-        _played.IsSampling = false;
-        _played.IsSynchronising = false;
+        _cell.IsPlantUp = false;
+        _cell.IsSyncUp = false;
 
-        _played.Start().Step();
+        Play(0.01);
 
         Assert.That(Row("L_app").Value, Is.EqualTo("–"));
         Assert.That(Row("Error reduction").Value, Is.EqualTo("–"));
@@ -79,28 +97,28 @@ public class StatusPanelTests
     public void LateUpdate_WarmWithChangingValues_AllocatesNothing()
     {
         var random = new System.Random(2);
-        _played.EachFrame = _ =>
-            _played.Session.Session.Rendered(TimeSpan.FromMilliseconds(8 + 6 * random.NextDouble()), RenderTimeSourceKind.GpuTime);
-        _played.Start().Run(20);
+        _eachFrame = _ =>
+            _session.Session.Rendered(TimeSpan.FromMilliseconds(8 + 6 * random.NextDouble()), RenderTimeSourceKind.GpuTime);
+        Play(20);
         var changes = Texts.Sum(t => t.TextChanges);
-        var before = _played.Allocated;
+        var before = _cell.Allocated;
 
-        for (var i = 0; i < 4000; i++) _played.Step();
+        Run(4000 / 60.0);
 
         Assert.That(Texts.Sum(t => t.TextChanges) - changes, Is.GreaterThan(300), "the values do change");
-        Assert.That(_played.Allocated - before, Is.EqualTo(0));
+        Assert.That(_cell.Allocated - before, Is.EqualTo(0));
     }
 
     [Test]
     public void LateUpdate_ManyFrames_WritesAFewTimesASecond()
     {
-        _played.EachFrame = frame =>
-            _played.Session.Session.Rendered(TimeSpan.FromMilliseconds(5 + frame % 97 * 0.1), RenderTimeSourceKind.GpuTime);
-        _played.Start().Run(5);
+        _eachFrame = frame =>
+            _session.Session.Rendered(TimeSpan.FromMilliseconds(5 + frame % 97 * 0.1), RenderTimeSourceKind.GpuTime);
+        Play(5);
         var text = Sheet.Find("RenderTime 1").GetComponent<TextMesh>();
         var before = text.TextChanges;
 
-        _played.Run(10);
+        Run(10);
 
         Assert.That(text.TextChanges - before, Is.InRange(30, 40));
     }
@@ -112,7 +130,7 @@ public class StatusPanelTests
     {
         _panel.transform.position = new Vector3(0, 0, metres);
 
-        _played.Start().Run(1);
+        Play(1);
 
         var text = Texts[0];
         var height = 0.519 * 0.1 * text.fontSize * text.characterSize * text.transform.lossyScale.y;
@@ -122,7 +140,7 @@ public class StatusPanelTests
     [Test]
     public void LateUpdate_RowsAndColumns_DoNotOverlap()
     {
-        _played.Start().Run(1);
+        Play(1);
 
         var size = Sheet.localScale.x;
         var rows = Texts.Select(t => t.transform.localPosition.y).Distinct().OrderDescending().ToList();
@@ -136,9 +154,9 @@ public class StatusPanelTests
     [Test]
     public void LateUpdate_BadSettings_SaysWhy()
     {
-        _played.Session.Settings = null;
+        _session.Settings = null;
 
-        _played.Start().Run(1);
+        Play(1);
 
         Assert.That(Text("Message 0").Replace('\n', ' '), Does.Contain("has no settings; assign a Session Settings asset"));
         Assert.That(Row("Clock").Value, Is.EqualTo("–"));
@@ -147,10 +165,10 @@ public class StatusPanelTests
     [Test]
     public void LateUpdate_Paused_KeepsNoNumbersOfBefore()
     {
-        _played.Start().Run(5);
+        Play(5);
 
-        _played.Player.Pause(true);
-        _played.Run(1);
+        _cell.Player.Pause(true);
+        Run(1);
 
         Assert.That(Row("L_app").Value, Is.EqualTo("–"));
         Assert.That(Row("Pose").Value, Is.EqualTo("–"));
@@ -159,15 +177,15 @@ public class StatusPanelTests
     [Test]
     public void OnDisable_ShowingNumbers_TakesThemAway()
     {
-        _played.Start().Run(5);
+        Play(5);
 
         _panel.enabled = false;
         var disabled = Texts.Select(t => t.text).ToList();
         _panel.enabled = true;
-        _played.Run(0.1);
+        Run(0.1);
 
         Assert.That(disabled, Is.All.Empty);
-        Assert.That(Row("L_app").Value, Is.EqualTo("60.0 ms"), "and brings them back at once");
+        Assert.That(Row("L_app").Value, Is.EqualTo("80.0 ms"), "and brings them back at once");
     }
 
     [Test]
@@ -175,28 +193,28 @@ public class StatusPanelTests
     {
         _panel.With("_cell", null);
 
-        _played.Start().Run(1);
+        Play(1);
 
-        Assert.That(_played.Player.Logs.Count(l => l.Message.Contains("no cell to copy")), Is.EqualTo(1));
-        Assert.That(_played.Player.Logs.Where(l => l.Exception != null), Is.Empty);
+        Assert.That(_cell.Player.Logs.Count(l => l.Message.Contains("no cell to copy")), Is.EqualTo(1));
+        Assert.That(_cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
     }
 
     [Test]
     public void OnDestroy_AtAnyFrame_LeavesNothingBehind([Values(0, 1, 2, 40)] int frames)
     {
-        _played.Start();
-        for (var i = 0; i < frames; i++) _played.Step();
+        Play(0);
+        for (var i = 0; i < frames; i++) _cell.Frame(_session);
         var others = _panel.GetComponentsInChildren<Transform>(true).Length;
 
         UnityEngine.Object.Destroy(_panel.gameObject);
-        _played.Run(0.2);
-        UnityEngine.Object.Destroy(_played.Cell);
+        Run(0.2);
+        UnityEngine.Object.Destroy(_session.gameObject);
         UnityEngine.Object.Destroy(_camera.gameObject);
-        _played.Player.Step(1000);
+        _cell.Player.Step(1000);
 
         Assert.That(others, Is.GreaterThan(1));
-        Assert.That(_played.Player.SubscriberCount, Is.EqualTo(0));
+        Assert.That(_cell.Player.SubscriberCount, Is.EqualTo(0));
         Assert.That(UnityEngine.Object.FindObjectsOfType<Transform>(true), Is.Empty);
-        Assert.That(_played.Player.Logs.Where(l => l.Exception != null), Is.Empty);
+        Assert.That(_cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
     }
 }
