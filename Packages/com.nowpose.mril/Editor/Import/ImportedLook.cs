@@ -15,7 +15,7 @@ namespace Nowpose.Editor
         readonly AssetImportContext _context;
         readonly MeshSource _meshes;
         readonly Material _arm, _tool;
-        readonly Dictionary<Color32, Material> _materials = new Dictionary<Color32, Material>();
+        readonly Dictionary<string, Material> _materials = new Dictionary<string, Material>(StringComparer.Ordinal);
         Shader _shader;
 
         /// <param name="arm">For the links up to the flange; null for the URDF's own colours.</param>
@@ -41,12 +41,12 @@ namespace Nowpose.Editor
 
         Material OfColour(VisualColour colour)
         {
-            var key = new Color32(Byte(colour.Red), Byte(colour.Green), Byte(colour.Blue), Byte(colour.Alpha));
-            if (_materials.TryGetValue(key, out var known)) return known;
-            var name = "#" + key.r.ToString("x2") + key.g.ToString("x2") + key.b.ToString("x2") + key.a.ToString("x2");
-            var material = new Material(HologramShader()) { name = name, color = key };
+            var bytes = new Color32(Byte(colour.Red), Byte(colour.Green), Byte(colour.Blue), Byte(colour.Alpha));
+            var name = "#" + bytes.r.ToString("x2") + bytes.g.ToString("x2") + bytes.b.ToString("x2") + bytes.a.ToString("x2");
+            if (_materials.TryGetValue(name, out var known)) return known;
+            var material = new Material(HologramShader()) { name = name, color = bytes };
             _context.AddObjectToAsset("material " + name, material);
-            _materials.Add(key, material);
+            _materials.Add(name, material);
             return material;
         }
 

@@ -85,10 +85,11 @@ namespace Nowpose.Editor
             _context.DependsOnArtifact(path);
             var model = AssetDatabase.LoadAssetAtPath<GameObject>(path);
             if (model == null) throw new InputException("mesh " + path + ": Unity has not imported it; its own import log says why");
+            var turn = TurnOf(path);
             var shown = new GameObject();
             var axes = new GameObject("axes").transform;
             axes.SetParent(shown.transform, worldPositionStays: false);
-            axes.localRotation = TurnOf(path);
+            axes.localRotation = turn;
             Adapt(Object.Instantiate(model, axes, worldPositionStays: false), material);
             return shown;
         }

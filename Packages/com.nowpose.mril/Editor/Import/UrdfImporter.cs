@@ -15,8 +15,9 @@ namespace Nowpose.Editor
         // To be raised with whatever the same file is imported to.
         const int Version = 1;
 
-        // Later than the models and shaders it refers to, so that one import is enough.
-        const int AfterModels = 1000;
+        // Later than what it refers to (textures, shaders, models), so that one import is enough; before prefabs, at 1500, which may
+        // refer to it.
+        const int AfterModels = 1100;
 
         const long LongestFile = 16L << 20;
 
