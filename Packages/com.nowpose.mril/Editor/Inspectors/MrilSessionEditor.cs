@@ -1,4 +1,3 @@
-using Nowpose.Session;
 using Nowpose.Unity;
 using UnityEditor;
 
@@ -12,6 +11,8 @@ namespace Nowpose.Editor
         readonly StripChart _horizon = new StripChart("Horizon", "ms");
         readonly StripChart _error = new StripChart("Error", "mm");
 
+        readonly StatusTexts _texts = new StatusTexts();
+
         MrilSession Target => (MrilSession)target;
 
         protected override void Sample(double time)
@@ -24,18 +25,18 @@ namespace Nowpose.Editor
 
         protected override void DrawLive()
         {
-            if (Target.Problem != null) EditorGUILayout.HelpBox(Target.Problem, MessageType.Error);
             var statistics = Target.Statistics;
-            if (statistics == null)
-            {
-                EditorGUILayout.LabelField("Session", LiveText.Unknown);
-                return;
-            }
-            EditorGUILayout.LabelField("Robot", Target.Robot == null ? LiveText.Unknown : Target.Robot.Name);
+            _texts.Update(statistics, Target.Settings, Target.Robot?.Name, Target.Problem);
+            for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
+                EditorGUILayout.LabelField(StatusTexts.LabelOf(row), Joined(_texts.ValueOf(row), _texts.NoteOf(row)));
+            if (_texts.ValueOf(StatusRow.Message).Length > 0) EditorGUILayout.HelpBox(_texts.ValueOf(StatusRow.Message), MessageType.Warning);
+            if (statistics == null) return;
             foreach (var (label, value) in SessionRows.Of(statistics)) EditorGUILayout.LabelField(label, value);
             _latency.Draw();
             _horizon.Draw();
             _error.Draw();
         }
+
+        static string Joined(string value, string note) => note.Length == 0 ? value : value + ", " + note;
     }
 }

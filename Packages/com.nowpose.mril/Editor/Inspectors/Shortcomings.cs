@@ -21,6 +21,16 @@ namespace Nowpose.Editor
                 typeof(RenderTimeSource), "_session", typeof(MrilSession),
                 "There is no session on it or above that it would tell. Assign one.", Only<MrilSession>),
             new ReferenceRule(
+                typeof(PoseAppearance), "_session", typeof(MrilSession),
+                "There is no session on it or above whose pose it would show. Assign one.", Only<MrilSession>),
+            new ReferenceRule(
+                typeof(StatusPanel), "_session", typeof(MrilSession),
+                "There is no session on it or above that it would tell of. Assign one.", Only<MrilSession>),
+            new ReferenceRule(
+                typeof(StatusPanel), "_cell", null,
+                "It has no text to copy. Assign one below it: its font, material, style and colour are those of all cells.",
+                panel => panel.GetComponentInChildren<TextMesh>(true)),
+            new ReferenceRule(
                 typeof(VirtualGripper), "_rig", typeof(RobotRig),
                 "There is no rig above it that it would ride on. Place it below one, or assign one.", Only<RobotRig>),
         };

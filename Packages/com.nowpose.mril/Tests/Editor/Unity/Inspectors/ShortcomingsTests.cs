@@ -78,6 +78,16 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void PanelAndAppearance_WithNothing_SayWhatEachLacks()
+        {
+            var panel = _scene.New<StatusPanel>("Panel");
+            _scene.New<TextMesh>("Cell", panel.transform);
+
+            Assert.That(Of(panel).Select(s => s.FixLabel), Is.EqualTo(new[] { null, "Use 'Cell'" }));
+            Assert.That(Of(_scene.New<PoseAppearance>("Looks")).Single().Message, Does.StartWith("There is no session"));
+        }
+
+        [Test]
         public void Several_SomeLacking_AreFixedTogetherAndOnlyThose()
         {
             var session = _scene.New<MrilSession>("Session");

@@ -1,0 +1,11 @@
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor
+{
+    [CustomEditor(typeof(StatusPanel))]
+    [CanEditMultipleObjects]
+    sealed class StatusPanelEditor : LiveInspector
+    {
+    }
+}
