@@ -44,12 +44,16 @@ namespace Nowpose.Unity
             for (var i = 0; i < _drives.Length; i++) _drives[i].Apply(joints[i]);
         }
 
-        /// <returns>Null when no transform below is named as the robot's root link.</returns>
-        /// <exception cref="InputException">There is such a transform, and a link below it is missing or not nested as the URDF says.</exception>
+        /// <returns>Null when no transform below is named as the robot's root link, and nothing is drawn there either.</returns>
+        /// <exception cref="InputException">Something is, but a link is missing or not nested as the URDF says.</exception>
         public static RigHierarchy Find(RobotModel model, Transform rig)
         {
             var root = Below(rig, model.Root.Name);
-            if (root == null) return null;
+            if (root == null)
+            {
+                RequireEmpty(model, rig, rig);
+                return null;
+            }
             var links = new Transform[model.Links.Count];
             links[0] = root;
             for (var i = 1; i < links.Length; i++)
@@ -61,6 +65,21 @@ namespace Nowpose.Unity
                 RequireUnmoved(model, links[i], parent);
             }
             return new RigHierarchy(model, links);
+        }
+
+        // Another robot that stands still would be taken for this one. A tool may hang below the rig already.
+        static void RequireEmpty(RobotModel model, Transform rig, Transform at)
+        {
+            for (var i = 0; i < at.childCount; i++)
+            {
+                var child = at.GetChild(i);
+                if (child.TryGetComponent<RobotRig>(out _) || child.TryGetComponent<VirtualGripper>(out _)) continue;
+                if (child.TryGetComponent<MeshFilter>(out _))
+                    throw new InputException("robot '" + model.Name + "': nothing below '" + rig.name + "' is named as its root link '"
+                        + model.Root.Name + "', but '" + at.name + "' is drawn there; name an object after each link of the URDF, "
+                        + "or take away what is drawn to have the robot built");
+                RequireEmpty(model, rig, child);
+            }
         }
 
         // Objects between two links may group, but not move: the joint's origin is written in the direct parent's axes.

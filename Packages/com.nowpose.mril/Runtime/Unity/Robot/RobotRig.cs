@@ -7,8 +7,8 @@ namespace Nowpose.Unity
 {
     /// <summary>Shows a robot: transforms named and nested as its links, moved by a session or by a script.</summary>
     /// <remarks>
-    /// Its own transform is the robot's base frame. Where none of its children is named as the robot's root link, it builds
-    /// the robot of primitives.
+    /// Its own transform is the robot's base frame. Where none of its children is named as the robot's root link, and nothing
+    /// is drawn there, it builds the robot of primitives.
     /// </remarks>
     [AddComponentMenu("Nowpose/Robot Rig")]
     [DisallowMultipleComponent]
@@ -61,7 +61,7 @@ namespace Nowpose.Unity
 
         /// <summary>Takes the children as the robot's links, or builds them, and puts all joints to 0.</summary>
         /// <exception cref="InputException">
-        /// The root link is among the children, but a link below it is missing, elsewhere or scaled; the rig is bound to none then.
+        /// A link is missing, elsewhere or scaled, or the children show another robot; the rig is bound to none then.
         /// </exception>
         public void Bind(RobotModel model)
         {

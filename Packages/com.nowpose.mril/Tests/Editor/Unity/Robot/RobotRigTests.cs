@@ -142,6 +142,30 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Bind_AnotherRobotIsDrawnThere_SaysSo()
+        {
+            var rig = NewRig();
+            _scene.New<MeshFilter>("visual", _scene.Links(UrdfFiles.Robot("youbot"), rig.transform)["arm_link_2"]);
+
+            var fault = Assert.Throws<InputException>(() => rig.Bind(UrdfFiles.Robot("ur5")));
+
+            Assert.That(fault.Message, Does.Contain("'ur5'").And.Contain("'base_link'").And.Contain("'arm_link_2'"));
+            Assert.That(rig.Model, Is.Null);
+        }
+
+        [Test]
+        public void Bind_ToolAndLabelThere_BuildsTheRobotBeside()
+        {
+            var rig = NewRig();
+            _scene.New("Label", rig.transform);
+            _scene.New<MeshFilter>("visual", _scene.New<VirtualGripper>("Virtual Gripper", rig.transform).transform);
+
+            rig.Bind(UrdfFiles.Robot("ur5"));
+
+            Assert.That(rig.Tool, Is.Not.Null);
+        }
+
+        [Test]
         public void Bind_LinksOfAnotherRigBelow_AreNotTaken()
         {
             var model = UrdfFiles.Robot("ur5");
