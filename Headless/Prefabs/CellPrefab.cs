@@ -1,9 +1,10 @@
 using Nowpose.Unity;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Everything that a scene needs of one robot: its session, where it stands, its rig with the virtual gripper, and the ghost.</summary>
+/// <summary>Everything that a scene needs of one robot: its session, where it stands, its rig with the gripper, the ghost, the panel.</summary>
 static class CellPrefab
 {
     /// <param name="path">Of the prefab, which bears the file's name.</param>
@@ -25,6 +26,7 @@ static class CellPrefab
         var displayed = Rig(workshop, session, robot, anchor.transform, occluder, workshop.Load<Material>(PackagePaths.Hologram));
         AddGripper(workshop, displayed);
         AddGhost(workshop, session, robot, displayed);
+        AddPanel(session, workshop.Load<Material>(PackagePaths.Panel));
         return workshop.Prefab(cell);
     }
 
@@ -42,6 +44,19 @@ static class CellPrefab
         return workshop.Instantiate(PackagePaths.Gripper, rig.Flange != null ? rig.Flange : rig.transform);
     }
 
+    static void AddPanel(MrilSession session, Material ground)
+    {
+        var panel = new GameObject("Status Panel");
+        panel.transform.SetParent(session.transform, worldPositionStays: false);
+        panel.AddComponent<BodyFollow>();
+        var cell = Texts.Add("Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
+        cell.gameObject.SetActive(false);
+        var status = panel.AddComponent<StatusPanel>();
+        Fields.Set(status, "_session", session);
+        Fields.Set(status, "_cell", cell);
+        Fields.Set(status, "_ground", ground);
+    }
+
     /// <summary>Hidden until somebody wants to compare.</summary>
     static void AddGhost(Workshop workshop, MrilSession session, RobotDescriptionAsset robot, RobotRig displayed)
     {
@@ -51,7 +66,13 @@ static class CellPrefab
         Fields.Set(rig, "_shows", RigPose.Held);
         Fields.Set(rig.gameObject.AddComponent<Ghost>(), "_displayed", displayed);
         var gripper = AddGripper(workshop, rig);
-        foreach (var renderer in gripper.GetComponentsInChildren<MeshRenderer>(includeInactive: true)) renderer.sharedMaterial = look;
+        foreach (var part in gripper.GetComponentsInChildren<MeshFilter>(includeInactive: true))
+            part.GetComponent<MeshRenderer>().sharedMaterial = look;
+
+        // One for arm and gripper, and without words: the other gripper has them.
+        Object.DestroyImmediate(gripper.GetComponent<PoseAppearance>());
+        gripper.transform.Find(GripperPrefab.Words).gameObject.SetActive(false);
+        Fields.Set(rig.gameObject.AddComponent<PoseAppearance>(), "_session", session);
         rig.gameObject.SetActive(false);
     }
 }

@@ -7,6 +7,8 @@ namespace Nowpose.Prefabs;
 /// <summary>The youBot's gripper by itself, in the flange's frame, its fingers closed.</summary>
 static class GripperPrefab
 {
+    public const string Words = "Words";
+
     public static string Make(Workshop workshop)
     {
         var hologram = workshop.Load<Material>(PackagePaths.Hologram);
@@ -25,7 +27,17 @@ static class GripperPrefab
             new("gripper_finger_joint_l", left),
             new("gripper_finger_joint_r", right),
         });
+        AddAppearance(gripper);
         return workshop.Prefab(gripper);
+    }
+
+    /// <summary>Part of the gripper, so that nobody who mounts it by itself takes an old pose for a current one.</summary>
+    static void AddAppearance(GameObject gripper)
+    {
+        var words = Texts.Add(Words, gripper.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
+        // Beside the palm: they cover neither the fingers nor what these grasp.
+        words.transform.localPosition = new Vector3(0.12f, 0.02f, 0);
+        Fields.Set(gripper.AddComponent<PoseAppearance>(), "_words", words);
     }
 
     static Transform Named(Transform link, string name)

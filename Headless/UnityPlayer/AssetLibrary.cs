@@ -13,7 +13,7 @@ namespace Nowpose.UnityPlayer;
 /// <summary>The assets of a Unity project, found by their .meta files and loaded from the text that Unity keeps them in.</summary>
 /// <remarks>
 /// Strict, as the editor is not: a reference to nothing, a field that the script does not have, a missing script and the like are errors.
-/// Of scripts only the .meta has to be there. Assets are loaded once for each player; not for use from several threads.
+/// Of scripts and assembly definitions only the .meta has to be there. Assets are loaded once for each player; not for use from several threads.
 /// </remarks>
 public sealed class AssetLibrary
 {

@@ -80,6 +80,33 @@ public class StatusPanelTests
     }
 
     [Test]
+    public void Start_Ground_LiesBehindAllTextAndBelowItsEdges()
+    {
+        var material = new Material((Shader)null);
+        _panel.With("_ground", material);
+
+        _played.Start().Step();
+
+        var ground = Sheet.Find("Ground").GetComponent<MeshRenderer>();
+        var area = ground.bounds;
+        Assert.That(ground.sharedMaterial, Is.SameAs(material));
+        foreach (var text in Texts)
+        {
+            Assert.That(text.transform.position.z, Is.LessThan(area.min.z), text.name);
+            Assert.That(text.transform.position.x, Is.InRange(area.min.x, area.max.x), text.name);
+            Assert.That(text.transform.position.y, Is.InRange(area.min.y, area.max.y), text.name);
+        }
+    }
+
+    [Test]
+    public void Start_NoGround_LaysNone()
+    {
+        _played.Start().Step();
+
+        Assert.That(Sheet.Find("Ground"), Is.Null);
+    }
+
+    [Test]
     public void LateUpdate_FirstFrame_ShowsDashesForWhatIsNotKnown()
     {
         _cell.IsPlantUp = false;

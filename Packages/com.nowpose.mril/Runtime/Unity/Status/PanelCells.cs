@@ -7,6 +7,9 @@ namespace Nowpose.Unity
     {
         const float RowHeight = 1.35f;
 
+        /// <summary>Of the ground: beyond the outermost letters, and behind all of them.</summary>
+        const float Margin = 1, Behind = 0.5f;
+
         /// <summary>Left edges of labels, values and notes, and the right edge of all.</summary>
         static readonly float[] Columns = { 0, 8, 17, 29 };
 
@@ -18,12 +21,14 @@ namespace Nowpose.Unity
 
         /// <param name="panel">What they hang below.</param>
         /// <param name="model">What they are copies of.</param>
-        public PanelCells(Transform panel, TextMesh model)
+        /// <param name="ground">Material of what is behind them; null for nothing.</param>
+        public PanelCells(Transform panel, TextMesh model, Material ground)
         {
             _model = model;
             model.gameObject.SetActive(false);
             _sheet = new GameObject("Cells") { layer = panel.gameObject.layer }.transform;
             _sheet.SetParent(panel, worldPositionStays: false);
+            if (ground != null) Lay(ground);
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
             {
                 _labels[(int)row] = Copy(row, 0);
@@ -52,6 +57,17 @@ namespace Nowpose.Unity
             _labels[(int)row].Show(label);
             _values[(int)row].Show(value);
             _notes[(int)row].Show(note);
+        }
+
+        void Lay(Material material)
+        {
+            var ground = new GameObject("Ground") { layer = _sheet.gameObject.layer };
+            ground.AddComponent<MeshFilter>().sharedMesh = Resources.GetBuiltinResource<Mesh>("Quad.fbx");
+            ground.AddComponent<MeshRenderer>().sharedMaterial = material;
+            ground.transform.SetParent(_sheet, worldPositionStays: false);
+            ground.transform.localPosition = new Vector3(0, 0, Behind);
+            ground.transform.localScale = new Vector3(
+                Columns[Columns.Length - 1] + 2 * Margin, StatusTexts.Rows * RowHeight + 2 * Margin, 1);
         }
 
         PanelCell Copy(StatusRow row, int column)

@@ -19,6 +19,9 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("A text below this object that is copied: font, material, style and colour of all cells. Inactive itself.")]
         TextMesh _cell = null;
 
+        [SerializeField, Tooltip("Of the ground behind the text, drawn before it. Empty: none.")]
+        Material _ground = null;
+
         [SerializeField, Range(0.1f, 2), Tooltip("From one look at the session to the next, seconds. 0.25: numbers that change faster cannot be read.")]
         float _refreshSeconds = 0.25f;
 
@@ -42,7 +45,7 @@ namespace Nowpose.Unity
         // Objects must not be added while others are being enabled.
         void Start()
         {
-            if (_cell != null) _cells = new PanelCells(transform, _cell);
+            if (_cell != null) _cells = new PanelCells(transform, _cell, _ground);
         }
 
         void LateUpdate()

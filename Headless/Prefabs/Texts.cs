@@ -1,0 +1,28 @@
+using Nowpose.UnityPlayer.Assets.Objects;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+static class Texts
+{
+    /// <summary>Of the font's picture: letters stay sharp at arm's length.</summary>
+    const int Points = 48;
+
+    /// <summary>Letters of half a degree at 1 m; the components make them as large as the viewer's distance asks for.</summary>
+    const float Scale = 0.0035f;
+
+    public static TextMesh Add(string name, Transform parent, TextAnchor anchor, TextAlignment alignment)
+    {
+        var made = new GameObject(name);
+        made.transform.SetParent(parent, worldPositionStays: false);
+        made.transform.localScale = new Vector3(Scale, Scale, Scale);
+        var renderer = made.AddComponent<MeshRenderer>();
+        renderer.sharedMaterial = (Material)BuiltInAssets.Find(BuiltInAssets.FontMaterial);
+        var text = made.AddComponent<TextMesh>();
+        text.anchor = anchor;
+        text.alignment = alignment;
+        text.fontSize = Points;
+        text.richText = false;
+        return text;
+    }
+}
