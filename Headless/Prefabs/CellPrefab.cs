@@ -5,74 +5,92 @@ using Object = UnityEngine.Object;
 namespace Nowpose.Prefabs;
 
 /// <summary>Everything that a scene needs of one robot: its session, where it stands, its rig with the gripper, the ghost, the panel.</summary>
-static class CellPrefab
+sealed class CellPrefab
 {
+    readonly Workshop _workshop;
+    readonly RobotDescriptionAsset _robot;
+    readonly MrilSession _session;
+
+    CellPrefab(Workshop workshop, string name, RobotDescriptionAsset robot)
+    {
+        _workshop = workshop;
+        _robot = robot;
+        _session = new GameObject(name).AddComponent<MrilSession>();
+    }
+
     /// <param name="path">Of the prefab, which bears the file's name.</param>
     /// <param name="robotPath">Of the robot's description; null for the one that the gateway describes.</param>
     public static string Make(Workshop workshop, string path, string robotPath)
     {
-        var cell = new GameObject(Path.GetFileNameWithoutExtension(path));
         var robot = robotPath == null ? null : workshop.Load<RobotDescriptionAsset>(robotPath);
-        var session = cell.AddComponent<MrilSession>();
-        Fields.Set(session, "_settings", workshop.Load<SessionSettingsAsset>(PackagePaths.Settings));
-        Fields.Set(session, "_robot", robot);
-        Fields.Set(cell.AddComponent<RenderTimeSource>(), "_session", session);
-
-        var anchor = new GameObject("Base Anchor");
-        anchor.transform.SetParent(cell.transform, worldPositionStays: false);
-        anchor.AddComponent<BaseAnchor>();
-
-        var occluder = workshop.Load<Material>(PackagePaths.Occluder);
-        var displayed = Rig(workshop, session, robot, anchor.transform, occluder, workshop.Load<Material>(PackagePaths.Hologram));
-        AddGripper(workshop, displayed);
-        AddGhost(workshop, session, robot, displayed);
-        AddPanel(session, workshop.Load<Material>(PackagePaths.Panel));
-        return workshop.Prefab(cell);
+        return new CellPrefab(workshop, Path.GetFileNameWithoutExtension(path), robot).Make();
     }
 
-    static RobotRig Rig(Workshop workshop, MrilSession session, RobotDescriptionAsset robot, Transform anchor, Material arm, Material tool)
+    string Make()
     {
-        var rig = Rigs.Build(robot, anchor, arm, tool);
-        Fields.Set(rig, "_session", session);
+        Fields.Set(_session, "_settings", _workshop.Load<SessionSettingsAsset>(PackagePaths.Settings));
+        Fields.Set(_session, "_robot", _robot);
+        Fields.Set(_session.gameObject.AddComponent<RenderTimeSource>(), "_session", _session);
+
+        var anchor = Child("Base Anchor");
+        anchor.AddComponent<BaseAnchor>();
+        AddGhost(anchor.transform, AddDisplayed(anchor.transform));
+        AddPanel();
+        return _workshop.Prefab(_session.gameObject);
+    }
+
+    RobotRig AddDisplayed(Transform anchor)
+    {
+        var occluder = _workshop.Load<Material>(PackagePaths.Occluder);
+        var rig = Rig(anchor, occluder, _workshop.Load<Material>(PackagePaths.Hologram), out var gripper);
+        Fields.Set(rig.GetComponent<PoseAppearance>(), "_words", GripperPrefab.WordsOf(gripper));
         return rig;
     }
 
-    // Beside a robot that is not built yet: it then follows its flange.
-    static GameObject AddGripper(Workshop workshop, RobotRig rig)
+    /// <summary>Hidden until somebody wants to compare; without words, for the other one has them.</summary>
+    void AddGhost(Transform anchor, RobotRig displayed)
     {
-        if (rig.Flange != null) Rigs.HideBelow(rig.Flange);
-        return workshop.Instantiate(PackagePaths.Gripper, rig.Flange != null ? rig.Flange : rig.transform);
+        var look = _workshop.Load<Material>(PackagePaths.Ghost);
+        var rig = Rig(anchor, look, look, out var gripper);
+        rig.name = "Ghost";
+        Fields.Set(rig, "_shows", RigPose.Held);
+        Fields.Set(rig.gameObject.AddComponent<Ghost>(), "_displayed", displayed);
+        foreach (var part in gripper.GetComponentsInChildren<MeshFilter>(includeInactive: true))
+            part.GetComponent<MeshRenderer>().sharedMaterial = look;
+        GripperPrefab.WordsOf(gripper).gameObject.SetActive(false);
+        rig.gameObject.SetActive(false);
     }
 
-    static void AddPanel(MrilSession session, Material ground)
+    /// <summary>With the gripper on its flange, or below it, from where it follows, while the robot is not known.</summary>
+    RobotRig Rig(Transform anchor, Material arm, Material tool, out GameObject gripper)
     {
-        var panel = new GameObject("Status Panel");
-        panel.transform.SetParent(session.transform, worldPositionStays: false);
+        var rig = Rigs.Build(_robot, anchor, arm, tool);
+        Fields.Set(rig, "_session", _session);
+        if (rig.Flange != null) Rigs.HideBelow(rig.Flange);
+        gripper = _workshop.Instantiate(PackagePaths.Gripper, rig.Flange != null ? rig.Flange : rig.transform);
+
+        // One for all that the rig shows, also for what it builds at run time, takes the place of the gripper's.
+        Object.DestroyImmediate(gripper.GetComponent<PoseAppearance>());
+        Fields.Set(rig.gameObject.AddComponent<PoseAppearance>(), "_session", _session);
+        return rig;
+    }
+
+    void AddPanel()
+    {
+        var panel = Child("Status Panel");
         panel.AddComponent<BodyFollow>();
         var cell = Texts.Add("Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
         cell.gameObject.SetActive(false);
         var status = panel.AddComponent<StatusPanel>();
-        Fields.Set(status, "_session", session);
+        Fields.Set(status, "_session", _session);
         Fields.Set(status, "_cell", cell);
-        Fields.Set(status, "_ground", ground);
+        Fields.Set(status, "_ground", _workshop.Load<Material>(PackagePaths.Panel));
     }
 
-    /// <summary>Hidden until somebody wants to compare.</summary>
-    static void AddGhost(Workshop workshop, MrilSession session, RobotDescriptionAsset robot, RobotRig displayed)
+    GameObject Child(string name)
     {
-        var look = workshop.Load<Material>(PackagePaths.Ghost);
-        var rig = Rig(workshop, session, robot, displayed.transform.parent, look, look);
-        rig.name = "Ghost";
-        Fields.Set(rig, "_shows", RigPose.Held);
-        Fields.Set(rig.gameObject.AddComponent<Ghost>(), "_displayed", displayed);
-        var gripper = AddGripper(workshop, rig);
-        foreach (var part in gripper.GetComponentsInChildren<MeshFilter>(includeInactive: true))
-            part.GetComponent<MeshRenderer>().sharedMaterial = look;
-
-        // One for arm and gripper, and without words: the other gripper has them.
-        Object.DestroyImmediate(gripper.GetComponent<PoseAppearance>());
-        gripper.transform.Find(GripperPrefab.Words).gameObject.SetActive(false);
-        Fields.Set(rig.gameObject.AddComponent<PoseAppearance>(), "_session", session);
-        rig.gameObject.SetActive(false);
+        var child = new GameObject(name);
+        child.transform.SetParent(_session.transform, worldPositionStays: false);
+        return child;
     }
 }

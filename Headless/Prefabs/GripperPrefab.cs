@@ -7,7 +7,10 @@ namespace Nowpose.Prefabs;
 /// <summary>The youBot's gripper by itself, in the flange's frame, its fingers closed.</summary>
 static class GripperPrefab
 {
-    public const string Words = "Words";
+    const string Words = "Words";
+
+    /// <summary>Where an instance of it says why a pose is not current.</summary>
+    public static TextMesh WordsOf(GameObject gripper) => gripper.transform.Find(Words).GetComponent<TextMesh>();
 
     public static string Make(Workshop workshop)
     {
