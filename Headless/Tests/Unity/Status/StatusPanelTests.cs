@@ -85,7 +85,7 @@ public class StatusPanelTests
         var material = new Material((Shader)null);
         _panel.With("_ground", material);
 
-        _played.Start().Step();
+        Play(0.1);
 
         var ground = Sheet.Find("Ground").GetComponent<MeshRenderer>();
         var area = ground.bounds;
@@ -101,7 +101,7 @@ public class StatusPanelTests
     [Test]
     public void Start_NoGround_LaysNone()
     {
-        _played.Start().Step();
+        Play(0.1);
 
         Assert.That(Sheet.Find("Ground"), Is.Null);
     }
