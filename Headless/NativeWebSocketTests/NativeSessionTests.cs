@@ -42,7 +42,6 @@ public class NativeSessionTests
         await Soon.BecomesAsync(() => session.Tick(_headset.Now).State == PoseState.Current, "current after");
 
         Assert.That(made, Is.GreaterThan(1));
-        Assert.That(session.Statistics(_headset.Now).ApplicationLatency, Is.LessThan(TimeSpan.FromMilliseconds(20 + 30)), "acquisition and a little");
         Assert.That(session.Drops.Total, Is.EqualTo(0));
     }
 
