@@ -1,3 +1,4 @@
+using System.Reflection;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
@@ -265,6 +266,29 @@ public class PoseAppearanceTests
 
         Assert.That(_words.TextChanges - changes, Is.GreaterThan(50));
         Assert.That(_cell.Allocated - before, Is.EqualTo(0));
+    }
+
+    static int Listeners(object source, string name) =>
+        ((Delegate)source.GetType().GetField(name, BindingFlags.Instance | BindingFlags.NonPublic).GetValue(source))?.GetInvocationList().Length ?? 0;
+
+    [Test]
+    public void OnDisable_AtAnyFrame_LeavesNoListenerBehind([Values(0, 1, 2, 300)] int frames, [Values] bool destroyed)
+    {
+        int[] Count() => [Listeners(_session, "Shown"), Listeners(_session, "Hidden"), Listeners(_rig, "Bound")];
+        _appearance.enabled = false;
+        Play(0);
+        for (var i = 0; i < frames; i++) _cell.Frame(_session);
+        var before = Count();
+        _appearance.enabled = true;
+        var during = Count();
+        for (var i = 0; i < frames; i++) _cell.Frame(_session);
+
+        if (destroyed) UnityEngine.Object.Destroy(_appearance);
+        else _appearance.enabled = false;
+        _cell.Frame(_session);
+
+        Assert.That(during, Is.EqualTo(before.Select(count => count + 1)));
+        Assert.That(Count(), Is.EqualTo(before));
     }
 
     [Test]
