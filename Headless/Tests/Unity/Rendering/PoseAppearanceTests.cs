@@ -113,6 +113,34 @@ public class PoseAppearanceTests
     }
 
     [Test]
+    public void Show_RigCannotShowTheRobot_IsNotDrawn()
+    {
+        // The root alone makes it a hierarchy, one that lacks links.
+        Child("arm_link_0", _rig.transform);
+
+        Play(5);
+
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That(_tool.isVisible, Is.False);
+        Assert.That(_words.text, Is.EqualTo("rig not moved"));
+    }
+
+    [Test]
+    public void Show_RigDisabled_IsNotDrawnUntilItFollowsAgain()
+    {
+        BeCurrent();
+
+        _rig.enabled = false;
+        Run(0.1);
+        Assert.That(_tool.isVisible, Is.False);
+        _rig.enabled = true;
+        Run(0.1);
+
+        Assert.That(_tool.isVisible, Is.True);
+        Assert.That(_words.text, Is.Empty);
+    }
+
+    [Test]
     public void Show_SamplesStop_IsFaintStripedAndSaysSoUntilTheyComeAgain()
     {
         BeCurrent();

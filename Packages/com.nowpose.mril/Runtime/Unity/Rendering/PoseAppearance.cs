@@ -32,7 +32,7 @@ namespace Nowpose.Unity
         MaterialPropertyBlock _block;
         ReadingDistance _distance;
         PoseState? _pose;
-        bool _wasDrawn, _hasWords;
+        bool _isMoved, _wasDrawn, _hasWords;
 
         /// <summary>Takes up renderers that have come or gone below this object; done by itself when a rig is built.</summary>
         public void Refresh()
@@ -46,6 +46,7 @@ namespace Nowpose.Unity
         {
             _block ??= new MaterialPropertyBlock();
             _pose = PoseState.Incomplete;
+            _isMoved = true;
             _source = _session != null ? _session : GetComponentInParent<MrilSession>();
             _rig = GetComponentInParent<RobotRig>();
             if (_rig != null) _rig.Bound += Refresh;
@@ -68,6 +69,7 @@ namespace Nowpose.Unity
                 _source.Hidden -= Abandon;
             }
             _pose = PoseState.Current;
+            _isMoved = true;
             Draw();
         }
 
@@ -80,8 +82,10 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            if (frame.State == _pose) return;
+            var isMoved = _rig == null || _rig.IsFollowing;
+            if (frame.State == _pose && isMoved == _isMoved) return;
             _pose = frame.State;
+            _isMoved = isMoved;
             Draw();
         }
 
@@ -93,7 +97,7 @@ namespace Nowpose.Unity
 
         void Draw()
         {
-            var look = _pose.HasValue ? PoseLook.Of(_pose.Value) : PoseLook.Abandoned;
+            var look = !_pose.HasValue ? PoseLook.Abandoned : _isMoved ? PoseLook.Of(_pose.Value) : PoseLook.Unmoved;
             // What was not drawn before the session ended does not come to light by that.
             if (_pose.HasValue) _wasDrawn = look.IsDrawn;
             foreach (var each in _renderers)

@@ -8,6 +8,9 @@ namespace Nowpose.Unity
         /// <summary>No frame is computed any more; what was drawn last stays.</summary>
         public static readonly PoseLook Abandoned = new PoseLook("no session", 0.8f);
 
+        /// <summary>The rig does not follow the session: it stands wherever it was, and that may be anywhere.</summary>
+        public static readonly PoseLook Unmoved = new PoseLook("rig not moved", 0.8f, isDrawn: false);
+
         PoseLook(string words, float fade, bool isDrawn = true)
         {
             Words = words;

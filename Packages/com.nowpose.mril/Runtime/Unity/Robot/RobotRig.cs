@@ -45,6 +45,9 @@ namespace Nowpose.Unity
         /// <summary>The session that moves this rig; null while disabled, or where a script moves it.</summary>
         public MrilSession Session => _source;
 
+        /// <summary>Whether what the session computes is what this rig shows: false while disabled, or bound to no robot or to another.</summary>
+        public bool IsFollowing => _source != null && Model != null && Model == _source.Robot;
+
         public RigPose Shows => _shows;
 
         /// <summary>Joint positions shown last, one per moving joint of the model, rad or m; zeros before the first.</summary>
@@ -116,7 +119,7 @@ namespace Nowpose.Unity
         void Show(DisplayFrame frame)
         {
             FollowRobot();
-            if (Model == _source.Robot) Apply(_shows == RigPose.Held ? frame.HeldJoints : frame.Joints);
+            if (IsFollowing) Apply(_shows == RigPose.Held ? frame.HeldJoints : frame.Joints);
         }
 
         // Not while objects are being enabled: the engine lets nobody take children away then.
