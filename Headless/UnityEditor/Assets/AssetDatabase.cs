@@ -8,15 +8,11 @@ public sealed class AssetDatabase
 {
     public static string GUIDToAssetPath(string guid) => Project.PathOf(guid) ?? "";
 
-    public static string AssetPathToGUID(string path) => Project.GuidOf(path) ?? "";
-
     public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath<Object>(assetPath);
 
     public static Object LoadAssetAtPath(string assetPath, Type type) => Project.Load(assetPath).FirstOrDefault(type.IsInstanceOfType);
 
     public static T LoadAssetAtPath<T>(string assetPath) where T : Object => Project.Load(assetPath).OfType<T>().FirstOrDefault();
-
-    public static Object[] LoadAllAssetsAtPath(string assetPath) => Project.Load(assetPath).ToArray();
 
     /// <param name="filter">t:TYPE is understood, nothing else.</param>
     public static string[] FindAssets(string filter) => Project.OfType(filter.StartsWith("t:", StringComparison.Ordinal)

@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 
 namespace UnityEditor;
@@ -6,17 +5,4 @@ namespace UnityEditor;
 public sealed class EditorGUI
 {
     public static void DrawRect(Rect rect, Color color) { }
-
-    public struct DisabledScope : IDisposable
-    {
-        readonly bool _before;
-
-        public DisabledScope(bool disabled)
-        {
-            _before = GUI.enabled;
-            GUI.enabled &= !disabled;
-        }
-
-        public void Dispose() => GUI.enabled = _before;
-    }
 }

@@ -6,7 +6,6 @@ public sealed class EditorGUILayout
 {
     public static void HelpBox(string message, MessageType type) => GuiRecorder.Text(message);
 
-    public static void LabelField(string label, params GUILayoutOption[] options) => GuiRecorder.Text(label);
     public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) => GuiRecorder.Text(label);
     public static void LabelField(string label, string label2, params GUILayoutOption[] options) => GuiRecorder.Text(label + ": " + label2);
 
@@ -19,13 +18,6 @@ public sealed class EditorGUILayout
     }
 
     public static void Space() { }
-
-    public class HorizontalScope : GUI.Scope
-    {
-        public HorizontalScope(params GUILayoutOption[] options) { }
-
-        protected override void CloseScope() { }
-    }
 
     public class VerticalScope : GUI.Scope
     {

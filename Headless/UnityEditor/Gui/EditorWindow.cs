@@ -20,6 +20,4 @@ public class EditorWindow : ScriptableObject
     }
 
     public void Repaint() => Repaints++;
-
-    public void Close() => DestroyImmediate(this);
 }

@@ -2,5 +2,5 @@ namespace UnityEngine;
 
 public sealed class GUIStyle
 {
-    public GUIStyle() { }
+    internal GUIStyle() { }
 }

@@ -1,4 +1,3 @@
-using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
@@ -6,9 +5,4 @@ namespace UnityEditor;
 public sealed class Selection
 {
     public static Object activeObject { get; set; }
-    public static GameObject activeGameObject
-    {
-        get => activeObject as GameObject;
-        set => activeObject = value;
-    }
 }

@@ -36,15 +36,9 @@ public class SerializedObject : IDisposable
         if (_changes.Count == 0) return false;
 
         Undo.RecordObjects(targetObjects, "Inspector");
-        return ApplyModifiedPropertiesWithoutUndo();
-    }
-
-    public bool ApplyModifiedPropertiesWithoutUndo()
-    {
-        var any = _changes.Count > 0;
         foreach (var change in _changes) change();
         _changes.Clear();
-        return any;
+        return true;
     }
 
     public void Dispose() { }

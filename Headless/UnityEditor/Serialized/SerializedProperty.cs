@@ -1,6 +1,5 @@
 using System;
 using System.Collections;
-using System.Linq;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
@@ -22,15 +21,13 @@ public class SerializedProperty : IDisposable
 
     public SerializedObject serializedObject { get; }
     public string propertyPath { get; }
-    public bool isArray => typeof(IList).IsAssignableFrom(_type);
 
     public int arraySize
     {
         get => ((IList)Value)?.Count ?? 0;
-        set => Set(Resized((IList)Value, value));
+        set => throw new NotSupportedException("nobody resizes a list yet");
     }
 
-    public bool hasMultipleDifferentValues => serializedObject.targetObjects.Any(o => !Equals(_get(o), Value));
 
     public int intValue
     {
@@ -55,20 +52,6 @@ public class SerializedProperty : IDisposable
     }
 
     public void Dispose() { }
-
-    IList Resized(IList list, int size)
-    {
-        var resized = _type.IsArray ? Array.CreateInstance(_type.GetElementType(), size) : (IList)Activator.CreateInstance(_type);
-        var element = _type.IsArray ? null : _type.GetGenericArguments()[0];
-        for (var i = 0; i < size; i++)
-        {
-            var value = i < list.Count ? list[i] : list.Count > 0 ? list[list.Count - 1] : null;
-            if (_type.IsArray) resized[i] = value;
-            else resized.Add(value ?? (element.IsValueType ? Activator.CreateInstance(element) : null));
-        }
-
-        return resized;
-    }
 
     void Set(object value)
     {
