@@ -26,7 +26,7 @@ public sealed class PackageAssetsTests
 
     static IEnumerable<string> Assets => RepositoryFiles.All.Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".asset" or ".mat");
 
-    static IEnumerable<string> Prefabs => Assets.Where(f => f.EndsWith(".prefab", StringComparison.Ordinal));
+    static IEnumerable<string> Hierarchies => Assets.Where(f => Path.GetExtension(f) is ".prefab" or ".unity");
 
     [SetUp]
     public void SetUp() => _library = new AssetLibrary(RepositoryFiles.Root);
@@ -54,15 +54,18 @@ public sealed class PackageAssetsTests
         Assert.That(written, Is.EqualTo(RepositoryFiles.Read(path)));
     }
 
-    [TestCaseSource(nameof(Prefabs))]
-    public void Prefab_References_AreSetUnlessTheyMayBeEmpty(string path)
+    [TestCaseSource(nameof(Hierarchies))]
+    public void Hierarchy_References_AreSetUnlessTheyMayBeEmpty(string path)
     {
-        var components = _library.Load<GameObject>(path).GetComponentsInChildren<Component>(true);
+        var isScene = Path.GetExtension(path) == ".unity";
+        var roots = isScene ? _library.LoadScene(path).Roots : new[] { _library.Load<GameObject>(path) };
+        var components = roots.SelectMany(r => r.GetComponentsInChildren<Component>(true));
 
         var empty = components.SelectMany(c => SerializedFields.Of(c.GetType()).SelectMany(f => Empty(f, c)).Select(f => c.GetType().Name + "." + f));
 
-        // Of all cells that one takes its robot from the gateway.
-        string[] left = path.Contains("Any Robot") ? ["MrilSession._robot"] : [];
+        // One cell takes its robot from the gateway; one scene has a rig that the simulation moves.
+        string[] left = path.Contains("Any Robot") ? ["MrilSession._robot"]
+            : path.EndsWith("Virtual Robot Cell.unity", StringComparison.Ordinal) ? ["RobotRig._session"] : [];
         Assert.That(empty.Where(e => !MayBeEmpty.Contains(e)), Is.EquivalentTo(left));
     }
 
