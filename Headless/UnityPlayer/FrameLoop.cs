@@ -27,7 +27,6 @@ sealed class FrameLoop
         var before = new List<SceneContent>(_world.Scenes.Loaded);
         _world.Scenes.Active = _world.Scenes.Add(name, path);
         foreach (var scene in before) Unload(scene);
-        _world.Clock.NoteLevelLoad();
         _world.Scenes.Active.Adopt(roots);
         FirstLoaded();
     }
@@ -62,14 +61,13 @@ sealed class FrameLoop
     {
         if (_world.Host.Focused == focused) return;
 
-        _world.Host.ChangeFocus(focused);
+        _world.Host.Focused = focused;
         TellFocus();
     }
 
     internal void Quit()
     {
         Tell((script, _) => script.Script.Call(Message.OnApplicationQuit, script), true);
-        _world.Host.Quit();
         foreach (var root in _world.Scenes.Roots()) _world.Destruction.End(root);
     }
 

@@ -8,8 +8,6 @@ public sealed class TextAreaAttribute : PropertyAttribute
     public readonly int minLines;
     public readonly int maxLines;
 
-    public TextAreaAttribute() : this(3, 3) { }
-
     public TextAreaAttribute(int minLines, int maxLines)
     {
         this.minLines = minLines;

@@ -9,6 +9,8 @@ namespace UnityEngine.Events;
 [Serializable]
 sealed class PersistentCall
 {
+    const BindingFlags Any = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Static;
+
     [SerializeField, SerializedName("m_Target")] Object _target;
     [SerializeField, SerializedName("m_TargetAssemblyTypeName")] string _targetType = "";
     [SerializeField, SerializedName("m_MethodName")] string _method = "";
@@ -19,25 +21,20 @@ sealed class PersistentCall
     internal Object Target => _target;
     internal string MethodName => _method;
 
-    /// <summary>Calls it with the event's own arguments or with the one kept.</summary>
-    internal void Invoke(Type[] eventTypes, object[] eventArguments)
+    /// <summary>Calls it, with the argument that is kept.</summary>
+    internal void Invoke()
     {
         if (_state == UnityEventCallState.Off || (_state == UnityEventCallState.RuntimeOnly && !Application.isPlaying)) return;
         if (_target == null || _method.Length == 0) return;
 
-        var method = Method(eventTypes);
+        var method = Method();
         if (method == null)
         {
             Debug.LogError($"The event calls {_target.GetType().Name}.{_method}, which does not exist with such an argument.", _target);
             return;
         }
 
-        var arguments = _mode switch
-        {
-            PersistentListenerMode.EventDefined => eventArguments,
-            PersistentListenerMode.Void => null,
-            _ => new[] { _arguments.ValueFor(_mode) },
-        };
+        var arguments = TakesArgument ? new[] { _arguments.ValueFor(_mode) } : null;
         try
         {
             method.Invoke(_target, arguments);
@@ -49,11 +46,19 @@ sealed class PersistentCall
         }
     }
 
-    /// <summary>Null where there is none of that name for these arguments.</summary>
-    internal MethodInfo Method(Type[] eventTypes) => UnityEventBase.GetValidMethodInfo(_target, _method, _mode switch
+    // The event has no argument of its own to pass on.
+    bool TakesArgument => _mode != PersistentListenerMode.EventDefined && _mode != PersistentListenerMode.Void;
+
+    /// <summary>Null where there is none of that name for the argument.</summary>
+    internal MethodInfo Method()
     {
-        PersistentListenerMode.EventDefined => eventTypes,
-        PersistentListenerMode.Void => Type.EmptyTypes,
-        _ => new[] { _arguments.TypeFor(_mode) },
-    });
+        var types = TakesArgument ? new[] { _arguments.TypeFor(_mode) } : Type.EmptyTypes;
+        for (var type = _target.GetType(); type != null && type != typeof(object); type = type.BaseType)
+        {
+            var method = type.GetMethod(_method, Any, null, types, null);
+            if (method != null) return method;
+        }
+
+        return null;
+    }
 }

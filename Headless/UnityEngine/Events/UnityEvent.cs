@@ -7,17 +7,15 @@ public class UnityEvent : UnityEventBase
 {
     UnityAction _listeners;
 
-    internal override int ListenerCount => Host.Count(_listeners);
-
     public void AddListener(UnityAction call) => _listeners += call;
 
     public void RemoveListener(UnityAction call) => _listeners -= call;
 
+    /// <summary>Those of the file first, then those added by code.</summary>
     public void Invoke()
     {
-        InvokePersistent(Type.EmptyTypes, null);
+        // An index: a listener may change the list.
+        for (var i = 0; i < Persistent.Calls.Count; i++) Persistent.Calls[i].Invoke();
         _listeners?.Invoke();
     }
-
-    internal override void ForgetListeners() => _listeners = null;
 }

@@ -39,21 +39,6 @@ public struct Bounds : IEquatable<Bounds>, IFormattable
 
     public void Encapsulate(Vector3 point) => SetMinMax(Vector3.Min(min, point), Vector3.Max(max, point));
 
-    public void Encapsulate(Bounds bounds)
-    {
-        Encapsulate(bounds.min);
-        Encapsulate(bounds.max);
-    }
-
-    public void Expand(float amount) => extents += Vector3.one * (amount / 2);
-
-    public readonly bool Contains(Vector3 point) =>
-        point.x >= min.x && point.y >= min.y && point.z >= min.z && point.x <= max.x && point.y <= max.y && point.z <= max.z;
-
-    public readonly bool Intersects(Bounds bounds) =>
-        min.x <= bounds.max.x && max.x >= bounds.min.x && min.y <= bounds.max.y && max.y >= bounds.min.y &&
-        min.z <= bounds.max.z && max.z >= bounds.min.z;
-
     public static bool operator ==(Bounds lhs, Bounds rhs) => lhs.center == rhs.center && lhs.extents == rhs.extents;
     public static bool operator !=(Bounds lhs, Bounds rhs) => !(lhs == rhs);
 

@@ -21,24 +21,13 @@ public struct Color : IEquatable<Color>, IFormattable
     public Color(float r, float g, float b) : this(r, g, b, 1) { }
 
     public static Color white => new(1, 1, 1);
-    public static Color black => new(0, 0, 0);
-    public static Color clear => new(0, 0, 0, 0);
     public static Color red => new(1, 0, 0);
     public static Color green => new(0, 1, 0);
     public static Color blue => new(0, 0, 1);
-    public static Color cyan => new(0, 1, 1);
-    public static Color magenta => new(1, 0, 1);
-    public static Color yellow => new(1, 235f / 255, 4f / 255);
-    public static Color gray => new(0.5f, 0.5f, 0.5f);
-    public static Color grey => gray;
-
-    public static Color Lerp(Color a, Color b, float t) => a + (b - a) * Mathf.Clamp01(t);
 
     public static Color operator +(Color a, Color b) => new(a.r + b.r, a.g + b.g, a.b + b.b, a.a + b.a);
     public static Color operator -(Color a, Color b) => new(a.r - b.r, a.g - b.g, a.b - b.b, a.a - b.a);
-    public static Color operator *(Color a, Color b) => new(a.r * b.r, a.g * b.g, a.b * b.b, a.a * b.a);
     public static Color operator *(Color a, float b) => new(a.r * b, a.g * b, a.b * b, a.a * b);
-    public static Color operator *(float b, Color a) => a * b;
     public static bool operator ==(Color lhs, Color rhs) => (Vector4)lhs == (Vector4)rhs;
     public static bool operator !=(Color lhs, Color rhs) => !(lhs == rhs);
     public static implicit operator Vector4(Color c) => new(c.r, c.g, c.b, c.a);

@@ -31,50 +31,6 @@ public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
     }
 
     public static Matrix4x4 identity => new(new Vector4(1, 0, 0, 0), new Vector4(0, 1, 0, 0), new Vector4(0, 0, 1, 0), new Vector4(0, 0, 0, 1));
-    public static Matrix4x4 zero => default;
-
-    public readonly Matrix4x4 inverse => Inverse(this);
-    public readonly float determinant => Determinant(this);
-    public readonly Matrix4x4 transpose => Transpose(this);
-    public readonly bool isIdentity => Equals(identity);
-
-    /// <summary>Of a matrix of translation, rotation and scale; a mirroring is given to x.</summary>
-    public readonly Vector3 lossyScale
-    {
-        get
-        {
-            var x = ((Vector3)GetColumn(0)).magnitude;
-            return new Vector3(determinant < 0 ? -x : x, ((Vector3)GetColumn(1)).magnitude, ((Vector3)GetColumn(2)).magnitude);
-        }
-    }
-
-    public readonly Quaternion rotation
-    {
-        get
-        {
-            var scale = lossyScale;
-            return scale.x == 0 || scale.y == 0 || scale.z == 0
-                ? Quaternion.identity
-                : RotationMatrix.ToQuaternion((Vector3)GetColumn(0) / scale.x, (Vector3)GetColumn(1) / scale.y, (Vector3)GetColumn(2) / scale.z);
-        }
-    }
-
-    public float this[int row, int column]
-    {
-        readonly get => this[row + column * 4];
-        set => this[row + column * 4] = value;
-    }
-
-    public float this[int index]
-    {
-        readonly get => GetColumn(index / 4)[index % 4];
-        set
-        {
-            var column = GetColumn(index / 4);
-            column[index % 4] = value;
-            SetColumn(index / 4, column);
-        }
-    }
 
     public readonly Vector4 GetColumn(int index) => index switch
     {
@@ -94,30 +50,6 @@ public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
         _ => throw new IndexOutOfRangeException("Invalid row index!"),
     };
 
-    public void SetColumn(int index, Vector4 column)
-    {
-        switch (index)
-        {
-            case 0: (m00, m10, m20, m30) = (column.x, column.y, column.z, column.w); break;
-            case 1: (m01, m11, m21, m31) = (column.x, column.y, column.z, column.w); break;
-            case 2: (m02, m12, m22, m32) = (column.x, column.y, column.z, column.w); break;
-            case 3: (m03, m13, m23, m33) = (column.x, column.y, column.z, column.w); break;
-            default: throw new IndexOutOfRangeException("Invalid column index!");
-        }
-    }
-
-    public void SetRow(int index, Vector4 row)
-    {
-        switch (index)
-        {
-            case 0: (m00, m01, m02, m03) = (row.x, row.y, row.z, row.w); break;
-            case 1: (m10, m11, m12, m13) = (row.x, row.y, row.z, row.w); break;
-            case 2: (m20, m21, m22, m23) = (row.x, row.y, row.z, row.w); break;
-            case 3: (m30, m31, m32, m33) = (row.x, row.y, row.z, row.w); break;
-            default: throw new IndexOutOfRangeException("Invalid row index!");
-        }
-    }
-
     public readonly Vector3 GetPosition() => new(m03, m13, m23);
 
     public static Matrix4x4 TRS(Vector3 pos, Quaternion q, Vector3 s) => new(
@@ -126,14 +58,7 @@ public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
         q * Vector3.forward * s.z,
         new Vector4(pos.x, pos.y, pos.z, 1));
 
-    public void SetTRS(Vector3 pos, Quaternion q, Vector3 s) => this = TRS(pos, q, s);
-    public static Matrix4x4 Translate(Vector3 vector) => TRS(vector, Quaternion.identity, Vector3.one);
     public static Matrix4x4 Rotate(Quaternion q) => TRS(Vector3.zero, q, Vector3.one);
-    public static Matrix4x4 Scale(Vector3 vector) => TRS(Vector3.zero, Quaternion.identity, vector);
-    public static Matrix4x4 Transpose(Matrix4x4 m) => new(m.GetRow(0), m.GetRow(1), m.GetRow(2), m.GetRow(3));
-
-    public static float Determinant(Matrix4x4 m) => Cofactors.Determinant(m);
-    public static Matrix4x4 Inverse(Matrix4x4 m) => Cofactors.Inverse(m);
 
     public readonly Vector3 MultiplyPoint3x4(Vector3 point) => MultiplyVector(point) + GetPosition();
 
@@ -141,12 +66,6 @@ public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
         m00 * vector.x + m01 * vector.y + m02 * vector.z,
         m10 * vector.x + m11 * vector.y + m12 * vector.z,
         m20 * vector.x + m21 * vector.y + m22 * vector.z);
-
-    public readonly Vector3 MultiplyPoint(Vector3 point)
-    {
-        var w = m30 * point.x + m31 * point.y + m32 * point.z + m33;
-        return MultiplyPoint3x4(point) / w;
-    }
 
     public static Vector4 operator *(Matrix4x4 lhs, Vector4 vector) => new(
         Vector4.Dot(lhs.GetRow(0), vector), Vector4.Dot(lhs.GetRow(1), vector),

@@ -13,15 +13,6 @@ public struct Pose : IEquatable<Pose>
         this.rotation = rotation;
     }
 
-    public static Pose identity => new(Vector3.zero, Quaternion.identity);
-
-    public readonly Vector3 forward => rotation * Vector3.forward;
-    public readonly Vector3 right => rotation * Vector3.right;
-    public readonly Vector3 up => rotation * Vector3.up;
-
-    public readonly Pose GetTransformedBy(Pose lhs) => new(lhs.position + lhs.rotation * position, lhs.rotation * rotation);
-    public readonly Pose GetTransformedBy(Transform lhs) => new(lhs.TransformPoint(position), lhs.rotation * rotation);
-
     public static bool operator ==(Pose a, Pose b) => a.position == b.position && a.rotation == b.rotation;
     public static bool operator !=(Pose a, Pose b) => !(a == b);
 

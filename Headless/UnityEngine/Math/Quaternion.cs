@@ -36,8 +36,6 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         }
     }
 
-    public readonly Quaternion normalized => Normalize(this);
-
     /// <summary>Degrees, each in 0..360; about z first, then x, then y.</summary>
     public Vector3 eulerAngles
     {
@@ -52,8 +50,6 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         var length = MathF.Sqrt(Dot(q, q));
         return length < Mathf.Epsilon ? identity : new Quaternion(q.x / length, q.y / length, q.z / length, q.w / length);
     }
-
-    public void Normalize() => this = Normalize(this);
 
     public static Quaternion Inverse(Quaternion rotation) => new(-rotation.x, -rotation.y, -rotation.z, rotation.w);
 
@@ -131,20 +127,6 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
             ? Normalize(Sum(a, 1 - t, b, sign * t))
             : Sum(a, MathF.Sin((1 - t) * angle) / sine, b, sign * MathF.Sin(t * angle) / sine);
     }
-
-    public static Quaternion Lerp(Quaternion a, Quaternion b, float t)
-    {
-        t = Mathf.Clamp01(t);
-        return Normalize(Sum(a, 1 - t, b, Dot(a, b) < 0 ? -t : t));
-    }
-
-    public static Quaternion RotateTowards(Quaternion from, Quaternion to, float maxDegreesDelta)
-    {
-        var angle = Angle(from, to);
-        return angle == 0 ? to : SlerpUnclamped(from, to, Mathf.Min(1, maxDegreesDelta / angle));
-    }
-
-    public void Set(float newX, float newY, float newZ, float newW) => this = new Quaternion(newX, newY, newZ, newW);
 
     public static Quaternion operator *(Quaternion lhs, Quaternion rhs) => new(
         lhs.w * rhs.x + lhs.x * rhs.w + lhs.y * rhs.z - lhs.z * rhs.y,

@@ -13,34 +13,10 @@ public struct Rect : IEquatable<Rect>, IFormattable
         this.height = height;
     }
 
-    public Rect(Vector2 position, Vector2 size) : this(position.x, position.y, size.x, size.y) { }
-
-    public Rect(Rect source) : this(source.x, source.y, source.width, source.height) { }
-
-    public static Rect zero => default;
-
     public float x { readonly get; set; }
     public float y { readonly get; set; }
     public float width { readonly get; set; }
     public float height { readonly get; set; }
-
-    public Vector2 position
-    {
-        readonly get => new(x, y);
-        set => (x, y) = (value.x, value.y);
-    }
-
-    public Vector2 size
-    {
-        readonly get => new(width, height);
-        set => (width, height) = (value.x, value.y);
-    }
-
-    public Vector2 center
-    {
-        readonly get => new(x + width / 2, y + height / 2);
-        set => position = value - size / 2;
-    }
 
     public float xMin
     {
@@ -65,10 +41,6 @@ public struct Rect : IEquatable<Rect>, IFormattable
         readonly get => y + height;
         set => height = value - y;
     }
-
-    public static Rect MinMaxRect(float xmin, float ymin, float xmax, float ymax) => new(xmin, ymin, xmax - xmin, ymax - ymin);
-
-    public readonly bool Contains(Vector2 point) => point.x >= xMin && point.x < xMax && point.y >= yMin && point.y < yMax;
 
     public static bool operator ==(Rect lhs, Rect rhs) => lhs.Equals(rhs);
     public static bool operator !=(Rect lhs, Rect rhs) => !lhs.Equals(rhs);

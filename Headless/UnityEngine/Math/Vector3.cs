@@ -32,8 +32,6 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public static Vector3 down => new(0, -1, 0);
     public static Vector3 left => new(-1, 0, 0);
     public static Vector3 right => new(1, 0, 0);
-    public static Vector3 positiveInfinity => new(float.PositiveInfinity, float.PositiveInfinity, float.PositiveInfinity);
-    public static Vector3 negativeInfinity => new(float.NegativeInfinity, float.NegativeInfinity, float.NegativeInfinity);
 
     public float this[int index]
     {
@@ -51,16 +49,11 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public readonly float magnitude => MathF.Sqrt(sqrMagnitude);
     public readonly Vector3 normalized => Normalize(this);
 
-    public static float Magnitude(Vector3 vector) => vector.magnitude;
-    public static float SqrMagnitude(Vector3 vector) => vector.sqrMagnitude;
     public static float Dot(Vector3 lhs, Vector3 rhs) => lhs.x * rhs.x + lhs.y * rhs.y + lhs.z * rhs.z;
     public static float Distance(Vector3 a, Vector3 b) => (a - b).magnitude;
     public static Vector3 Scale(Vector3 a, Vector3 b) => new(a.x * b.x, a.y * b.y, a.z * b.z);
     public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => LerpUnclamped(a, b, Mathf.Clamp01(t));
     public static Vector3 LerpUnclamped(Vector3 a, Vector3 b, float t) => a + (b - a) * t;
-
-    public static Vector3 Cross(Vector3 lhs, Vector3 rhs) =>
-        new(lhs.y * rhs.z - lhs.z * rhs.y, lhs.z * rhs.x - lhs.x * rhs.z, lhs.x * rhs.y - lhs.y * rhs.x);
 
     public static Vector3 Min(Vector3 lhs, Vector3 rhs) =>
         new(Mathf.Min(lhs.x, rhs.x), Mathf.Min(lhs.y, rhs.y), Mathf.Min(lhs.z, rhs.z));
@@ -68,60 +61,20 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public static Vector3 Max(Vector3 lhs, Vector3 rhs) =>
         new(Mathf.Max(lhs.x, rhs.x), Mathf.Max(lhs.y, rhs.y), Mathf.Max(lhs.z, rhs.z));
 
+    public static Vector3 Cross(Vector3 lhs, Vector3 rhs) =>
+        new(lhs.y * rhs.z - lhs.z * rhs.y, lhs.z * rhs.x - lhs.x * rhs.z, lhs.x * rhs.y - lhs.y * rhs.x);
+
     public static Vector3 Normalize(Vector3 value)
     {
         var length = value.magnitude;
         return length > kEpsilon ? value / length : zero;
     }
 
-    public void Normalize() => this = Normalize(this);
-
-    public static Vector3 ClampMagnitude(Vector3 vector, float maxLength) =>
-        vector.sqrMagnitude > maxLength * maxLength ? vector.normalized * maxLength : vector;
-
-    public static Vector3 MoveTowards(Vector3 current, Vector3 target, float maxDistanceDelta)
-    {
-        var way = target - current;
-        var distance = way.magnitude;
-        return distance == 0 || (maxDistanceDelta >= 0 && distance <= maxDistanceDelta)
-            ? target
-            : current + way / distance * maxDistanceDelta;
-    }
-
-    public static Vector3 Project(Vector3 vector, Vector3 onNormal)
-    {
-        var square = onNormal.sqrMagnitude;
-        return square < Mathf.Epsilon ? zero : onNormal * (Dot(vector, onNormal) / square);
-    }
-
-    public static Vector3 ProjectOnPlane(Vector3 vector, Vector3 planeNormal) => vector - Project(vector, planeNormal);
-
     public static float Angle(Vector3 from, Vector3 to)
     {
         var lengths = MathF.Sqrt(from.sqrMagnitude * to.sqrMagnitude);
         return lengths < kEpsilonNormalSqrt ? 0 : MathF.Acos(Mathf.Clamp(Dot(from, to) / lengths, -1, 1)) * Mathf.Rad2Deg;
     }
-
-    public static float SignedAngle(Vector3 from, Vector3 to, Vector3 axis) =>
-        Angle(from, to) * Mathf.Sign(Dot(axis, Cross(from, to)));
-
-    public static Vector3 SmoothDamp(Vector3 current, Vector3 target, ref Vector3 currentVelocity, float smoothTime) =>
-        SmoothDamp(current, target, ref currentVelocity, smoothTime, float.PositiveInfinity, Time.deltaTime);
-
-    public static Vector3 SmoothDamp(Vector3 current, Vector3 target, ref Vector3 currentVelocity, float smoothTime, float maxSpeed, float deltaTime)
-    {
-        // A critically damped spring, exact for a target that stands still (the engine uses a rational approximation of exp).
-        smoothTime = Mathf.Max(0.0001f, smoothTime);
-        var omega = 2 / smoothTime;
-        var way = ClampMagnitude(current - target, maxSpeed * smoothTime);
-        var decay = MathF.Exp(-omega * deltaTime);
-        var impulse = (currentVelocity + way * omega) * deltaTime;
-        currentVelocity = (currentVelocity - impulse * omega) * decay;
-        return current - way + (way + impulse) * decay;
-    }
-
-    public void Set(float newX, float newY, float newZ) => this = new Vector3(newX, newY, newZ);
-    public void Scale(Vector3 scale) => this = Scale(this, scale);
 
     public static Vector3 operator +(Vector3 a, Vector3 b) => new(a.x + b.x, a.y + b.y, a.z + b.z);
     public static Vector3 operator -(Vector3 a, Vector3 b) => new(a.x - b.x, a.y - b.y, a.z - b.z);

@@ -19,7 +19,6 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
     }
 
     public static Vector4 zero => new(0, 0, 0, 0);
-    public static Vector4 one => new(1, 1, 1, 1);
 
     public float this[int index]
     {
@@ -35,16 +34,12 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
     }
 
     public readonly float sqrMagnitude => Dot(this, this);
-    public readonly float magnitude => MathF.Sqrt(sqrMagnitude);
 
     public static float Dot(Vector4 a, Vector4 b) => a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 
     public static Vector4 operator +(Vector4 a, Vector4 b) => new(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w);
     public static Vector4 operator -(Vector4 a, Vector4 b) => new(a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w);
-    public static Vector4 operator -(Vector4 a) => new(-a.x, -a.y, -a.z, -a.w);
     public static Vector4 operator *(Vector4 a, float d) => new(a.x * d, a.y * d, a.z * d, a.w * d);
-    public static Vector4 operator *(float d, Vector4 a) => a * d;
-    public static Vector4 operator /(Vector4 a, float d) => new(a.x / d, a.y / d, a.z / d, a.w / d);
     public static bool operator ==(Vector4 lhs, Vector4 rhs) => (lhs - rhs).sqrMagnitude < Vector3.EqualitySquared;
     public static bool operator !=(Vector4 lhs, Vector4 rhs) => !(lhs == rhs);
     public static implicit operator Vector4(Vector3 v) => new(v.x, v.y, v.z, 0);

@@ -13,8 +13,6 @@ public partial class Transform
     Quaternion _rotation;
     bool _known;
 
-    public bool hasChanged { get; set; } = true;
-
     public Vector3 localPosition
     {
         get
@@ -125,8 +123,6 @@ public partial class Transform
         }
     }
 
-    public Matrix4x4 worldToLocalMatrix => localToWorldMatrix.inverse;
-
     public void SetPositionAndRotation(Vector3 position, Quaternion rotation)
     {
         this.position = position;
@@ -140,20 +136,7 @@ public partial class Transform
         this.localRotation = localRotation;
     }
 
-    public void GetPositionAndRotation(out Vector3 position, out Quaternion rotation)
-    {
-        position = this.position;
-        rotation = this.rotation;
-    }
-
-    public void GetLocalPositionAndRotation(out Vector3 localPosition, out Quaternion localRotation)
-    {
-        localPosition = this.localPosition;
-        localRotation = this.localRotation;
-    }
-
     public Vector3 TransformPoint(Vector3 position) => localToWorldMatrix.MultiplyPoint3x4(position);
-    public Vector3 TransformVector(Vector3 vector) => localToWorldMatrix.MultiplyVector(vector);
     public Vector3 TransformDirection(Vector3 direction) => rotation * direction;
     public Vector3 InverseTransformDirection(Vector3 direction) => Quaternion.Inverse(rotation) * direction;
 
@@ -165,44 +148,17 @@ public partial class Transform
         return Unscaled(Quaternion.Inverse(_localRotation) * (above - _localPosition));
     }
 
-    public Vector3 InverseTransformVector(Vector3 vector)
+    /// <summary>From the world into its own axes and scale.</summary>
+    internal Vector3 InverseVector(Vector3 vector)
     {
-        ThrowIfDestroyed();
-        var above = _parent is null ? vector : _parent.InverseTransformVector(vector);
+        var above = _parent is null ? vector : _parent.InverseVector(vector);
         return Unscaled(Quaternion.Inverse(_localRotation) * above);
     }
-
-    public void Translate(Vector3 translation) => Translate(translation, Space.Self);
-
-    public void Translate(Vector3 translation, Space relativeTo) =>
-        position += relativeTo == Space.World ? translation : TransformDirection(translation);
-
-    public void Rotate(Vector3 eulers) => Rotate(eulers, Space.Self);
-
-    public void Rotate(Vector3 eulers, Space relativeTo) => Turn(Quaternion.Euler(eulers), relativeTo);
-
-    public void Rotate(Vector3 axis, float angle) => Rotate(axis, angle, Space.Self);
-
-    public void Rotate(Vector3 axis, float angle, Space relativeTo) => Turn(Quaternion.AngleAxis(angle, axis), relativeTo);
-
-    public void Rotate(float xAngle, float yAngle, float zAngle) => Rotate(new Vector3(xAngle, yAngle, zAngle));
-
-    public void RotateAround(Vector3 point, Vector3 axis, float angle)
-    {
-        var turn = Quaternion.AngleAxis(angle, axis);
-        SetPositionAndRotation(point + turn * (position - point), turn * rotation);
-    }
-
-    public void LookAt(Transform target) => LookAt(target.position);
-    public void LookAt(Transform target, Vector3 worldUp) => LookAt(target.position, worldUp);
-    public void LookAt(Vector3 worldPosition) => LookAt(worldPosition, Vector3.up);
-    public void LookAt(Vector3 worldPosition, Vector3 worldUp) => rotation = Quaternion.LookRotation(worldPosition - position, worldUp);
 
     internal override void FieldsChanged() => MarkMoved();
 
     internal void MarkMoved()
     {
-        hasChanged = true;
         if (!_known) return;
 
         // What was not asked for since has nothing below it that was.
@@ -219,12 +175,6 @@ public partial class Transform
         _matrix = _parent is null ? local : _parent.localToWorldMatrix * local;
         _rotation = _parent is null ? _localRotation : Quaternion.Normalize(_parent.rotation * _localRotation);
         _known = true;
-    }
-
-    void Turn(Quaternion turn, Space relativeTo)
-    {
-        if (relativeTo == Space.Self) localRotation *= turn;
-        else rotation = turn * rotation;
     }
 
     Vector3 Unscaled(Vector3 v) => new(Divided(v.x, _localScale.x), Divided(v.y, _localScale.y), Divided(v.z, _localScale.z));

@@ -21,8 +21,6 @@ public partial class Transform : Component, IEnumerable
         set => SetParent(value);
     }
 
-    public Transform root => _parent is null ? this : _parent.root;
-
     public int childCount
     {
         get
@@ -92,27 +90,7 @@ public partial class Transform : Component, IEnumerable
         return null;
     }
 
-    public void DetachChildren()
-    {
-        for (var i = childCount - 1; i >= 0; i--) _children[i].SetParent(null);
-    }
-
     public int GetSiblingIndex() => _parent is null ? Owner.Content?.IndexOf(Owner) ?? 0 : _parent._children.IndexOf(this);
-
-    public void SetSiblingIndex(int index)
-    {
-        if (_parent is null)
-        {
-            Owner.Content?.Move(Owner, index);
-            return;
-        }
-
-        _parent._children.Remove(this);
-        _parent._children.Insert(Mathf.Clamp(index, 0, _parent._children.Count), this);
-    }
-
-    public void SetAsFirstSibling() => SetSiblingIndex(0);
-    public void SetAsLastSibling() => SetSiblingIndex(int.MaxValue);
 
     /// <summary>Takes it out of its parent or its scene: it is being destroyed.</summary>
     internal void Leave()

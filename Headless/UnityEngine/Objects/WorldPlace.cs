@@ -3,23 +3,21 @@ namespace UnityEngine;
 /// <summary>Where something is in the world, to be kept while its parent changes.</summary>
 readonly struct WorldPlace
 {
-    readonly Vector3 _position;
-    readonly Quaternion _rotation;
     readonly Matrix4x4 _matrix;
+    readonly Quaternion _rotation;
 
     internal WorldPlace(Transform of)
     {
-        _position = of.position;
-        _rotation = of.rotation;
         _matrix = of.localToWorldMatrix;
+        _rotation = of.rotation;
     }
 
     /// <summary>Position and rotation are kept; the scale as well as three numbers can, which skew it cannot.</summary>
     internal void Restore(Transform to)
     {
-        to.SetPositionAndRotation(_position, _rotation);
-        var unscaled = to.parent is null ? Matrix4x4.Rotate(to.localRotation) : to.parent.localToWorldMatrix * Matrix4x4.Rotate(to.localRotation);
-        var scale = unscaled.inverse * _matrix;
-        to.localScale = new Vector3(scale.m00, scale.m11, scale.m22);
+        to.localScale = Vector3.one;
+        to.SetPositionAndRotation(_matrix.GetPosition(), _rotation);
+        to.localScale = new Vector3(
+            to.InverseVector(_matrix.GetColumn(0)).x, to.InverseVector(_matrix.GetColumn(1)).y, to.InverseVector(_matrix.GetColumn(2)).z);
     }
 }

@@ -10,6 +10,4 @@ public static class AsyncGPUReadback
 
         return World.Current.Gpu.Request(callback);
     }
-
-    public static void WaitAllRequests() => World.Current.Gpu.FinishReadbacks();
 }

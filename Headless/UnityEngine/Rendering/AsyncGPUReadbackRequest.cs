@@ -17,11 +17,4 @@ public struct AsyncGPUReadbackRequest
     public readonly bool hasError => IsPast || _readback.Failed;
 
     readonly bool IsPast => _readback == null || _readback.Number != _number;
-
-    public readonly void Update() { }
-
-    public readonly void WaitForCompletion()
-    {
-        if (!IsPast) _readback.Finish();
-    }
 }

@@ -5,7 +5,6 @@ namespace UnityEngine;
 
 public sealed class Camera : Behaviour
 {
-    public static CameraCallback onPreCull;
     public static CameraCallback onPreRender;
     public static CameraCallback onPostRender;
 
@@ -22,10 +21,6 @@ public sealed class Camera : Behaviour
 
     /// <summary>The first enabled one that is tagged MainCamera.</summary>
     public static Camera main => World.Current.Cameras.Main;
-
-    public static Camera[] allCameras => World.Current.Cameras.ToArray();
-    public static int allCamerasCount => World.Current.Cameras.Count;
-    public static Camera current => World.Current.Cameras.Rendering;
 
     public float nearClipPlane
     {
@@ -46,18 +41,6 @@ public sealed class Camera : Behaviour
         set => _fieldOfView = value;
     }
 
-    public bool orthographic
-    {
-        get => _orthographic;
-        set => _orthographic = value;
-    }
-
-    public float orthographicSize
-    {
-        get => _orthographicSize;
-        set => _orthographicSize = value;
-    }
-
     public float depth
     {
         get => _depth;
@@ -69,16 +52,6 @@ public sealed class Camera : Behaviour
         get => _backgroundColor;
         set => _backgroundColor = value;
     }
-
-    public int cullingMask
-    {
-        get => _cullingMask;
-        set => _cullingMask = value;
-    }
-
-    public float aspect { get; set; } = 1;
-
-    public bool stereoEnabled => false;
 
     internal override void StartRunning() => World.Cameras.Add(this);
 

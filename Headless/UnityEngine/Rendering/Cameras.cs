@@ -6,28 +6,20 @@ namespace UnityEngine.Rendering;
 sealed class Cameras
 {
     readonly List<Camera> _enabled = new();
-    readonly List<MonoBehaviour> _scripts = new();
-    Camera.CameraCallback _preCull;
     Camera.CameraCallback _preRender;
     Camera.CameraCallback _postRender;
     bool _current;
 
-    internal int Count => _enabled.Count;
-
     internal Camera Main => _enabled.Find(c => c.CompareTag("MainCamera"));
-
-    internal Camera Rendering { get; private set; }
 
     internal int SubscriberCount
     {
         get
         {
             if (_current) Read();
-            return Host.Count(_preCull) + Host.Count(_preRender) + Host.Count(_postRender);
+            return Host.Count(_preRender) + Host.Count(_postRender);
         }
     }
-
-    internal Camera[] ToArray() => _enabled.ToArray();
 
     internal void Add(Camera camera) => _enabled.Add(camera);
 
@@ -37,7 +29,6 @@ sealed class Cameras
     internal void Resume()
     {
         _current = true;
-        Camera.onPreCull = _preCull;
         Camera.onPreRender = _preRender;
         Camera.onPostRender = _postRender;
     }
@@ -52,19 +43,12 @@ sealed class Cameras
     {
         SortByDepth();
         // An index: a callback may switch a camera off.
-        for (var i = 0; i < _enabled.Count; i++) Render(_enabled[i]);
-    }
-
-    void Render(Camera camera)
-    {
-        Rendering = camera;
-        Callbacks.Call(Camera.onPreCull, camera);
-        Tell(camera, Message.OnPreCull);
-        Callbacks.Call(Camera.onPreRender, camera);
-        Tell(camera, Message.OnPreRender);
-        Callbacks.Call(Camera.onPostRender, camera);
-        Tell(camera, Message.OnPostRender);
-        Rendering = null;
+        for (var i = 0; i < _enabled.Count; i++)
+        {
+            var camera = _enabled[i];
+            Callbacks.Call(Camera.onPreRender, camera);
+            Callbacks.Call(Camera.onPostRender, camera);
+        }
     }
 
     // In place and stable; a depth may change at any time.
@@ -79,20 +63,8 @@ sealed class Cameras
         }
     }
 
-    void Tell(Camera camera, Message message)
-    {
-        if (!camera) return;
-
-        camera.GetComponents(_scripts);
-        foreach (var script in _scripts)
-        {
-            if (script.Running) script.Script.Call(message, script);
-        }
-    }
-
     void Read()
     {
-        _preCull = Camera.onPreCull;
         _preRender = Camera.onPreRender;
         _postRender = Camera.onPostRender;
     }

@@ -55,9 +55,4 @@ sealed class Gpu
             _readbacks.RemoveAt(i);
         }
     }
-
-    internal void FinishReadbacks()
-    {
-        foreach (var readback in _readbacks.ToArray()) readback.Finish();
-    }
 }

@@ -6,7 +6,6 @@ public class Material : Object
 {
     readonly MaterialProperties<float> _floats = new();
     readonly MaterialProperties<Vector4> _vectors = new();
-    readonly MaterialProperties<Texture> _textures = new();
 
     public Material(Shader shader) => this.shader = shader;
 
@@ -32,10 +31,9 @@ public class Material : Object
     {
         _floats.CopyFrom(mat._floats);
         _vectors.CopyFrom(mat._vectors);
-        _textures.CopyFrom(mat._textures);
     }
 
-    public bool HasProperty(int nameID) => _floats.Has(nameID) || _vectors.Has(nameID) || _textures.Has(nameID);
+    public bool HasProperty(int nameID) => _floats.Has(nameID) || _vectors.Has(nameID);
     public bool HasProperty(string name) => HasProperty(Shader.PropertyToID(name));
     public float GetFloat(int nameID) => _floats.Get(nameID);
     public float GetFloat(string name) => GetFloat(Shader.PropertyToID(name));
@@ -45,10 +43,6 @@ public class Material : Object
     public Color GetColor(string name) => GetColor(Shader.PropertyToID(name));
     public void SetColor(int nameID, Color value) => _vectors.Set(nameID, value);
     public void SetColor(string name, Color value) => SetColor(Shader.PropertyToID(name), value);
-    public Texture GetTexture(int nameID) => _textures.Get(nameID);
-    public Texture GetTexture(string name) => GetTexture(Shader.PropertyToID(name));
-    public void SetTexture(int nameID, Texture value) => _textures.Set(nameID, value);
-    public void SetTexture(string name, Texture value) => SetTexture(Shader.PropertyToID(name), value);
 
     internal override Object Duplicate() => new Material(this);
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using UnityEngine.Serialization;
 
 namespace UnityEngine;
@@ -11,7 +9,6 @@ public class Renderer : Component
     [SerializeField, SerializedName("m_ReceiveShadows")] bool _receiveShadows = true;
     readonly MaterialPropertyBlock _block = new();
     Bounds? _bounds;
-    Bounds? _localBounds;
 
     public bool enabled
     {
@@ -27,14 +24,27 @@ public class Renderer : Component
         }
     }
 
-    public bool receiveShadows
+    /// <summary>The box of the mesh, turned with it, and the box in the world's axes around that.</summary>
+    public Bounds bounds
     {
-        get => _receiveShadows;
-        set => _receiveShadows = value;
+        get
+        {
+            if (_bounds.HasValue) return _bounds.Value;
+
+            var local = TryGetComponent<MeshFilter>(out var filter) && filter.sharedMesh ? filter.sharedMesh.bounds : default;
+            var world = new Bounds(transform.TransformPoint(local.center), Vector3.zero);
+            for (var i = 0; i < 8; i++)
+            {
+                var corner = new Vector3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
+                world.Encapsulate(transform.TransformPoint(local.center + Vector3.Scale(corner, local.extents)));
+            }
+
+            return world;
+        }
+        set => _bounds = value;
     }
 
     public bool forceRenderingOff { get; set; }
-    public int sortingOrder { get; set; }
 
     public bool isVisible => _enabled && !forceRenderingOff && gameObject.activeInHierarchy;
 
@@ -59,49 +69,6 @@ public class Renderer : Component
         set => _materials = (Material[])value.Clone();
     }
 
-    /// <summary>A copy of its own, made when first asked for; nobody destroys it but the user.</summary>
-    public Material material
-    {
-        get
-        {
-            if (sharedMaterial && !sharedMaterial.name.EndsWith(" (Instance)", StringComparison.Ordinal))
-            {
-                sharedMaterial = new Material(sharedMaterial) { name = sharedMaterial.name + " (Instance)" };
-            }
-
-            return sharedMaterial;
-        }
-        set => sharedMaterial = value;
-    }
-
-    public Bounds bounds
-    {
-        get
-        {
-            if (_bounds.HasValue) return _bounds.Value;
-
-            var local = localBounds;
-            var matrix = transform.localToWorldMatrix;
-            var world = new Bounds(matrix.MultiplyPoint3x4(local.center), Vector3.zero);
-            for (var i = 0; i < 8; i++)
-            {
-                var corner = new Vector3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
-                world.Encapsulate(matrix.MultiplyPoint3x4(local.center + Vector3.Scale(corner, local.extents)));
-            }
-
-            return world;
-        }
-        set => _bounds = value;
-    }
-
-    public Bounds localBounds
-    {
-        get => _localBounds ?? (TryGetComponent<MeshFilter>(out var filter) && filter.sharedMesh ? filter.sharedMesh.bounds : default);
-        set => _localBounds = value;
-    }
-
-    public bool HasPropertyBlock() => !_block.isEmpty;
-
     public void SetPropertyBlock(MaterialPropertyBlock properties)
     {
         ThrowIfDestroyed();
@@ -112,11 +79,5 @@ public class Renderer : Component
     {
         ThrowIfDestroyed();
         properties.CopyFrom(_block);
-    }
-
-    public void GetSharedMaterials(List<Material> m)
-    {
-        m.Clear();
-        m.AddRange(_materials);
     }
 }

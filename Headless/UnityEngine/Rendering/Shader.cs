@@ -9,8 +9,6 @@ public sealed class Shader : Object
 
     internal Shader() { }
 
-    public bool isSupported => true;
-
     public static int PropertyToID(string name)
     {
         lock (Ids)

@@ -9,7 +9,6 @@ public class TextAsset : Object
     public TextAsset(string text) => this.text = text;
 
     public string text { get; }
-    public byte[] bytes => Encoding.UTF8.GetBytes(text);
 
     public override string ToString() => text;
 }

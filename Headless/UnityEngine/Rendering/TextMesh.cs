@@ -33,22 +33,10 @@ public sealed class TextMesh : Component
         }
     }
 
-    public float offsetZ
-    {
-        get => _offsetZ;
-        set => _offsetZ = value;
-    }
-
     public float characterSize
     {
         get => _characterSize;
         set => _characterSize = value;
-    }
-
-    public float lineSpacing
-    {
-        get => _lineSpacing;
-        set => _lineSpacing = value;
     }
 
     public TextAnchor anchor
@@ -63,12 +51,6 @@ public sealed class TextMesh : Component
         set => _alignment = value;
     }
 
-    public float tabSize
-    {
-        get => _tabSize;
-        set => _tabSize = value;
-    }
-
     public int fontSize
     {
         get => _fontSize;
@@ -79,11 +61,5 @@ public sealed class TextMesh : Component
     {
         get => _richText;
         set => _richText = value;
-    }
-
-    public Color color
-    {
-        get => _color;
-        set => _color = value;
     }
 }

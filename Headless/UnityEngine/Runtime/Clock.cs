@@ -22,8 +22,6 @@ sealed class Clock
 
     internal float Scale { get; set; } = 1;
     internal float MaximumDelta { get; set; } = 1f / 3;
-    internal float FixedDelta { get; set; } = 0.02f;
-    internal double LevelLoaded { get; private set; }
 
     /// <summary>Begins a frame at the given time.</summary>
     internal void Advance(double seconds)
@@ -41,6 +39,4 @@ sealed class Clock
         Real = seconds;
         Frame++;
     }
-
-    internal void NoteLevelLoad() => LevelLoaded = Scaled;
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections;
 
 namespace UnityEngine;
@@ -5,7 +6,6 @@ namespace UnityEngine;
 public sealed class Coroutine : YieldInstruction
 {
     object _waitsFor;
-    double _due;
     int _frame;
 
     internal Coroutine(MonoBehaviour owner, IEnumerator routine)
@@ -21,28 +21,22 @@ public sealed class Coroutine : YieldInstruction
     internal void End() => Ended = true;
 
     /// <summary>Whether it goes on later.</summary>
-    internal bool MoveNext(Clock clock)
+    internal bool MoveNext(int frame)
     {
         if (!Routine.MoveNext()) return false;
 
-        _waitsFor = Routine.Current is IEnumerator inner and not CustomYieldInstruction ? Owner.StartCoroutine(inner) : Routine.Current;
-        _frame = clock.Frame;
-        _due = _waitsFor is WaitForSeconds wait ? clock.Scaled + wait.Seconds : 0;
-        return true;
+        _frame = frame;
+        _waitsFor = Routine.Current is IEnumerator inner ? Owner.StartCoroutine(inner) : Routine.Current;
+        if (_waitsFor is null or WaitForEndOfFrame or Coroutine) return true;
+
+        throw new NotSupportedException($"a coroutine waits for a {_waitsFor.GetType().Name}, which the stand-in does not know");
     }
 
-    internal bool IsDue(Clock clock, bool endOfFrame)
+    internal bool IsDue(int frame, bool endOfFrame)
     {
         if (_waitsFor is WaitForEndOfFrame) return endOfFrame;
-        // At the earliest in the next frame, whatever it waits for.
-        if (endOfFrame || clock.Frame == _frame) return false;
 
-        return _waitsFor switch
-        {
-            WaitForSeconds => clock.Scaled >= _due,
-            Coroutine other => other.Ended,
-            CustomYieldInstruction custom => !custom.keepWaiting,
-            _ => true,
-        };
+        // At the earliest in the next frame, whatever it waits for.
+        return !endOfFrame && frame > _frame && (_waitsFor is not Coroutine other || other.Ended);
     }
 }

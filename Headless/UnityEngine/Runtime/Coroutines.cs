@@ -49,7 +49,7 @@ sealed class Coroutines
         for (var i = 0; i < count; i++)
         {
             var routine = _running[i];
-            if (!routine.Ended && routine.IsDue(_world.Clock, endOfFrame)) Continue(routine);
+            if (!routine.Ended && routine.IsDue(_world.Clock.Frame, endOfFrame)) Continue(routine);
         }
 
         for (var i = _running.Count - 1; i >= 0; i--)
@@ -62,7 +62,7 @@ sealed class Coroutines
     {
         try
         {
-            if (routine.MoveNext(_world.Clock)) return;
+            if (routine.MoveNext(_world.Clock.Frame)) return;
         }
         catch (Exception e)
         {

@@ -10,10 +10,5 @@ enum Message
     OnDisable,
     OnDestroy,
     OnApplicationQuit,
-    OnPreCull,
-    OnPreRender,
-    OnPostRender,
-    OnDrawGizmos,
-    OnDrawGizmosSelected,
     Count,
 }

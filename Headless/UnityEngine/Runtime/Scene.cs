@@ -22,7 +22,6 @@ public struct Scene
 
     public readonly string path => _content?.Path ?? "";
     public readonly bool isLoaded => _content?.IsLoaded ?? false;
-    public readonly int rootCount => _content?.Roots.Count ?? 0;
 
     internal readonly SceneContent Content => _content;
 

@@ -12,8 +12,12 @@ sealed class ScriptType
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
     // Of Unity's messages those that would change what a script does: better refused than silently left out.
-    static readonly string[] NotCalled = { "FixedUpdate", "OnGUI", "OnBecameVisible", "OnBecameInvisible", "OnWillRenderObject", "OnRenderObject",
-        "OnTransformParentChanged", "OnTransformChildrenChanged", "OnBeforeTransformParentChanged" };
+    static readonly string[] NotCalled =
+    {
+        "FixedUpdate", "OnGUI", "OnBecameVisible", "OnBecameInvisible", "OnWillRenderObject", "OnRenderObject", "OnRenderImage",
+        "OnPreCull", "OnPreRender", "OnPostRender", "OnTransformParentChanged", "OnTransformChildrenChanged",
+        "OnBeforeTransformParentChanged",
+    };
 
     static readonly ConcurrentDictionary<Type, ScriptType> Known = new();
 
@@ -26,7 +30,7 @@ sealed class ScriptType
     ScriptType(Type type)
     {
         Order = type.GetCustomAttribute<DefaultExecutionOrder>(true)?.order ?? 0;
-        RunsInEditMode = type.IsDefined(typeof(ExecuteAlways), true) || type.IsDefined(typeof(ExecuteInEditMode), true);
+        RunsInEditMode = type.IsDefined(typeof(ExecuteAlways), true);
         foreach (var message in NotCalled)
         {
             if (Method(type, message) != null) throw new NotSupportedException($"{type.Name}.{message}: the stand-in does not call that message");

@@ -10,7 +10,6 @@ public class Time
     public static float unscaledDeltaTime => (float)Clock.RealDelta;
     public static float realtimeSinceStartup => (float)realtimeSinceStartupAsDouble;
     public static double realtimeSinceStartupAsDouble => Clock.Real;
-    public static float timeSinceLevelLoad => (float)(Clock.Scaled - Clock.LevelLoaded);
     public static int frameCount => Clock.Frame;
 
     public static float timeScale
@@ -23,12 +22,6 @@ public class Time
     {
         get => Clock.MaximumDelta;
         set => Clock.MaximumDelta = value;
-    }
-
-    public static float fixedDeltaTime
-    {
-        get => Clock.FixedDelta;
-        set => Clock.FixedDelta = value;
     }
 
     static Clock Clock => World.Current.Clock;

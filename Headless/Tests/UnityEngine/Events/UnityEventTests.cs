@@ -23,17 +23,6 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_WithAnArgument_PassesIt()
-    {
-        var happened = new UnityEvent<float>();
-        happened.AddListener(x => Journal.Note($"{x}"));
-
-        happened.Invoke(3);
-
-        Assert.That(Journal.Take(), Is.EqualTo("3"));
-    }
-
-    [Test]
     public void Invoke_CallFromAFile_CallsItBeforeTheListeners()
     {
         var listener = Add<Listener>("a");
@@ -57,16 +46,6 @@ public sealed class UnityEventTests : PlayerFixture
         happened.Invoke();
 
         Assert.That(Journal.Take(), Is.EqualTo(expected));
-    }
-
-    [Test]
-    public void Invoke_DynamicCall_GetsTheEventsArgument()
-    {
-        var happened = FromFile<UnityEvent<int>>(Add<Listener>("a"), "HeardInt", PersistentListenerMode.EventDefined);
-
-        happened.Invoke(6);
-
-        Assert.That(Journal.Take(), Is.EqualTo("HeardInt(6)"));
     }
 
     [Test]

@@ -98,6 +98,18 @@ public sealed class QuaternionTests
         Assert.That(Vector3.Distance(q * Vector3.right, new Vector3(-0.9370426f, 0.3123475f, -0.1561738f)), Is.LessThan(Tolerance));
     }
 
+    // The four ways to a quaternion, by its largest component.
+    [TestCase(10, 20, 30)]
+    [TestCase(170, 5, 10)]
+    [TestCase(5, 170, 10)]
+    [TestCase(5, 10, 170)]
+    public void LookRotation_OfARotationsAxes_IsThatRotation(float x, float y, float z)
+    {
+        var q = Quaternion.Euler(x, y, z);
+
+        AssertSame(Quaternion.LookRotation(q * Vector3.forward, q * Vector3.up), q);
+    }
+
     [TestCase(0, 5, 0)]
     [TestCase(0, -1, 0)]
     public void LookRotation_AlongUp_StillLooksThere(float x, float y, float z)
@@ -154,15 +166,6 @@ public sealed class QuaternionTests
         var to = Quaternion.Euler(0, 90, 0);
 
         AssertSame(Quaternion.Slerp(Quaternion.identity, to, t), t > 1 ? to : Quaternion.identity);
-    }
-
-    [Test]
-    public void RotateTowards_Further_StopsThere()
-    {
-        var to = Quaternion.Euler(0, 90, 0);
-
-        AssertSame(Quaternion.RotateTowards(Quaternion.identity, to, 30), Quaternion.Euler(0, 30, 0));
-        AssertSame(Quaternion.RotateTowards(Quaternion.identity, to, 300), to);
     }
 
     [Test]

@@ -28,22 +28,6 @@ public sealed class ApplicationMessageTests : PlayerFixture
     }
 
     [Test]
-    public void Focus_Lost_IsToldAndShows()
-    {
-        Add<Quitter>("a");
-        Frame();
-        var heard = new List<bool>();
-        Application.focusChanged += heard.Add;
-
-        Player.Focus(false);
-
-        Assert.That(Journal.Take(), Is.EqualTo("a.Focus(False)"));
-        Assert.That(Application.isFocused, Is.False);
-        Assert.That(heard, Is.EqualTo(new[] { false }));
-        Application.focusChanged -= heard.Add;
-    }
-
-    [Test]
     public void Pause_DisabledScript_HearsItButNotThatOfAnInactiveObject()
     {
         Add<Quitter>("a").enabled = false;
@@ -61,13 +45,12 @@ public sealed class ApplicationMessageTests : PlayerFixture
         var a = Add<Quitter>("a");
         Add<Quitter>("c", a.transform);
         Add<Quitter>("b");
-        Application.quitting += () => Journal.Note("quitting");
         Frame();
 
         Player.Dispose();
 
         Assert.That(Journal.Take(), Is.EqualTo(
-            "a.Quit c.Quit b.Quit quitting c.OnDisable a.OnDisable a.OnDestroy c.OnDestroy b.OnDisable b.OnDestroy"));
+            "a.Quit c.Quit b.Quit c.OnDisable a.OnDisable a.OnDestroy c.OnDestroy b.OnDisable b.OnDestroy"));
         Assert.That(a == null);
     }
 }

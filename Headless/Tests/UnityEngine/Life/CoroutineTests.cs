@@ -41,16 +41,6 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void WaitForSeconds_WaitsForTheScaledTime()
-    {
-        Time.timeScale = 0.5f;
-        _owner.StartCoroutine(Count(1, new WaitForSeconds(0.044f)));
-
-        Assert.That(Frame(8), Does.Not.Contain("end"));
-        Assert.That(Frame(), Does.Contain("end"));
-    }
-
-    [Test]
     public void WaitForEndOfFrame_GoesOnAfterTheLateUpdatesOfTheSameFrame()
     {
         _owner.On["Update"] = () =>
@@ -60,17 +50,6 @@ public sealed class CoroutineTests : PlayerFixture
         };
 
         Assert.That(Frame(), Is.EqualTo("a.Update 0 a.LateUpdate end"));
-    }
-
-    [Test]
-    public void WaitUntil_WaitsForItsCondition()
-    {
-        var there = false;
-        _owner.StartCoroutine(Count(1, new WaitUntil(() => there)));
-
-        Assert.That(Frame(5), Does.Not.Contain("end"));
-        there = true;
-        Assert.That(Frame(), Does.Contain("end"));
     }
 
     [Test]

@@ -32,7 +32,7 @@ public sealed class InstantiateTests : PlayerFixture
         source.number = 10;
         source.item = new Keeper.Item { text = "x", forgotten = 70 };
         source.points = [Vector3.one];
-        source.Hidden = new Bounds(Vector3.one, Vector3.up);
+        source.Hidden = new Pose(Vector3.one, Quaternion.identity);
         source.unsaved = 30;
         source.State = 50;
         source.table = [];

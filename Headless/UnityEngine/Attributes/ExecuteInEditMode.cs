@@ -1,7 +1,0 @@
-using System;
-
-namespace UnityEngine;
-
-public sealed class ExecuteInEditMode : Attribute
-{
-}

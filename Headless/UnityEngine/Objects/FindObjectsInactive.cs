@@ -1,7 +1,0 @@
-namespace UnityEngine;
-
-public enum FindObjectsInactive
-{
-    Exclude = 0,
-    Include = 1,
-}

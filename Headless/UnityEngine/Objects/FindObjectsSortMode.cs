@@ -1,7 +1,0 @@
-namespace UnityEngine;
-
-public enum FindObjectsSortMode
-{
-    None = 0,
-    InstanceID = 1,
-}

@@ -1,7 +1,0 @@
-namespace UnityEngine;
-
-public enum SendMessageOptions
-{
-    RequireReceiver = 0,
-    DontRequireReceiver = 1,
-}

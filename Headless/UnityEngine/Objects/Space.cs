@@ -1,7 +1,0 @@
-namespace UnityEngine;
-
-public enum Space
-{
-    World = 0,
-    Self = 1,
-}

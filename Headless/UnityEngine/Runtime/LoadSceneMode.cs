@@ -1,7 +1,0 @@
-namespace UnityEngine.SceneManagement;
-
-public enum LoadSceneMode
-{
-    Single = 0,
-    Additive = 1,
-}
