@@ -202,6 +202,18 @@ public class StatusPanelTests
     }
 
     [Test]
+    public void LateUpdate_SessionDestroyed_KeepsNoNumbersOfBefore()
+    {
+        Play(5);
+
+        UnityEngine.Object.Destroy(_session);
+        Run(1);
+
+        Assert.That(Row("L_app").Value, Is.EqualTo("–"));
+        Assert.That(Row("Pose").Value, Is.EqualTo("–"));
+    }
+
+    [Test]
     public void OnDisable_ShowingNumbers_TakesThemAway()
     {
         Play(5);

@@ -52,7 +52,8 @@ namespace Nowpose.Unity
         {
             if (_cells == null || Time.unscaledTime < _due) return;
             _due = Time.unscaledTime + _refreshSeconds;
-            if (_source != null) _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem);
+            if (_source == null) _texts.Update(null, null, null, null);
+            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem);
             _cells.Show(_texts);
             var viewer = Viewer.Head;
             if (viewer != null && _distance.Update(Vector3.Distance(transform.position, viewer.position)))
