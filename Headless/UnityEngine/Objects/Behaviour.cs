@@ -28,9 +28,6 @@ public class Behaviour : Component
     /// <summary>It is taking part: enabled, on an active object, and told so.</summary>
     internal bool Running { get; private set; }
 
-    /// <summary>Sets the flag as a file does, before the object wakes.</summary>
-    internal void Enable(bool value) => _enabled = value;
-
     internal override void Activated() => UpdateRunning();
 
     internal override void Deactivated() => UpdateRunning();

@@ -32,8 +32,6 @@ sealed class Gpu
         Display.Start();
     }
 
-    internal void DisconnectDisplay() => Display = null;
-
     internal AsyncGPUReadbackRequest Request(System.Action<AsyncGPUReadbackRequest> callback)
     {
         var readback = _done.Count > 0 ? _done.Pop() : new Readback();

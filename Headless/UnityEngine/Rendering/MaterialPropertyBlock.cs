@@ -6,10 +6,7 @@ public sealed class MaterialPropertyBlock
 {
     readonly MaterialProperties<float> _floats = new();
 
-    public void Clear()
-    {
-        _floats.Clear();
-    }
+    public void Clear() => _floats.Clear();
 
     public float GetFloat(int nameID) => _floats.Get(nameID);
     public float GetFloat(string name) => GetFloat(Shader.PropertyToID(name));
@@ -18,12 +15,7 @@ public sealed class MaterialPropertyBlock
 
     internal void CopyFrom(MaterialPropertyBlock other)
     {
-        if (other == null)
-        {
-            Clear();
-            return;
-        }
-
-        _floats.CopyFrom(other._floats);
+        if (other == null) Clear();
+        else _floats.CopyFrom(other._floats);
     }
 }

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace UnityEngine;
 
 public class TextAsset : Object

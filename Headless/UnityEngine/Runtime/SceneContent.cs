@@ -38,12 +38,6 @@ sealed class SceneContent
 
     internal int IndexOf(GameObject root) => _roots.IndexOf(root);
 
-    internal void Move(GameObject root, int index)
-    {
-        _roots.Remove(root);
-        _roots.Insert(Mathf.Clamp(index, 0, _roots.Count), root);
-    }
-
     /// <summary>From another scene to this one.</summary>
     internal void Take(GameObject root)
     {

@@ -1,6 +1,4 @@
 using System.Collections.Generic;
-using UnityEngine.Events;
-using UnityEngine.SceneManagement;
 
 namespace UnityEngine;
 

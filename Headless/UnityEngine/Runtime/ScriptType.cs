@@ -1,7 +1,6 @@
 using System;
 using System.Collections;
 using System.Collections.Concurrent;
-using System.Collections.Generic;
 using System.Reflection;
 
 namespace UnityEngine;
@@ -50,8 +49,6 @@ sealed class ScriptType
     internal int Order { get; }
 
     internal bool RunsInEditMode { get; }
-
-    internal bool HasStart => _start != null || _startRoutine != null;
 
     internal static ScriptType Of(Type type) => Known.GetOrAdd(type, t => new ScriptType(t));
 

@@ -38,7 +38,6 @@ sealed class World
     internal Rendering.Cameras Cameras { get; } = new();
     internal Rendering.Gpu Gpu { get; } = new();
     internal Dictionary<string, Shader> Shaders { get; } = new();
-    internal Dictionary<string, object> Preferences { get; } = new();
 
     /// <summary>Objects made in it that are not destroyed; assets do not count.</summary>
     internal int ObjectCount => _objects.Count;
