@@ -180,6 +180,24 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
+    public void Import_SeveralOfOneKind_AreToldApartByTheirNames()
+    {
+        _project.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0")));
+        _project.Write("Assets/arm_description/meshes/a.obj", "v 0 0 0");
+        var model = AsUnityImports((1, 2, 3), UpAxis.Y, isBaked: true);
+        foreach (var part in new[] { "left", "right" }) new GameObject(part).transform.SetParent(model.transform);
+        Project.Put("Assets/arm_description/meshes/a.obj", model);
+
+        var robot = Import("<link name='base'>" + Visual("<mesh filename='../meshes/a.stl'/>") + Visual("<mesh filename='../meshes/a.obj'/>")
+            + Visual("<box size='1 1 1'/>") + "</link>");
+
+        Assert.That(robot.transform.Find("base").Cast<Transform>().Select(s => s.name), Is.EqualTo(new[] { "visual", "visual 2", "visual 3" }));
+        var copy = robot.transform.Find("base/visual 2/axes/mesh");
+        Assert.That(copy.Cast<Transform>().Select(s => s.name), Is.EqualTo(new[] { "mesh", "mesh 2" }));
+        Assert.That(_context.Warnings, Is.Empty);
+    }
+
+    [Test]
     public void Import_WithMaterialsChosen_UsesThemForEverything()
     {
         _project.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0")));

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor.AssetImporters;
@@ -14,7 +15,7 @@ public class AssetImportContext
     public string assetPath { get; }
     public Object mainObject { get; private set; }
 
-    /// <summary>What the importer said, oldest first.</summary>
+    /// <summary>What was said of the import, oldest first.</summary>
     internal List<string> Errors { get; } = new List<string>();
 
     internal List<string> Warnings { get; } = new List<string>();
@@ -50,6 +51,24 @@ public class AssetImportContext
     public void DependsOnSourceAsset(string path) => SourceDependencies.Add(Checked(path));
     public void LogImportError(string msg, Object obj = null) => Errors.Add(msg);
     public void LogImportWarning(string msg, Object obj = null) => Warnings.Add(msg);
+
+    // The identifiers of what a hierarchy has are made of the names on the way down to it.
+    internal void CheckPaths()
+    {
+        foreach (var made in _objects)
+            if (made is GameObject root) CheckPaths(root.transform, root.name);
+    }
+
+    void CheckPaths(Transform parent, string path)
+    {
+        var names = new HashSet<string>();
+        foreach (Transform child in parent)
+        {
+            var childPath = path + "/" + child.name;
+            if (!names.Add(child.name)) Warnings.Add($"Identifier uniqueness violation: 'Type:GameObject, Name:{childPath}'");
+            CheckPaths(child, childPath);
+        }
+    }
 
     static string Checked(string path) =>
         string.IsNullOrEmpty(path) ? throw new ArgumentNullException(nameof(path), "Cannot add dependency on invalid path.") : path;

@@ -32,6 +32,7 @@ static class Importers
             importer.OnImportAsset(context);
             return true;
         });
+        context.CheckPaths();
         return new Imported(context);
     }
 

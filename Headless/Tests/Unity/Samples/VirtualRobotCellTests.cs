@@ -91,7 +91,7 @@ public class VirtualRobotCellTests
         using var sample = new PlayedSample().Start().Run(1);
 
         Assert.That(sample.Truth.Flange.GetComponentsInChildren<MeshRenderer>(), Has.Length.EqualTo(
-            sample.Truth.Flange.Cast<Transform>().Count(child => child.name == "visual")));
+            sample.Truth.Flange.Cast<Transform>().Count(child => child.GetComponent<MeshFilter>() != null)));
         Assert.That(sample.Truth.GetComponentsInChildren<MeshRenderer>(), Has.Length.GreaterThan(3));
         Assert.That(sample.Displayed.Flange.GetComponentsInChildren<MeshRenderer>().Length,
             Is.GreaterThan(sample.Truth.Flange.GetComponentsInChildren<MeshRenderer>().Length));

@@ -103,7 +103,7 @@ namespace Nowpose.Editor
         static void Adapt(GameObject instance, Material material)
         {
             foreach (var behaviour in instance.GetComponentsInChildren<Behaviour>(true)) Object.DestroyImmediate(behaviour);
-            foreach (var part in instance.GetComponentsInChildren<Transform>(true)) part.name = "mesh";
+            foreach (var part in instance.GetComponentsInChildren<Transform>(true)) part.name = MeshName(part.GetSiblingIndex());
             if (material == null) return;
             foreach (var renderer in instance.GetComponentsInChildren<Renderer>(true))
             {
@@ -112,5 +112,8 @@ namespace Nowpose.Editor
                 renderer.sharedMaterials = materials;
             }
         }
+
+        // Unity tells the objects of an imported file apart by their names on the way down.
+        static string MeshName(int index) => index == 0 ? "mesh" : "mesh " + (index + 1);
     }
 }

@@ -7,7 +7,6 @@ namespace Nowpose.Unity
     /// <remarks>A link that is shown by meshes only, none of which can be had, is drawn as bars to the joints below it.</remarks>
     static class RigBuilder
     {
-        /// <summary>Name of the objects that show a link.</summary>
         const string Visual = "visual";
 
         const float BarMetres = 0.03f;
@@ -34,43 +33,59 @@ namespace Nowpose.Unity
             var isShown = false;
             foreach (var visual in link.Visuals)
             {
-                var shown = NewVisual(visual, parent, look, isTool);
+                var shown = NewVisual(visual, look, isTool);
                 if (shown == null) continue;
                 isShown = true;
+                Add(shown, parent, model);
                 shown.Place(visual.Origin);
                 shown.localScale = SizeOf(visual);
             }
             if (isShown || link.Visuals.Count == 0) return;
             foreach (var joint in model.Joints)
                 if (joint.ParentLink == link.Name)
-                    ShowBar(UnityFrame.ToUnity(joint.Origin).Position(), parent, look.MaterialOf(null, isTool));
+                    ShowBar(UnityFrame.ToUnity(joint.Origin).Position(), parent, model, look.MaterialOf(null, isTool));
         }
 
-        static Transform NewVisual(LinkVisual visual, Transform parent, IRigLook look, bool isTool)
+        static Transform NewVisual(LinkVisual visual, IRigLook look, bool isTool)
         {
-            if (visual.Shape != VisualShape.Mesh) return NewShape(visual.Shape, parent, look.MaterialOf(visual.Colour, isTool));
+            if (visual.Shape != VisualShape.Mesh) return NewShape(visual.Shape, look.MaterialOf(visual.Colour, isTool));
             var mesh = look.MeshOf(visual, isTool);
-            if (mesh == null) return null;
-            mesh.name = Visual;
-            mesh.transform.SetParent(parent, worldPositionStays: false);
-            return mesh.transform;
+            return mesh == null ? null : mesh.transform;
+        }
+
+        static void Add(Transform shown, Transform parent, RobotModel model)
+        {
+            shown.name = FreeName(parent, model);
+            shown.gameObject.layer = parent.gameObject.layer;
+            shown.SetParent(parent, worldPositionStays: false);
+        }
+
+        // Unity tells the objects of an imported file apart by their names on the way down; and a link must not be taken for one.
+        static string FreeName(Transform parent, RobotModel model)
+        {
+            for (var i = 1; ; i++)
+            {
+                var name = i == 1 ? Visual : Visual + " " + i;
+                if (parent.Find(name) == null && model.IndexOfLink(name) < 0) return name;
+            }
         }
 
         // The cylinder's own axis is Unity's y, which is the URDF's z.
-        static void ShowBar(Vector3 end, Transform parent, Material material)
+        static void ShowBar(Vector3 end, Transform parent, RobotModel model, Material material)
         {
             if (end == Vector3.zero) return;
-            var bar = NewShape(VisualShape.Cylinder, parent, material);
+            var bar = NewShape(VisualShape.Cylinder, material);
+            Add(bar, parent, model);
             bar.SetLocalPositionAndRotation(end / 2, Quaternion.FromToRotation(Vector3.up, end));
             bar.localScale = new Vector3(BarMetres, end.magnitude / 2, BarMetres);
         }
 
-        static Transform NewShape(VisualShape shape, Transform parent, Material material)
+        static Transform NewShape(VisualShape shape, Material material)
         {
-            var shown = NewChild(Visual, parent);
-            shown.gameObject.AddComponent<MeshFilter>().sharedMesh = Resources.GetBuiltinResource<Mesh>(MeshOf(shape));
-            shown.gameObject.AddComponent<MeshRenderer>().sharedMaterial = material;
-            return shown;
+            var shown = new GameObject();
+            shown.AddComponent<MeshFilter>().sharedMesh = Resources.GetBuiltinResource<Mesh>(MeshOf(shape));
+            shown.AddComponent<MeshRenderer>().sharedMaterial = material;
+            return shown.transform;
         }
 
         static Transform NewChild(string name, Transform parent)

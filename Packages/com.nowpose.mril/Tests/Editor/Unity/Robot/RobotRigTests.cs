@@ -206,6 +206,34 @@ namespace Nowpose.Tests
             Assert.That(rig.Link("base_link"), Is.SameAs(root));
         }
 
+        [TestCase("youbot")]
+        [TestCase("ur5")]
+        public void Bind_NoHierarchy_NamesWhatHangsOnALinkApart(string robot)
+        {
+            var rig = NewRig();
+
+            rig.Bind(UrdfFiles.Robot(robot));
+
+            foreach (var link in rig.Model.Links)
+            {
+                var names = rig.Link(link.Name).Cast<Transform>().Select(child => child.name).ToArray();
+                Assert.That(names, Is.Unique, link.Name);
+            }
+        }
+
+        [Test]
+        public void Bind_LinksNamedAsWhatShowsThem_AreToldFromIt()
+        {
+            var model = UrdfReader.Read(
+                "<robot name='r'><link name='base'><visual><geometry><box size='1 1 1'/></geometry></visual></link><link name='visual'/>"
+                + "<joint name='j' type='revolute'><parent link='base'/><child link='visual'/><origin xyz='0 0 2'/></joint></robot>", "r.urdf");
+            var rig = NewRig();
+
+            rig.Bind(model);
+
+            Assert.That(rig.Link("visual").GetComponent<MeshFilter>() == null);
+        }
+
         [Test]
         public void Bind_NoHierarchy_ShowsLinksByTheirShapes()
         {
