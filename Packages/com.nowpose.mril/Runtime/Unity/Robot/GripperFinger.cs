@@ -8,10 +8,10 @@ namespace Nowpose.Unity
     public sealed class GripperFinger
     {
         [SerializeField, Tooltip("Name of the joint that moves this finger, as in the robot's URDF.")]
-        string joint = "";
+        string _joint = "";
 
         [SerializeField, Tooltip("What moves, as it stands at joint position 0 (closed, on the youBot), turned as the joint's own frame.")]
-        Transform finger = null;
+        Transform _finger = null;
 
         [NonSerialized] Pose _rest;
         [NonSerialized] bool _isRestKnown;
@@ -20,20 +20,20 @@ namespace Nowpose.Unity
 
         public GripperFinger(string joint, Transform finger)
         {
-            this.joint = joint;
-            this.finger = finger;
+            _joint = joint;
+            _finger = finger;
         }
 
-        public string Joint => joint;
-        public Transform Finger => finger;
+        public string Joint => _joint;
+        public Transform Finger => _finger;
 
         /// <summary>Puts the finger back to where it stood when first asked: later it stands where a robot's joint left it.</summary>
         /// <returns>In its parent's axes.</returns>
         internal Pose Rest()
         {
-            if (!_isRestKnown) _rest = new Pose(finger.localPosition, finger.localRotation);
+            if (!_isRestKnown) _rest = new Pose(_finger.localPosition, _finger.localRotation);
             _isRestKnown = true;
-            finger.SetLocalPositionAndRotation(_rest.position, _rest.rotation);
+            _finger.SetLocalPositionAndRotation(_rest.position, _rest.rotation);
             return _rest;
         }
     }
