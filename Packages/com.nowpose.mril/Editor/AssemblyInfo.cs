@@ -1,4 +1,7 @@
 using System.Runtime.CompilerServices;
 
+// What is decided without a window is in plain classes; their tests need no editor open.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]
+
+// Only this package's repository has it: the tests of windows, inspectors and imports, on a stand-in for the editor.
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]

@@ -30,8 +30,6 @@ namespace Nowpose.Editor
             _unit = unit;
         }
 
-        public RollingSeries Series => _series;
-
         /// <param name="time">Seconds.</param>
         /// <param name="value">Null while it is not known.</param>
         public void Take(double time, double? value)
