@@ -37,6 +37,8 @@ namespace Nowpose.Unity
         /// <summary>Takes up renderers that have come or gone below this object; done by itself when a rig is built.</summary>
         public void Refresh()
         {
+            // Not enabled yet, as in an editor's scene: it does so itself then.
+            if (_block == null) return;
             GetComponentsInChildren(true, _renderers);
             if (_words != null) _renderers.Remove(_words.GetComponent<Renderer>());
             Draw();
