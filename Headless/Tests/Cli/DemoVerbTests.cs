@@ -4,6 +4,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli;
 
 /// <summary>The main job end to end, over real sockets: short runs, limits wide enough for a busy machine.</summary>
+/// <remarks>How much of the error goes is held to what is claimed where time is virtual, by the tests of the virtual robot cell.</remarks>
 public class DemoVerbTests
 {
     string _folder;

@@ -12,6 +12,9 @@ namespace Nowpose.Headless.Tests.Unity.Samples;
 
 public class VirtualRobotCellTests
 {
+    /// <summary>It is 0.89 to 0.91 here, on every machine: time is virtual and chance is seeded.</summary>
+    const double LeastReduction = 0.85;
+
     static readonly (string Name, KnobRange Range)[] Knobs =
     [
         .. typeof(SimulatedControlSystem).GetFields(BindingFlags.NonPublic | BindingFlags.Instance)
@@ -32,9 +35,9 @@ public class VirtualRobotCellTests
         sample.Run(20);
 
         Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
-        Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.01), "there is a gap to close");
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(0.7));
-        Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(0.7), "the panel says so, too");
+        Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
+        Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(LeastReduction), "the panel says so, too");
         Assert.That(Complaints(sample), Is.Empty);
     }
 
@@ -46,8 +49,8 @@ public class VirtualRobotCellTests
         sample.Run(20);
 
         Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
-        Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.01), "there is a gap to close");
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(0.7));
+        Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
         Assert.That(sample.Session.Statistics.SampleLink.State, Is.EqualTo(LinkState.Idle), "it needs no network");
         Assert.That(Complaints(sample), Is.Empty);
     }
@@ -171,7 +174,7 @@ public class VirtualRobotCellTests
         sample.Run(10);
 
         Assert.That(sample.Session.Statistics.ClockSteps, Is.EqualTo(1));
-        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(0.7));
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
     }
 
     [Test]
