@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Robots;
+using Nowpose.Headless.Tests.Repository;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
@@ -57,7 +58,23 @@ sealed class PlayedCell : IDisposable
         return session;
     }
 
-    /// <summary>The same, switched on.</summary>
+    /// <summary>A cell of the package, fed in the same way; inactive too. One that names no robot is given the UR5.</summary>
+    /// <param name="prefab">Name of the prefab.</param>
+    public MrilSession NewSessionOf(string prefab)
+    {
+        var room = new GameObject("Room");
+        room.SetActive(false);
+        var asset = new AssetLibrary(RepositoryFiles.Root).Load<GameObject>($"Packages/com.nowpose.mril/Runtime/Prefabs/{prefab}.prefab");
+        var session = UnityEngine.Object.Instantiate(asset, room.transform).GetComponent<MrilSession>().With("_connectOnEnable", false);
+        session.gameObject.SetActive(false);
+        room.SetActive(true);
+        session.Settings = Offline;
+        session.HeadsetClock = Clock;
+        if (session.RobotAsset == null) session.RobotAsset = RobotDescriptionAsset.Create("ur5", RobotFiles.LoadText("ur5"));
+        return session;
+    }
+
+    /// <summary>One that is switched on.</summary>
     public MrilSession Play(string robot = "youbot", SessionSettings settings = null)
     {
         var session = NewSession(robot, settings);
@@ -82,8 +99,13 @@ sealed class PlayedCell : IDisposable
         Allocated += GC.GetAllocatedBytesForCurrentThread() - before;
     }
 
-    /// <summary>Joint positions at a time of the headset clock, within all limits of the robots used, mimic joints apart.</summary>
-    public static double PositionAt(HeadsetTime at, int joint) => 0.005 + 0.004 * Math.Sin(at.SinceEpoch.TotalSeconds * (1 + 0.1 * joint));
+    /// <summary>Of a moving joint at a time of the headset clock, rad or m: swings by 0.004 about 0.005, or as near as its limits allow.</summary>
+    public static double PositionAt(RobotModel robot, HeadsetTime at, int joint)
+    {
+        var limits = robot.MovingJoints[joint].Limits;
+        var centre = Math.Clamp(0.005, limits.Lower + 0.005, limits.Upper - 0.005);
+        return centre + 0.004 * Math.Sin(at.SinceEpoch.TotalSeconds * (1 + 0.1 * joint));
+    }
 
     public void Dispose() => Player.Dispose();
 
@@ -107,7 +129,7 @@ sealed class PlayedCell : IDisposable
         if (session.Robot.MovingJoints.Count == 0) return;
         if (_names.Length != session.Robot.MovingJoints.Count) _names = [.. session.Robot.MovingJoints.Select(joint => joint.Name)];
         var positions = new double[_names.Length];
-        for (var i = 0; i < positions.Length; i++) positions[i] = PositionAt(now - Latency, i);
+        for (var i = 0; i < positions.Length; i++) positions[i] = PositionAt(session.Robot, now - Latency, i);
         session.Received(new JointStateMessage(Control(now - Latency), _names, positions), now);
     }
 

@@ -249,22 +249,6 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void LateUpdate_Warm_AllocatesNothing()
-    {
-        Gpu.ReadbackFrames = 2;
-        _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
-        _cell.IsPlantUp = false;
-        _cell.IsSyncUp = false;
-        _session.enabled = false;
-        Play(3);
-
-        _cell.Allocated = 0;
-        Run(5);
-
-        Assert.That(_cell.Allocated, Is.EqualTo(0));
-    }
-
-    [Test]
     public void Tell_SessionBeginsAnewAfterAPause_HearsOfRenderTimesAgain()
     {
         DisplayTakes(0.02f);
