@@ -24,7 +24,9 @@ public sealed class PackageAssetsTests
 
     AssetLibrary _library;
 
-    static IEnumerable<string> Assets => RepositoryFiles.All.Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".asset" or ".mat");
+    static IEnumerable<string> Assets => RepositoryFiles.All
+        .Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".asset" or ".mat")
+        .Where(f => !f.StartsWith("ProjectSettings/", StringComparison.Ordinal));
 
     static IEnumerable<string> Hierarchies => Assets.Where(f => Path.GetExtension(f) is ".prefab" or ".unity");
 
