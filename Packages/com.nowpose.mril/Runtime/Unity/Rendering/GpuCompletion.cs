@@ -40,7 +40,7 @@ namespace Nowpose.Unity
         public void Submitted(HeadsetTime triggered)
         {
             if (_inFlight == MostInFlight || !SystemInfo.supportsAsyncGPUReadback) return;
-            if (_texture == null) _texture = new Texture2D(1, 1) { hideFlags = HideFlags.HideAndDontSave };
+            if (_texture == null) _texture = Uploaded();
             _triggers[(_first + _inFlight++) % MostInFlight] = triggered;
             AsyncGPUReadback.Request(_texture, 0, _onRead);
         }
@@ -50,6 +50,14 @@ namespace Nowpose.Unity
         {
             if (_texture != null) Object.Destroy(_texture);
             _texture = null;
+        }
+
+        // A texture that was never uploaded need not be there for the GPU to read.
+        static Texture2D Uploaded()
+        {
+            var texture = new Texture2D(1, 1) { hideFlags = HideFlags.HideAndDontSave };
+            texture.Apply();
+            return texture;
         }
 
         // A GPU works in order: it is the oldest request that is done.
