@@ -45,10 +45,10 @@ namespace Nowpose.Editor
         {
             var name = Path.GetFileNameWithoutExtension(ctx.assetPath);
             var robot = new GameObject(name);
-            ctx.AddObjectToAsset("robot", robot);
-            ctx.SetMainObject(robot);
             robot.AddComponent<RobotRig>();
             RigBuilder.Build(model, robot.transform, new ImportedLook(ctx, _armMaterial, _toolMaterial));
+            ctx.AddObjectToAsset("robot", robot);
+            ctx.SetMainObject(robot);
             ctx.AddObjectToAsset("description", RobotDescriptionAsset.Create(name, text));
         }
 

@@ -13,13 +13,19 @@ namespace Nowpose.Editor
         const int Priority = 10;
 
         [MenuItem(Folder + "Robot Cell", false, Priority)]
-        static void RobotCell(MenuCommand command) => Place(PackageAsset.RobotCell, command);
+        static void RobotCell(MenuCommand command) => PlaceOnce(PackageAsset.RobotCell, command);
 
         [MenuItem(Folder + "Robot Cell UR5", false, Priority)]
-        static void RobotCellUr5(MenuCommand command) => Place(PackageAsset.RobotCellUr5, command);
+        static void RobotCellUr5(MenuCommand command) => PlaceOnce(PackageAsset.RobotCellUr5, command);
 
         [MenuItem(Folder + "Virtual Gripper", false, Priority)]
-        static void VirtualGripper(MenuCommand command) => Place(PackageAsset.VirtualGripper, command);
+        static void VirtualGripper(MenuCommand command) => PlaceOnce(PackageAsset.VirtualGripper, command);
+
+        // Unity calls a menu item of the Hierarchy once for each selected object.
+        static void PlaceOnce(PackageAsset prefab, MenuCommand command)
+        {
+            if (command.context == null || command.context == Selection.activeObject) Place(prefab, command);
+        }
 
         /// <returns>The new instance; null where the prefab is missing.</returns>
         internal static GameObject Place(PackageAsset prefab, MenuCommand command)
