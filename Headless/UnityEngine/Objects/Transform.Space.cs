@@ -129,13 +129,6 @@ public partial class Transform
         this.rotation = rotation;
     }
 
-    public void SetLocalPositionAndRotation(Vector3 localPosition, Quaternion localRotation)
-    {
-        ThrowIfDestroyed();
-        _localPosition = localPosition;
-        this.localRotation = localRotation;
-    }
-
     public Vector3 TransformPoint(Vector3 position) => localToWorldMatrix.MultiplyPoint3x4(position);
     public Vector3 TransformDirection(Vector3 direction) => rotation * direction;
     public Vector3 InverseTransformDirection(Vector3 direction) => Quaternion.Inverse(rotation) * direction;

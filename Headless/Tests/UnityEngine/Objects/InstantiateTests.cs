@@ -115,7 +115,8 @@ public sealed class InstantiateTests : PlayerFixture
         var source = new GameObject("a").transform;
         var child = new GameObject("c").transform;
         child.SetParent(source);
-        child.SetLocalPositionAndRotation(Vector3.up, Quaternion.Euler(0, 90, 0));
+        child.localPosition = Vector3.up;
+        child.localRotation = Quaternion.Euler(0, 90, 0);
         child.localScale = new Vector3(1, 2, 3);
 
         var copy = Object.Instantiate(source, Vector3.right, Quaternion.identity).GetChild(0);

@@ -20,7 +20,8 @@ public sealed class TransformTests : PlayerFixture
         _parent.localScale = Vector3.one * 2;
         _child = new GameObject("c").transform;
         _child.SetParent(_parent, false);
-        _child.SetLocalPositionAndRotation(new Vector3(1, 2, 3), Quaternion.Euler(-20, 100, 35));
+        _child.localPosition = new Vector3(1, 2, 3);
+        _child.localRotation = Quaternion.Euler(-20, 100, 35);
     }
 
     [Test]

@@ -33,7 +33,7 @@ namespace Nowpose.Unity
         {
             if (!_isRestKnown) _rest = new Pose(_finger.localPosition, _finger.localRotation);
             _isRestKnown = true;
-            _finger.SetLocalPositionAndRotation(_rest.position, _rest.rotation);
+            _finger.PlaceLocally(_rest.position, _rest.rotation);
             return _rest;
         }
     }

@@ -31,7 +31,7 @@ namespace Nowpose.Unity
             _direction = restRotation * UnityFrame.DirectionToUnity(joint.Axis).Vector();
             var axis = UnityFrame.TurningAxisToUnity(joint.Axis).Vector();
             _halfTurn = restRotation * new Quaternion(axis.x, axis.y, axis.z, 0);
-            moved.SetLocalPositionAndRotation(restPosition, restRotation);
+            moved.PlaceLocally(restPosition, restRotation);
         }
 
         /// <param name="position">Of the joint, rad or m.</param>

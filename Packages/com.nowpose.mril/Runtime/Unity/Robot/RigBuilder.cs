@@ -76,7 +76,7 @@ namespace Nowpose.Unity
             if (end == Vector3.zero) return;
             var bar = NewShape(VisualShape.Cylinder, material);
             Add(bar, parent, model);
-            bar.SetLocalPositionAndRotation(end / 2, Quaternion.FromToRotation(Vector3.up, end));
+            bar.PlaceLocally(end / 2, Quaternion.FromToRotation(Vector3.up, end));
             bar.localScale = new Vector3(BarMetres, end.magnitude / 2, BarMetres);
         }
 

@@ -78,7 +78,7 @@ namespace Nowpose.Unity
             copy.alignment = TextAlignment.Left;
             copy.richText = false;
             copy.text = "";
-            copy.transform.SetLocalPositionAndRotation(
+            copy.transform.PlaceLocally(
                 new Vector3(Columns[column] - Columns[Columns.Length - 1] / 2, (StatusTexts.Rows / 2f - (int)row) * RowHeight, 0),
                 Quaternion.identity);
             copy.transform.localScale = Vector3.one / LetterSize.Of(_model);
