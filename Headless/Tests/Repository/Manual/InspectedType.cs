@@ -59,17 +59,21 @@ sealed partial class InspectedType
             .Where(IsShown).OrderBy(f => f.MetadataToken))
         {
             var label = prefix + Label(field.Name);
-            yield return new InspectedField(label, Text(field.GetValue(made), field.FieldType), field.GetCustomAttribute<RangeAttribute>());
+            yield return new InspectedField(
+                label, Text(field.GetValue(made), field.FieldType), ElementOf(field.FieldType), field.GetCustomAttribute<RangeAttribute>(),
+                field.GetCustomAttribute<TooltipAttribute>()?.tooltip);
             foreach (var nested in FieldsOfOwn(field.FieldType, label + " › ")) yield return nested;
         }
     }
 
     static IEnumerable<InspectedField> FieldsOfOwn(Type type, string prefix)
     {
-        var element = type.IsArray ? type.GetElementType() : type.IsGenericType ? type.GetGenericArguments()[0] : type;
+        var element = ElementOf(type);
         var isOwn = element.Assembly == typeof(MrilSession).Assembly && !element.IsEnum && !typeof(Object).IsAssignableFrom(element);
         return isOwn ? FieldsOf(element, prefix) : Enumerable.Empty<InspectedField>();
     }
+
+    static Type ElementOf(Type type) => type.IsArray ? type.GetElementType() : type.IsGenericType ? type.GetGenericArguments()[0] : type;
 
     static bool IsShown(FieldInfo field) =>
         !field.IsInitOnly && !field.IsStatic && !field.IsLiteral && !field.IsDefined(typeof(NonSerializedAttribute))
