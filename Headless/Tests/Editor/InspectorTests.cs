@@ -185,6 +185,118 @@ public sealed class InspectorTests : EditorFixture
         Assert.That(GuiRecorder.Texts, Does.Contain("Source: nothing measures"));
     }
 
+    [TestCase(0.0115, "gripper_finger_joint_l: 11.5 mm")]
+    [TestCase(0.004, "gripper_finger_joint_l: 4.0 mm")]
+    public void Gripper_Playing_ShowsHowFarItsFingersAreOpen(double metres, string row)
+    {
+        var session = _cell.Play();
+        var rig = Below<RobotRig>(session);
+        var gripper = Gripper(rig, "gripper_finger_joint_l", "gripper_finger_joint_x", "");
+        Play(session, 1);
+        rig.Apply(new[] { 0, 0, 0, 0, 0, metres, 0 });
+
+        Inspect(gripper).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain(row));
+        Assert.That(GuiRecorder.Texts, Does.Contain("gripper_finger_joint_x: robot 'youbot' has no such joint; stays as it is"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("A finger without a joint: robot 'youbot' has no such joint; stays as it is"));
+    }
+
+    [Test]
+    public void Gripper_OnARigWithoutRobot_SaysDashes()
+    {
+        var rig = new GameObject("Robot").AddComponent<RobotRig>();
+        var gripper = Gripper(rig, "gripper_finger_joint_l");
+        _cell.Frame(null);
+
+        Inspect(gripper).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("Rides on: –").And.Contain("gripper_finger_joint_l: –"));
+    }
+
+    [Test]
+    public void Appearance_Playing_SaysWhatIsShownAndWhy()
+    {
+        var session = _cell.Play();
+        var appearance = Below<RobotRig>(session).gameObject.AddComponent<PoseAppearance>();
+        var editor = Inspect(appearance);
+
+        Play(session, 8);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: as it is").And.Contain("Drawn: plain").And.None.EqualTo("Parts: 0"));
+
+        GuiRecorder.Clear();
+        _cell.IsPlantUp = false;
+        Play(session, 2);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: held").And.Contain("Why: samples too old or few").And.Contain("Drawn: striped, fade 0.5"));
+
+        GuiRecorder.Clear();
+        session.enabled = false;
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: no session").And.Contain("Why: the session is disabled or paused"));
+    }
+
+    [Test]
+    public void Appearance_BeforeAnyPosition_SaysThatNothingIsDrawn()
+    {
+        var session = _cell.Play();
+        _cell.IsPlantUp = false;
+        var appearance = Below<RobotRig>(session).gameObject.AddComponent<PoseAppearance>();
+        Play(session, 1);
+
+        Inspect(appearance).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shown: no positions yet").And.Contain("Drawn: nothing"));
+    }
+
+    [Test]
+    public void Panel_Playing_SaysWhatItTells()
+    {
+        var session = _cell.Play();
+        var panel = Below<StatusPanel>(session);
+        panel.enabled = false;
+        var cell = new GameObject("Cell text").AddComponent<TextMesh>();
+        cell.transform.SetParent(panel.transform);
+        cell.gameObject.SetActive(false);
+        panel.With("_cell", cell).enabled = true;
+        Play(session, 8);
+
+        Inspect(panel).OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: current").And.Contain("L_visu: 40.0 ms, as calibrated").And.Contain("Legible up to: –"));
+
+        GuiRecorder.Clear();
+        panel.enabled = false;
+        _editors[0].OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shows: nothing, it is disabled"));
+    }
+
+    [Test]
+    public void BodyFollow_Playing_SaysWhomItFollowsAndHow()
+    {
+        var head = new GameObject("Head").transform;
+        var follow = new GameObject("Panel").AddComponent<BodyFollow>();
+        var editor = Inspect(follow);
+        _cell.Frame(null);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: nobody: Head is empty, and no camera is tagged MainCamera"));
+
+        GuiRecorder.Clear();
+        follow.With("_head", head);
+        _cell.Frame(null);
+        head.rotation = Quaternion.Euler(0, 20, 0);
+        _cell.Frame(null);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: Head, staying put").And.Contain("Beside the view: 20° to the left"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("From the head: 1.30 m"));
+
+        GuiRecorder.Clear();
+        head.rotation = Quaternion.Euler(0, 80, 0);
+        _cell.Frame(null);
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Texts, Does.Contain("Follows: Head, gliding"));
+    }
+
     [Test]
     public void Fix_OfAMissingReference_IsDoneByTheClickUndoably()
     {
@@ -208,6 +320,15 @@ public sealed class InspectorTests : EditorFixture
         var editor = UnityEditor.Editor.CreateEditor(components);
         _editors.Add(editor);
         return editor;
+    }
+
+    static VirtualGripper Gripper(RobotRig rig, params string[] joints)
+    {
+        var gripper = new GameObject("Gripper");
+        gripper.transform.SetParent(rig.transform);
+        var fingers = joints.Select(joint => new GripperFinger(joint, new GameObject("Finger").transform)).ToList();
+        foreach (var finger in fingers) finger.Finger.SetParent(gripper.transform);
+        return gripper.AddComponent<VirtualGripper>().With("_fingers", fingers);
     }
 
     static T Below<T>(MrilSession session) where T : Component

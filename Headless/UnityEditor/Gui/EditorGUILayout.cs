@@ -19,6 +19,13 @@ public sealed class EditorGUILayout
 
     public static void Space() { }
 
+    public class HorizontalScope : GUI.Scope
+    {
+        public HorizontalScope(params GUILayoutOption[] options) { }
+
+        protected override void CloseScope() { }
+    }
+
     public class VerticalScope : GUI.Scope
     {
         public VerticalScope(GUIStyle style, params GUILayoutOption[] options) { }

@@ -10,6 +10,7 @@ namespace Nowpose.Editor
         {
             DrawDefaultInspector();
             DrawShortcomings();
+            if (targets.Length == 1) DrawAlways();
             if (!Application.isPlaying) return;
             EditorGUILayout.Space();
             if (targets.Length == 1) DrawLive();
@@ -21,6 +22,9 @@ namespace Nowpose.Editor
         protected virtual void OnEnable() => EditorApplication.update += Sample;
 
         protected virtual void OnDisable() => EditorApplication.update -= Sample;
+
+        /// <summary>What is shown and can be done also while nothing plays; with one object only.</summary>
+        protected virtual void DrawAlways() { }
 
         /// <summary>Values now, in play mode and with one object only.</summary>
         protected virtual void DrawLive() { }

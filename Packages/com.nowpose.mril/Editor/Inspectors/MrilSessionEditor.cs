@@ -27,16 +27,12 @@ namespace Nowpose.Editor
         {
             var statistics = Target.Statistics;
             _texts.Update(statistics, Target.Settings, Target.Robot?.Name, Target.Problem);
-            for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
-                EditorGUILayout.LabelField(StatusTexts.LabelOf(row), Joined(_texts.ValueOf(row), _texts.NoteOf(row)));
-            if (_texts.ValueOf(StatusRow.Message).Length > 0) EditorGUILayout.HelpBox(_texts.ValueOf(StatusRow.Message), MessageType.Warning);
+            StatusLines.Draw(_texts);
             if (statistics == null) return;
             foreach (var (label, value) in SessionRows.Of(statistics)) EditorGUILayout.LabelField(label, value);
             _latency.Draw();
             _horizon.Draw();
             _error.Draw();
         }
-
-        static string Joined(string value, string note) => note.Length == 0 ? value : value + ", " + note;
     }
 }

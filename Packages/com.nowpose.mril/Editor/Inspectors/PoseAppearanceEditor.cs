@@ -7,5 +7,16 @@ namespace Nowpose.Editor
     [CanEditMultipleObjects]
     sealed class PoseAppearanceEditor : LiveInspector
     {
+        protected override void DrawLive()
+        {
+            var appearance = (PoseAppearance)target;
+            var look = appearance.Look;
+            EditorGUILayout.LabelField("Shown", look.Words.Length == 0 ? "as it is" : look.Words);
+            EditorGUILayout.LabelField("Why", appearance.isActiveAndEnabled ? look.Reason : "this component is disabled");
+            EditorGUILayout.LabelField("Drawn", appearance.IsDrawn ? Manner(look) : "nothing");
+            EditorGUILayout.LabelField("Parts", appearance.PartCount.ToString());
+        }
+
+        static string Manner(in PoseLook look) => look.IsHatched ? "striped, fade " + LiveText.Number(look.Fade, "0.0", "") : "plain";
     }
 }

@@ -9,20 +9,49 @@ namespace Nowpose.Editor
     [CanEditMultipleObjects]
     sealed class RobotRigEditor : LiveInspector
     {
+        string _refusal;
+
+        RobotRig Target => (RobotRig)target;
+
         protected override void DrawLive()
         {
-            var rig = (RobotRig)target;
-            if (rig.Model == null)
-            {
-                EditorGUILayout.LabelField("Robot", LiveText.Unknown);
-                return;
-            }
-            EditorGUILayout.LabelField("Robot", rig.Model.Name);
-            for (var i = 0; i < rig.Joints.Length; i++) EditorGUILayout.LabelField(rig.Model.MovingJoints[i].Name, Position(rig, i));
+            var model = Target.Model;
+            EditorGUILayout.LabelField("Robot", model == null ? LiveText.Unknown : model.Name);
+            if (model == null) return;
+            for (var i = 0; i < Target.Joints.Length; i++)
+                EditorGUILayout.LabelField(model.MovingJoints[i].Name, LiveText.Position(model.MovingJoints[i], Target.Joints[i]));
         }
 
-        static string Position(RobotRig rig, int joint) => rig.Model.MovingJoints[joint].Kind == JointKind.Prismatic
-            ? LiveText.Number(1000 * rig.Joints[joint], "0.0", " mm")
-            : LiveText.Number(rig.Joints[joint] * Mathf.Rad2Deg, "0.0", "°");
+        // Nothing can be added to a prefab that is not opened.
+        protected override void DrawAlways()
+        {
+            if (Application.isPlaying || EditorUtility.IsPersistent(target)) return;
+            var description = Description();
+            if (description == null) return;
+            if (_refusal != null) EditorGUILayout.HelpBox(_refusal, MessageType.Warning);
+            if (GUILayout.Button("Build '" + description.name + "' here")) Build(description);
+        }
+
+        RobotDescriptionAsset Description()
+        {
+            var session = serializedObject.FindProperty("_session").objectReferenceValue as MrilSession;
+            if (session == null) session = Target.gameObject.GetComponentInParent<MrilSession>(true);
+            return session == null ? null : session.RobotAsset;
+        }
+
+        void Build(RobotDescriptionAsset description)
+        {
+            _refusal = null;
+            try
+            {
+                var root = Target.BuildToStay(description.Read());
+                if (root != null) Undo.RegisterCreatedObjectUndo(root, "Build " + description.name);
+                else _refusal = "Its links are there already. Delete them to have the robot built anew.";
+            }
+            catch (InputException fault)
+            {
+                _refusal = fault.Message;
+            }
+        }
     }
 }

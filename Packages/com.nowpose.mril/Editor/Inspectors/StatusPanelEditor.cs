@@ -7,5 +7,16 @@ namespace Nowpose.Editor
     [CanEditMultipleObjects]
     sealed class StatusPanelEditor : LiveInspector
     {
+        protected override void DrawLive()
+        {
+            var panel = (StatusPanel)target;
+            if (!panel.isActiveAndEnabled)
+            {
+                EditorGUILayout.LabelField("Shows", "nothing, it is disabled");
+                return;
+            }
+            EditorGUILayout.LabelField("Legible up to", LiveText.Number(panel.LegibleMetres, "0.0", " m"));
+            StatusLines.Draw(panel.Texts);
+        }
     }
 }

@@ -11,6 +11,20 @@ namespace Nowpose.Editor
         {
             var gripper = (VirtualGripper)target;
             EditorGUILayout.LabelField("Rides on", gripper.Flange == null ? LiveText.Unknown : gripper.Flange.name);
+            foreach (var finger in gripper.Fingers) EditorGUILayout.LabelField(LabelOf(finger), StateOf(finger, gripper.Rig));
+        }
+
+        static string LabelOf(GripperFinger finger) => finger.Joint.Length > 0 ? finger.Joint : "A finger without a joint";
+
+        static string StateOf(GripperFinger finger, RobotRig rig)
+        {
+            if (rig == null || rig.Model == null) return LiveText.Unknown;
+            var index = rig.Model.IndexOfMovingJoint(finger.Joint);
+            if (index < 0) return "robot '" + rig.Model.Name + "' has no such joint; stays as it is";
+            var joint = rig.Model.MovingJoints[index];
+            var position = LiveText.Position(joint, rig.Joints[index]);
+            if (finger.Finger == null) return position + ", but no finger is assigned";
+            return finger.Finger == rig.Link(joint.ChildLink) ? position + ", moved by the rig itself" : position;
         }
     }
 }

@@ -34,6 +34,13 @@ namespace Nowpose.Unity
         PoseState? _pose;
         bool _isMoved, _wasDrawn, _hasWords;
 
+        internal PoseLook Look => !_pose.HasValue ? PoseLook.Abandoned : _isMoved ? PoseLook.Of(_pose.Value) : PoseLook.Unmoved;
+
+        internal bool IsDrawn => _wasDrawn;
+
+        /// <summary>Renderers that take part, the words' apart.</summary>
+        internal int PartCount => _renderers.Count;
+
         /// <summary>Takes up renderers that have come or gone below this object; done by itself when a rig is built.</summary>
         public void Refresh()
         {
@@ -99,7 +106,7 @@ namespace Nowpose.Unity
 
         void Draw()
         {
-            var look = !_pose.HasValue ? PoseLook.Abandoned : _isMoved ? PoseLook.Of(_pose.Value) : PoseLook.Unmoved;
+            var look = Look;
             // What was not drawn before the session ended does not come to light by that.
             if (_pose.HasValue) _wasDrawn = look.IsDrawn;
             foreach (var each in _renderers)

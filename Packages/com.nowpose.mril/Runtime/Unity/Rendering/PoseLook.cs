@@ -6,13 +6,15 @@ namespace Nowpose.Unity
     readonly struct PoseLook
     {
         /// <summary>No frame is computed any more; what was drawn last stays.</summary>
-        public static readonly PoseLook Abandoned = new PoseLook("no session", 0.8f);
+        public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
 
         /// <summary>The rig does not follow the session: it stands wherever it was, and that may be anywhere.</summary>
-        public static readonly PoseLook Unmoved = new PoseLook("rig not moved", 0.8f, isDrawn: false);
+        public static readonly PoseLook Unmoved = new PoseLook(
+            "rig not moved", "the rig is disabled or cannot show the robot", 0.8f, isDrawn: false);
 
-        PoseLook(string words, float fade, bool isDrawn = true)
+        PoseLook(string words, string reason, float fade, bool isDrawn = true)
         {
+            Reason = reason;
             Words = words;
             Fade = fade;
             IsDrawn = isDrawn;
@@ -29,16 +31,20 @@ namespace Nowpose.Unity
         /// <summary>Empty where there is nothing to say.</summary>
         public string Words { get; }
 
+        /// <summary>Why it is not plain; empty where it is.</summary>
+        public string Reason { get; }
+
         public static PoseLook Of(PoseState pose)
         {
+            var reason = StatusTexts.ReasonOf(pose);
             switch (pose)
             {
-                case PoseState.Current: return new PoseLook("", 0);
-                case PoseState.OutsideRange: return new PoseLook("outside range", 0.3f);
-                case PoseState.Held: return new PoseLook("held", 0.5f);
-                case PoseState.Unsynchronised: return new PoseLook("not synchronised", 0.8f);
+                case PoseState.Current: return new PoseLook("", reason, 0);
+                case PoseState.OutsideRange: return new PoseLook("outside range", reason, 0.3f);
+                case PoseState.Held: return new PoseLook("held", reason, 0.5f);
+                case PoseState.Unsynchronised: return new PoseLook("not synchronised", reason, 0.8f);
                 // The joints stand at zero, where the robot is not.
-                default: return new PoseLook("no positions yet", 0.8f, isDrawn: false);
+                default: return new PoseLook("no positions yet", reason, 0.8f, isDrawn: false);
             }
         }
     }

@@ -91,6 +91,11 @@ namespace Nowpose.Unity
             Posed?.Invoke();
         }
 
+        /// <summary>Builds the robot as a part of its scene or prefab, which a rig then finds and never takes away.</summary>
+        /// <returns>Its root link; null where the links are there already.</returns>
+        /// <exception cref="InputException">The children show another robot, or only a part of this one.</exception>
+        internal GameObject BuildToStay(RobotModel model) => RigHierarchy.Find(model, transform) == null ? NewLinks(model) : null;
+
         void OnEnable()
         {
             _source = _session != null ? _session : GetComponentInParent<MrilSession>();
@@ -141,9 +146,11 @@ namespace Nowpose.Unity
 
         RigHierarchy Built(RobotModel model)
         {
-            _built = RigBuilder.Build(model, transform, new PlainLook(_armMaterial, _toolMaterial));
+            _built = NewLinks(model);
             return RigHierarchy.Find(model, transform);
         }
+
+        GameObject NewLinks(RobotModel model) => RigBuilder.Build(model, transform, new PlainLook(_armMaterial, _toolMaterial));
 
         // Taken out at once: it is destroyed at the end of the frame, and until then its links would be found.
         void Unbuild()

@@ -32,6 +32,8 @@ namespace Nowpose.Unity
         /// <summary>The link it rides on; null until the rig is bound to a robot that has it.</summary>
         public Transform Flange => _flange;
 
+        internal IReadOnlyList<GripperFinger> Fingers => _fingers;
+
         /// <summary>Rides on a rig from now on, whichever it rode on before; done by itself when enabled.</summary>
         public void Mount(RobotRig rig)
         {

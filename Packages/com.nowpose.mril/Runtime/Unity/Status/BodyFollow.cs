@@ -33,11 +33,16 @@ namespace Nowpose.Unity
 
         BodyFollowing _following;
 
+        /// <summary>Whom it follows; null where there is nobody.</summary>
+        internal Transform Head => _head != null ? _head : Viewer.Head;
+
+        internal bool IsGliding => _following.IsGliding;
+
         void OnEnable() => _following = default;
 
         void LateUpdate()
         {
-            var head = _head != null ? _head : Viewer.Head;
+            var head = Head;
             if (head == null) return;
             var place = transform;
             var before = new Pose(place.position, place.rotation);

@@ -31,6 +31,11 @@ namespace Nowpose.Unity
         ReadingDistance _distance;
         float _due;
 
+        internal StatusTexts Texts => _texts;
+
+        /// <summary>From how far its letters are high enough; null before it was drawn for a viewer.</summary>
+        internal float? LegibleMetres => _distance.Metres > 0 ? _distance.Metres : (float?)null;
+
         void OnEnable()
         {
             _source = _session != null ? _session : GetComponentInParent<MrilSession>();

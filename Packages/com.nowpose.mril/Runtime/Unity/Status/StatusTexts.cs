@@ -108,7 +108,8 @@ namespace Nowpose.Unity
             }
         }
 
-        static string ReasonOf(PoseState pose)
+        /// <summary>Why a pose is not current; empty where it is.</summary>
+        public static string ReasonOf(PoseState pose)
         {
             switch (pose)
             {

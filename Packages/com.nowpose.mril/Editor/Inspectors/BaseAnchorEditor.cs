@@ -1,0 +1,60 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Where the base frame is in the terms of the URDF (x forward, y left, z up), and buttons to nudge it along its own axes.</summary>
+    [CustomEditor(typeof(BaseAnchor))]
+    [CanEditMultipleObjects]
+    sealed class BaseAnchorEditor : LiveInspector
+    {
+        // What the eye can just tell on a robot at arm's length.
+        const float StepMetres = 0.005f;
+        const float StepDegrees = 0.5f;
+
+        BaseAnchor Target => (BaseAnchor)target;
+
+        protected override void DrawAlways()
+        {
+            var place = Target.transform;
+            var (at, turn) = (place.position, place.rotation);
+            var pose = UnityFrame.FromUnity(new UnityPose(at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w));
+            Vector3 forward = turn * Vector3.forward, up = turn * Vector3.up;
+            EditorGUILayout.LabelField("Base in the room, m", "x " + Metres(pose.X) + "   y " + Metres(pose.Y) + "   z " + Metres(pose.Z));
+            EditorGUILayout.LabelField("Turned to the left", Degrees(Math.Atan2(-forward.x, forward.z)));
+            EditorGUILayout.LabelField("Tilted", Degrees(Math.Atan2(Math.Sqrt(up.x * up.x + up.z * up.z), up.y)));
+            DrawSteps("x", "back", "forward", (1, 0, 0));
+            DrawSteps("y", "right", "left", (0, 1, 0));
+            DrawSteps("z", "down", "up", (0, 0, 1));
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                if (GUILayout.Button("0.5° to the right")) Nudge(Vector3.zero, StepDegrees);
+                if (GUILayout.Button("0.5° to the left")) Nudge(Vector3.zero, -StepDegrees);
+            }
+        }
+
+        void DrawSteps(string axis, string less, string more, (double X, double Y, double Z) direction)
+        {
+            var step = UnityFrame.DirectionToUnity(direction).Vector() * StepMetres;
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                if (GUILayout.Button(axis + " − 5 mm, " + less)) Nudge(-step, 0);
+                if (GUILayout.Button(axis + " + 5 mm, " + more)) Nudge(step, 0);
+            }
+        }
+
+        void Nudge(Vector3 metres, float degreesAboutUp)
+        {
+            Undo.RecordObjects(new Object[] { Target.transform }, "Nudge " + Target.name);
+            Target.Nudge(metres, degreesAboutUp);
+        }
+
+        static string Metres(double value) => LiveText.Number(value, "0.000", "");
+
+        static string Degrees(double radians) => LiveText.Number(radians * Mathf.Rad2Deg, "0.0", "°");
+    }
+}

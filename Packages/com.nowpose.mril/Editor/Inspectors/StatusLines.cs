@@ -1,0 +1,18 @@
+using Nowpose.Unity;
+using UnityEditor;
+
+namespace Nowpose.Editor
+{
+    /// <summary>What a status panel says, as lines of an inspector.</summary>
+    static class StatusLines
+    {
+        public static void Draw(StatusTexts texts)
+        {
+            for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
+                EditorGUILayout.LabelField(StatusTexts.LabelOf(row), Joined(texts.ValueOf(row), texts.NoteOf(row)));
+            if (texts.ValueOf(StatusRow.Message).Length > 0) EditorGUILayout.HelpBox(texts.ValueOf(StatusRow.Message), MessageType.Warning);
+        }
+
+        static string Joined(string value, string note) => note.Length == 0 ? value : value + ", " + note;
+    }
+}
