@@ -9,17 +9,9 @@ sealed class FrameLoop
 {
     readonly World _world;
     bool _started;
-    bool _loaded;
     bool _paused;
 
-    internal FrameLoop(World world)
-    {
-        _world = world;
-        LoadMethods.Call(RuntimeInitializeLoadType.SubsystemRegistration);
-        LoadMethods.Call(RuntimeInitializeLoadType.AfterAssembliesLoaded);
-        LoadMethods.Call(RuntimeInitializeLoadType.BeforeSplashScreen);
-        LoadMethods.Call(RuntimeInitializeLoadType.BeforeSceneLoad);
-    }
+    internal FrameLoop(World world) => _world = world;
 
     /// <summary>In place of what was loaded before.</summary>
     internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
@@ -28,7 +20,6 @@ sealed class FrameLoop
         _world.Scenes.Active = _world.Scenes.Add(name, path);
         foreach (var scene in before) Unload(scene);
         _world.Scenes.Active.Adopt(roots);
-        FirstLoaded();
     }
 
     internal void Run(double seconds)
@@ -83,17 +74,8 @@ sealed class FrameLoop
         if (_started) return;
 
         _started = true;
-        FirstLoaded();
         TellPause();
         TellFocus();
-    }
-
-    void FirstLoaded()
-    {
-        if (_loaded) return;
-
-        _loaded = true;
-        LoadMethods.Call(RuntimeInitializeLoadType.AfterSceneLoad);
     }
 
     void TellPause() => Tell((script, value) => script.Script.Pause(script, value), _paused);

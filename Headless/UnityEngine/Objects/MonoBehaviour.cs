@@ -24,7 +24,6 @@ public class MonoBehaviour : Behaviour
 
     public void StopCoroutine(Coroutine routine) => World.Coroutines.Stop(this, routine);
     public void StopCoroutine(IEnumerator routine) => World.Coroutines.Stop(this, routine);
-    public void StopAllCoroutines() => World.Coroutines.StopAll(this);
 
     /// <summary>Calls Start once, before the first frame message that it gets.</summary>
     internal void EnsureStarted()

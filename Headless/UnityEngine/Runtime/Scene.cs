@@ -21,7 +21,6 @@ public struct Scene
     }
 
     public readonly string path => _content?.Path ?? "";
-    public readonly bool isLoaded => _content?.IsLoaded ?? false;
 
     internal readonly SceneContent Content => _content;
 

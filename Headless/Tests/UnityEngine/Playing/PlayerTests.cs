@@ -75,16 +75,6 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void LoadMethods_AreCalledWhenAPlayerStarts()
-    {
-        Assert.That(LoadCalls.Take(), Is.EqualTo("before"));
-
-        Frame(2);
-
-        Assert.That(LoadCalls.Take(), Is.EqualTo("after"));
-    }
-
-    [Test]
     public void Logs_FromAnyThread_AreKeptWithTheirContext()
     {
         var a = new GameObject("a");
@@ -155,27 +145,5 @@ public sealed class PlayerTests : PlayerFixture
 
         void Update() => Frames++;
         void LateUpdate() => transform.localPosition = Vector3.one;
-    }
-
-    static class LoadCalls
-    {
-        static readonly List<string> Calls = [];
-
-        public static string Take()
-        {
-            var text = string.Join(" ", Calls);
-            Calls.Clear();
-            return text;
-        }
-
-        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.BeforeSceneLoad)]
-        static void Before()
-        {
-            Calls.Clear();
-            Calls.Add("before");
-        }
-
-        [RuntimeInitializeOnLoadMethod]
-        static void After() => Calls.Add("after");
     }
 }

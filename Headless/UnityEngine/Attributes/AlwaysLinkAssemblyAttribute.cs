@@ -1,8 +1,0 @@
-using System;
-
-namespace UnityEngine.Scripting;
-
-[AttributeUsage(AttributeTargets.Assembly)]
-public class AlwaysLinkAssemblyAttribute : Attribute
-{
-}
