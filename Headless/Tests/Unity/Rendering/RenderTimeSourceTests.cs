@@ -14,8 +14,6 @@ public class RenderTimeSourceTests
 
     PlayedCell _cell;
     MrilSession _session;
-    Action<int> _eachFrame;
-    int _frames;
     RenderTimeSource _source;
 
     Gpu Gpu => _cell.Player.World.Gpu;
@@ -27,8 +25,6 @@ public class RenderTimeSourceTests
         _session = _cell.NewSession(settings: new SessionSettings(
             new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
             range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime)));
-        _eachFrame = null;
-        _frames = 0;
         _source = _session.gameObject.AddComponent<RenderTimeSource>();
         new GameObject("Camera").AddComponent<Camera>();
     }
@@ -42,7 +38,7 @@ public class RenderTimeSourceTests
         Run(seconds);
     }
 
-    void Run(double seconds) => _cell.Run(seconds, _session, () => _eachFrame?.Invoke(_frames++));
+    void Run(double seconds) => _cell.Run(seconds, _session);
 
     void DisplayTakes(float? seconds)
     {
