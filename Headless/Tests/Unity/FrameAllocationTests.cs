@@ -43,7 +43,8 @@ public class FrameAllocationTests
         [Values] bool ghost, [Values] bool rewrites)
     {
         _session = _cell.NewSessionOf(prefab);
-        _session.With("_settings", ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_rewriteBeforeRender", rewrites));
+        _session.Settings = new SessionSettings(
+            PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, rewriteBeforeRender: rewrites);
         _session.Shown += _ => _shown++;
         _session.GetComponentInChildren<Ghost>(true).Visible = ghost;
         _session.gameObject.SetActive(true);

@@ -76,6 +76,7 @@ public class MrilSessionTests
     public void Shown_RewriteBeforeRender_ComesTwiceAFrameWithANewerTime()
     {
         var session = _cell.NewSession();
+        session.Settings = null;
         session.With("_settings", ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_rewriteBeforeRender", true));
         session.gameObject.SetActive(true);
         var starts = new List<HeadsetTime>();
@@ -87,6 +88,43 @@ public class MrilSessionTests
 
         Assert.That(starts, Has.Count.EqualTo(2 * updates));
         Assert.That(starts, Is.Ordered.Ascending.And.Unique);
+    }
+
+    [Test]
+    public void Shown_RewriteBeforeRenderChangedInPlay_CountsFromTheNextStart()
+    {
+        var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
+        var session = _cell.NewSession().With("_settings", asset);
+        session.Settings = null;
+        session.gameObject.SetActive(true);
+        var shown = 0;
+        session.Shown += _ => shown++;
+
+        asset.With("_rewriteBeforeRender", true);
+        _cell.Frame(session);
+        Assert.That(shown, Is.EqualTo(1));
+        session.enabled = false;
+        session.enabled = true;
+        _cell.Frame(session);
+
+        Assert.That(shown, Is.EqualTo(3));
+    }
+
+    [TestCase(true, 2)]
+    [TestCase(false, 1)]
+    public void Shown_RewriteBeforeRenderByCode_CountsInsteadOfTheAssets(bool isRewritten, int times)
+    {
+        var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_rewriteBeforeRender", !isRewritten);
+        var session = _cell.NewSession().With("_settings", asset);
+        session.Settings = new SessionSettings(
+            PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, rewriteBeforeRender: isRewritten);
+        session.gameObject.SetActive(true);
+        var shown = 0;
+        session.Shown += _ => shown++;
+
+        _cell.Frame(session);
+
+        Assert.That(shown, Is.EqualTo(times));
     }
 
     [Test]

@@ -16,12 +16,14 @@ namespace Nowpose.Session
         /// <param name="ransac">Constants of the clock estimator; null for the paper's.</param>
         /// <param name="syncIntervalMs">From the start of one sync exchange to the next, ms; the server allows 100 requests a second.</param>
         /// <param name="range">The constant-latency range of this device; null when none was found yet.</param>
+        /// <param name="rewriteBeforeRender">As <see cref="RewriteBeforeRender"/>; L_visu is calibrated with the same choice.</param>
         public SessionSettings(
             ConnectionSettings connection, VisualisationLatency visualisation, PredictionSettings prediction = null,
             ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = ProtocolLimits.SyncIntervalMs,
-            ConstantLatencyRange range = null)
+            ConstantLatencyRange range = null, bool rewriteBeforeRender = false)
         {
             Range = range;
+            RewriteBeforeRender = rewriteBeforeRender;
             Connection = connection ?? throw new ArgumentNullException(nameof(connection));
             Visualisation = visualisation;
             Prediction = prediction ?? PredictionSettings.Default;
@@ -40,5 +42,8 @@ namespace Nowpose.Session
 
         /// <summary>Null when none is known.</summary>
         public ConstantLatencyRange Range { get; }
+
+        /// <summary>Whether whoever shows the pose computes and writes it once more right before rendering.</summary>
+        public bool RewriteBeforeRender { get; }
     }
 }

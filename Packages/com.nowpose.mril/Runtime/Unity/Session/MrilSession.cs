@@ -190,7 +190,7 @@ namespace Nowpose.Unity
 
         void ShowAgain()
         {
-            if (_settings != null && _settings.RewriteBeforeRender) Show();
+            if (Session != null && _read.RewriteBeforeRender) Show();
         }
 
         void FollowPresence()

@@ -29,7 +29,7 @@ namespace Nowpose.Unity
         bool _deviceTrust = false;
 
         [SerializeField, Tooltip("What proves this headset to a gateway that asks for it, up to 512 bytes; travels encrypted or within this "
-            + "machine only. It lies readable in the project and in the app: better set it by code. Empty: none.")]
+            + "machine only. It lies readable in the project and in the app: better give it to ToSettings. Empty: none.")]
         string _token = "";
 
         [SerializeField, Tooltip("Allow unencrypted connections to another machine. Only in a network whose every member is trusted; the "
@@ -73,20 +73,19 @@ namespace Nowpose.Unity
             + "network hardly notices.")]
         double _syncIntervalMs = ProtocolLimits.SyncIntervalMs;
 
-        /// <summary>Whether the pose is computed and written once more right before rendering.</summary>
-        public bool RewriteBeforeRender => _rewriteBeforeRender;
-
+        /// <param name="token">Takes the place of this asset's, which it need not hold then; null for this asset's, empty for none.</param>
         /// <exception cref="InputException">A value cannot be used; names this asset, the value and what is allowed.</exception>
-        public SessionSettings ToSettings()
+        public SessionSettings ToSettings(string token = null)
         {
             try
             {
                 return new SessionSettings(
-                    Connection(),
+                    Connection(token ?? _token),
                     VisualisationLatency.FromMilliseconds(_visualisationMs),
                     new PredictionSettings(_predictor, _horizonCapMs, _maximumGapMs),
                     syncIntervalMs: _syncIntervalMs,
-                    range: _renderTimeLimitMs == 0 ? null : new ConstantLatencyRange(_renderTimeLimitMs, _renderTimeLimitSource));
+                    range: _renderTimeLimitMs == 0 ? null : new ConstantLatencyRange(_renderTimeLimitMs, _renderTimeLimitSource),
+                    rewriteBeforeRender: _rewriteBeforeRender);
             }
             catch (InputException fault)
             {
@@ -94,9 +93,9 @@ namespace Nowpose.Unity
             }
         }
 
-        ConnectionSettings Connection() => new ConnectionSettings(
+        ConnectionSettings Connection(string token) => new ConnectionSettings(
             _host, _syncPort, _webSocketPort,
             string.IsNullOrWhiteSpace(_pin) ? null : CertificatePin.Parse(_pin), _deviceTrust,
-            string.IsNullOrEmpty(_token) ? null : _token, _insecureLan, _headsetName);
+            string.IsNullOrEmpty(token) ? null : token, _insecureLan, _headsetName);
     }
 }

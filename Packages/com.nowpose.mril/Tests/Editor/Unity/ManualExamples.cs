@@ -22,6 +22,12 @@ namespace Nowpose.Tests
             session.Connect();
         }
 
+        internal static void ConnectWithToken(MrilSession session, SessionSettingsAsset settings, string token)
+        {
+            session.Settings = settings.ToSettings(token);
+            session.Connect();
+        }
+
         internal static void Place(BaseAnchor anchor, Pose pose)
         {
             anchor.Place(pose.position, pose.rotation);

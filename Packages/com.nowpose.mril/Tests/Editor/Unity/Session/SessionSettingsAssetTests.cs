@@ -30,10 +30,11 @@ namespace Nowpose.Tests
             ("_horizonCapMs", 250.5, s => s.Prediction.HorizonCap.TotalMilliseconds, 250.5),
             ("_maximumGapMs", 700.0, s => s.Prediction.MaximumGap.TotalMilliseconds, 700.0),
             ("_syncIntervalMs", 150.0, s => s.SyncInterval.TotalMilliseconds, 150.0),
+            ("_rewriteBeforeRender", true, s => s.RewriteBeforeRender, true),
         };
 
-        // Shown by tests of their own: they mean something only together, or stay in the Unity layer.
-        static readonly string[] OtherFields = { "_insecureLan", "_renderTimeLimitMs", "_renderTimeLimitSource", "_rewriteBeforeRender" };
+        // Shown by tests of their own: they mean something only together.
+        static readonly string[] OtherFields = { "_insecureLan", "_renderTimeLimitMs", "_renderTimeLimitSource" };
 
         readonly SceneObjects _scene = new SceneObjects();
 
@@ -93,11 +94,28 @@ namespace Nowpose.Tests
             Assert.That(asset.With("_insecureLan", true).ToSettings().Connection.Host, Is.EqualTo("192.168.7.9"));
         }
 
-        [Test]
-        public void RewriteBeforeRender_Field_IsRead()
+        [TestCase(null, "of-the-asset")]
+        [TestCase("of-the-code", "of-the-code")]
+        [TestCase("", null)]
+        public void ToSettings_TokenByCode_TakesThePlaceOfTheAssets(string given, string expected)
         {
-            Assert.That(Asset().RewriteBeforeRender, Is.False);
-            Assert.That(Asset().With("_rewriteBeforeRender", true).RewriteBeforeRender, Is.True);
+            var asset = Asset().With("_token", "of-the-asset").With("_host", "localhost");
+
+            var connection = asset.ToSettings(given).Connection;
+
+            Assert.That(connection.Token, Is.EqualTo(expected));
+            Assert.That(connection.Host, Is.EqualTo("localhost"), "all else is the asset's");
+        }
+
+        [Test]
+        public void ToSettings_TokenByCodeInPlainText_IsRefusedAsTheAssets()
+        {
+            var asset = Asset().With("_host", "192.168.7.9").With("_insecureLan", true);
+
+            var message = Assert.Throws<InputException>(() => asset.ToSettings("s3cret")).Message;
+
+            Assert.That(message, Does.Contain("token").And.Contain("192.168.7.9").And.Not.Contain("s3cret"));
+            Assert.That(asset.ToSettings().Connection.Token, Is.Null, "nothing is written back");
         }
 
         [TestCase("_host", "no host", "host", "'no host'", "name", "address")]
