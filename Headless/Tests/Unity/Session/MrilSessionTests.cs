@@ -307,6 +307,23 @@ public class MrilSessionTests
     }
 
     [Test]
+    public void Settings_CorrectedWhilePaused_BeginWithTheResumption()
+    {
+        var session = _cell.NewSession();
+        session.Settings = null;
+        session.gameObject.SetActive(true);
+        Assert.That(session.Problem, Is.Not.Null);
+
+        _cell.Player.Pause(true);
+        session.Settings = PlayedCell.Offline;
+        Assert.That(session.Session, Is.Null);
+        _cell.Player.Pause(false);
+
+        Assert.That(session.Session, Is.Not.Null);
+        Assert.That(session.Problem, Is.Null);
+    }
+
+    [Test]
     public void Settings_None_SaysWhatToDo()
     {
         var session = _cell.NewSession();

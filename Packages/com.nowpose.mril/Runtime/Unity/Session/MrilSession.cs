@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using UnityEngine;
@@ -54,8 +55,10 @@ namespace Nowpose.Unity
 
         readonly SessionWatch _watch = new SessionWatch();
         readonly SessionStatistics _statistics = new SessionStatistics();
+        // With room from the start: no frame allocates.
+        readonly Queue<SessionChange> _changes = new Queue<SessionChange>(4);
         SessionLog _log;
-        SessionSettings _given, _read;
+        SessionSettings _given, _used;
         IHeadsetClock _nextClock = new StopwatchHeadsetClock();
         IHeadsetClock _clock;
         ApplicationPresence _presence;
@@ -80,7 +83,7 @@ namespace Nowpose.Unity
         /// <summary>Null while disabled, paused, or when the settings cannot be used. Another one after each pause.</summary>
         public CompensationSession Session { get; private set; }
 
-        /// <summary>The asset's robot, or the one that the gateway described; null before.</summary>
+        /// <summary>The asset's robot, or the one that the gateway described, as of the newest start; null before.</summary>
         public RobotModel Robot { get; private set; }
 
         /// <summary>What was computed last; null while there is no session or no robot.</summary>
@@ -104,7 +107,7 @@ namespace Nowpose.Unity
         /// <summary>What the session runs with: the asset's, unless set. Setting it starts the session anew; null goes back to the asset.</summary>
         public SessionSettings Settings
         {
-            get => _given ?? _read;
+            get => _given ?? _used;
             set
             {
                 _given = value;
@@ -120,7 +123,6 @@ namespace Nowpose.Unity
             {
                 _robot = value;
                 _description = default;
-                if (value == null) Become(null);
                 Restart();
             }
         }
@@ -162,8 +164,8 @@ namespace Nowpose.Unity
             _isRunning = false;
             Application.onBeforeRender -= ShowAgain;
             _watch.End();
-            End();
             Problem = null;
+            End();
         }
 
         void OnApplicationPause(bool isPaused)
@@ -181,7 +183,7 @@ namespace Nowpose.Unity
         void LateUpdate()
         {
             if (Session == null) return;
-            FollowDescription();
+            if (_description.Follow(Session, Robot, _robot, _log)) Restart();
             var frame = Show();
             if (frame == null) return;
             _log.Follow(Session);
@@ -190,30 +192,32 @@ namespace Nowpose.Unity
 
         void ShowAgain()
         {
-            if (Session != null && _read.RewriteBeforeRender) Show();
+            if (Session != null && _used.RewriteBeforeRender) Show();
         }
 
         void FollowPresence()
         {
-            if (!_isRunning) return;
-            if (!_presence.IsAway && Session == null && Problem == null) Begin();
-            if (_presence.IsAway && Session != null) Leave();
+            if (_presence.IsAway) Leave();
+            else if (Problem == null) Begin();
         }
 
         void Restart()
         {
-            if (!_isRunning) return;
+            Problem = null;
             Leave();
-            if (!_presence.IsAway) Begin();
+            Begin();
         }
 
+        // Whoever hears an event may disable or destroy this, or give it other settings: so an event comes when all is as it
+        // will stay, and what is done after it asks anew.
         void Begin()
         {
+            if (!_isRunning || _presence.IsAway || Session != null) return;
+            RobotModel robot;
             try
             {
-                _read = _given ?? ReadSettings();
-                Problem = null;
-                if (_robot != null) Become(ReadRobot());
+                _used = _given ?? ReadSettings();
+                robot = _robot != null ? ReadRobot() : _description.Robot;
             }
             catch (InputException fault)
             {
@@ -221,9 +225,13 @@ namespace Nowpose.Unity
                 _log.Fail(Problem);
                 return;
             }
+            Problem = null;
             _clock = _nextClock;
-            Session = new CompensationSession(Settings, Robot ?? NoRobot, _clock, Transport.Create);
+            Session = new CompensationSession(_used, robot ?? NoRobot, _clock, Transport.Create);
             if (_isWanted) Session.Connect();
+            if (robot == Robot) return;
+            Robot = robot;
+            RobotChanged?.Invoke();
         }
 
         void Leave()
@@ -248,34 +256,25 @@ namespace Nowpose.Unity
         // The same text is not read anew: rigs that are bound to its robot stay so.
         RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();
 
-        void Become(RobotModel robot)
-        {
-            if (robot == Robot) return;
-            Robot = robot;
-            RobotChanged?.Invoke();
-        }
-
-        void FollowDescription()
-        {
-            var fault = Session.RobotDescriptionFault;
-            if (_description.IsNews(fault)) _log.Warn("the gateway's robot description cannot be used: " + fault);
-            var described = Session.DescribedRobot;
-            if (!_description.IsNews(described, Robot)) return;
-            if (_robot != null)
-            {
-                _log.Warn("the gateway describes robot '" + described.Name + "' by another URDF than asset '" + _robot.name
-                    + "' holds; what is shown may stand beside the real robot");
-                return;
-            }
-            _log.Say("the gateway describes robot '" + described.Name + "'");
-            Become(described);
-            Restart();
-        }
-
         void Tell(SessionChange change)
         {
             if (change == SessionChange.None) return;
             _log.Say(change);
+            _changes.Enqueue(change);
+            // What a listener brings about is told once all have heard what it was told.
+            if (_changes.Count > 1) return;
+            try
+            {
+                for (; _changes.Count > 0; _changes.Dequeue()) Raise(_changes.Peek());
+            }
+            finally
+            {
+                _changes.Clear();
+            }
+        }
+
+        void Raise(SessionChange change)
+        {
             if ((change & SessionChange.Synchronised) != 0) _onSynchronised.Invoke();
             if ((change & SessionChange.Lost) != 0) _onLost.Invoke();
             if ((change & SessionChange.EnteredRange) != 0) _onEnteredRange.Invoke();
