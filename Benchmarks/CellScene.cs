@@ -1,3 +1,4 @@
+using System.Reflection;
 using System.Runtime.CompilerServices;
 using Nowpose.Latency;
 using Nowpose.Motion;
@@ -15,6 +16,10 @@ sealed class CellScene : IDisposable, IHeadsetClock
     const double FrameSeconds = 1 / 60.0;
     const string Prefab = "Packages/com.nowpose.mril/Runtime/Prefabs/Nowpose Robot Cell.prefab";
 
+    // As it is unticked in the Inspector.
+    static readonly FieldInfo ConnectOnEnable =
+        typeof(MrilSession).GetField("_connectOnEnable", BindingFlags.Instance | BindingFlags.NonPublic);
+
     static readonly VirtualCellSettings Plant = new(50, 55, 105, 0, 0, NetworkProfile.Named("wifi"));
 
     readonly Player _player;
@@ -28,6 +33,9 @@ sealed class CellScene : IDisposable, IHeadsetClock
         var assets = new AssetLibrary(ProjectRoot());
         _player = new Player(assets);
         var prefab = assets.Load<UnityEngine.GameObject>(Prefab);
+        // The samples come from here: none of the cells may look for a gateway on this machine, nor wake before it knows its clock.
+        ConnectOnEnable.SetValue(prefab.GetComponent<MrilSession>(), false);
+        prefab.SetActive(false);
         _sessions = [.. Enumerable.Range(0, cells).Select(_ => Cell(prefab, showGhost))];
         _plants = [.. Enumerable.Range(0, cells).Select(Simulate)];
         for (var frame = 0; frame < 60 * 8; frame++) Play();
@@ -58,10 +66,10 @@ sealed class CellScene : IDisposable, IHeadsetClock
     MrilSession Cell(UnityEngine.GameObject prefab, bool showGhost)
     {
         var session = UnityEngine.Object.Instantiate(prefab).GetComponent<MrilSession>();
-        session.Disconnect();
         session.HeadsetClock = this;
         session.Settings = new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40)));
         session.GetComponentInChildren<Ghost>(includeInactive: true).Visible = showGhost;
+        session.gameObject.SetActive(true);
         return session;
     }
 

@@ -47,13 +47,15 @@ public sealed class Player : IDisposable
 
     /// <summary>Loads a scene, which becomes the active one; what is active in it wakes.</summary>
     /// <param name="path">As Unity calls it (<c>Assets/Scenes/Demo.unity</c>), or in full.</param>
+    /// <param name="prepare">What is to be changed in the scene's root objects before anything in them wakes; null for nothing.</param>
     /// <exception cref="AssetException">There is no such scene, or something in it is broken.</exception>
-    public void LoadScene(string path)
+    public void LoadScene(string path, Action<IReadOnlyList<GameObject>> prepare = null)
     {
         if (_assets == null) throw new InvalidOperationException("this player was made without assets");
 
         using var scope = _world.Enter();
         var scene = _assets.LoadScene(path);
+        prepare?.Invoke(scene.Roots);
         _loop.LoadScene(scene.Name, scene.Path, scene.Roots);
     }
 

@@ -27,10 +27,14 @@ sealed class DemoHeadset : IDisposable
         _latencies = new List<TimeSpan>(samples);
         var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
         _player = new Player(assets);
-        _player.LoadScene(Sample + SceneFor(robot, assets));
+        // Told before it wakes: it connects as soon as it does.
+        _player.LoadScene(Sample + SceneFor(robot, assets), roots =>
+        {
+            var component = roots.SelectMany(root => root.GetComponentsInChildren<MrilSession>(includeInactive: true)).Single();
+            component.HeadsetClock = clock;
+            component.Settings = settings;
+        });
         _component = _player.Find<MrilSession>();
-        _component.HeadsetClock = clock;
-        _component.Settings = settings;
         var ghost = _component.GetComponentInChildren<Ghost>(includeInactive: true);
         ghost.Visible = true;
         _held = ghost.GetComponent<RobotRig>();

@@ -44,10 +44,11 @@ public sealed class PackageScenesTests
 
     static Player Play(string path)
     {
-        var player = new Player();
-        var scene = new AssetLibrary(RepositoryFiles.Root).LoadScene(path);
-        foreach (var session in scene.Roots.SelectMany(r => r.GetComponents<MrilSession>())) session.With("_connectOnEnable", false);
-        player.LoadScene(scene.Name, scene.Path, scene.Roots);
+        var player = new Player(new AssetLibrary(RepositoryFiles.Root));
+        player.LoadScene(path, roots =>
+        {
+            foreach (var session in roots.SelectMany(r => r.GetComponents<MrilSession>())) session.With("_connectOnEnable", false);
+        });
         return player;
     }
 }

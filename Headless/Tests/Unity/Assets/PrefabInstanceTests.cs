@@ -179,11 +179,12 @@ public sealed class PrefabInstanceTests
         _project.Add("Assets/Two.unity", 6, new AssetWriter(library).Scene(new[] { first, new GameObject("Between"), second }), "DefaultImporter");
         using var player = new Player(_project.Library());
 
-        player.LoadScene("Assets/Two.unity");
+        player.LoadScene("Assets/Two.unity", roots => roots[1].SetActive(false));
 
         var scene = UnityEngine.SceneManagement.SceneManager.GetActiveScene();
         Assert.That((scene.name, scene.path), Is.EqualTo(("Two", "Assets/Two.unity")));
         Assert.That(scene.GetRootGameObjects().Select(g => g.name), Is.EqualTo(new[] { "First", "Between", "Second" }));
+        Assert.That(scene.GetRootGameObjects()[1].activeInHierarchy, Is.False, "as prepared");
         Assert.That(scene.GetRootGameObjects()[2].activeInHierarchy, Is.True);
     }
 
