@@ -57,7 +57,7 @@ static class DemoReport
         ["Clock offset error, median and P95", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
         ["Clock offset error, greatest", $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
         ["Clock synchronised after", $"{Number(r.Clock.ConvergedS)} s"],
-        ["Time of a frame in the runtime, median and P99", $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
+        ["Time of a frame, the whole player loop, median and P99", $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
         ["Allocated per frame", $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
         ["Frames, samples, dropped", $"{r.Frames}, {r.Samples}, {r.Dropped}"],
     ];

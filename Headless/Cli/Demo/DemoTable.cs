@@ -40,7 +40,7 @@ static class DemoTable
         Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} greatest");
         Row("clock synchronised after", Text(result.Clock.ConvergedS, "0.0", " s"));
         var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
-        Row("frame", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
+        Row("frame, the whole player loop", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
         return grid;
     }
