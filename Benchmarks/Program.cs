@@ -11,4 +11,10 @@ var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(Sam
 if (summaries.Count == 0) return 1;
 
 ResultTable.Write(summaries, Console.Out);
+var tooSlow = FrameLimit.Exceeded(summaries);
+if (tooSlow != null)
+{
+    Console.Error.WriteLine("error: " + tooSlow);
+    return 1;
+}
 return summaries.All(summary => summary.Reports.Length > 0 && summary.Reports.All(report => report.Success)) ? 0 : 1;

@@ -8,7 +8,8 @@ namespace Nowpose.Benchmarks;
 /// </summary>
 public class SceneBenchmarks : IDisposable
 {
-    const int Robots = 50;
+    /// <summary>How many are in the scene.</summary>
+    public const int Robots = 50;
 
     CellScene _scene;
 
