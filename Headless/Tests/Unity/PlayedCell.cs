@@ -23,6 +23,7 @@ sealed class PlayedCell : IDisposable
 
     double _nextSample, _nextExchange;
     string[] _names = [];
+    AssetLibrary _assets;
 
     /// <summary>What runs when no test says otherwise: nobody listens where it would connect to.</summary>
     public static SessionSettings Offline { get; } =
@@ -62,12 +63,11 @@ sealed class PlayedCell : IDisposable
     /// <param name="prefab">Name of the prefab.</param>
     public MrilSession NewSessionOf(string prefab)
     {
-        var room = new GameObject("Room");
-        room.SetActive(false);
-        var asset = new AssetLibrary(RepositoryFiles.Root).Load<GameObject>($"Packages/com.nowpose.mril/Runtime/Prefabs/{prefab}.prefab");
-        var session = UnityEngine.Object.Instantiate(asset, room.transform).GetComponent<MrilSession>().With("_connectOnEnable", false);
-        session.gameObject.SetActive(false);
-        room.SetActive(true);
+        _assets ??= new AssetLibrary(RepositoryFiles.Root);
+        var asset = _assets.Load<GameObject>($"Packages/com.nowpose.mril/Runtime/Prefabs/{prefab}.prefab");
+        // What is copied of it is asleep, too.
+        asset.SetActive(false);
+        var session = UnityEngine.Object.Instantiate(asset).GetComponent<MrilSession>().With("_connectOnEnable", false);
         session.Settings = Offline;
         session.HeadsetClock = Clock;
         if (session.RobotAsset == null) session.RobotAsset = RobotDescriptionAsset.Create("ur5", RobotFiles.LoadText("ur5"));

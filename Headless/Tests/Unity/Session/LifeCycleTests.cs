@@ -1,6 +1,7 @@
 using Nowpose.Gateway.Robots;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
 using Random = System.Random;
@@ -13,12 +14,17 @@ public class LifeCycleTests
     const int Steps = 600;
 
     [Test]
-    public async Task AnySequence_OfWhatAnApplicationDoes_LeavesNothingBehind([NUnit.Framework.Range(1, 25)] int seed)
+    public Task AnySequence_OfWhatAnApplicationDoes_LeavesNothingBehind([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
+
+    [Test]
+    public Task AnySequence_WithThePrefab_LeavesNothingBehind([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: true);
+
+    static async Task Play(int seed, bool isShipped)
     {
         using var cell = new PlayedCell();
         Application.runInBackground = false;
-        var scene = new Scene(cell, new Random(seed));
         var (objects, subscribers) = (cell.Player.ObjectCount, cell.Player.SubscriberCount);
+        var scene = new Scene(cell, new Random(seed), isShipped);
 
         for (var step = 0; step < Steps; step++)
         {
@@ -36,7 +42,7 @@ public class LifeCycleTests
     }
 
     // A gripper whose rig is gone says so.
-    static bool IsFault(UnityPlayer.PlayerLogEntry log) =>
+    static bool IsFault(PlayerLogEntry log) =>
         log.Type is LogType.Exception or LogType.Error or LogType.Assert && !log.Message.Contains("has no rig to ride on");
 
     /// <summary>One cell with all components, and everything that may happen to it.</summary>
@@ -44,10 +50,12 @@ public class LifeCycleTests
     {
         readonly PlayedCell _cell;
         readonly Random _random;
+        readonly bool _isShipped;
         readonly RobotDescriptionAsset[] _robots;
         readonly string[] _descriptions;
         readonly (string Name, Action Do)[] _actions;
         readonly HashSet<CompensationSession> _beforeThePause = [];
+        readonly GameObject _viewer;
         GameObject _root;
         MrilSession _session;
         RobotRig _rig;
@@ -55,12 +63,17 @@ public class LifeCycleTests
         Ghost _ghost;
         bool _isPaused, _isUnfocused;
 
-        public Scene(PlayedCell cell, Random random)
+        /// <param name="isShipped">Whether the cell is the package's prefab instead of one made by hand.</param>
+        public Scene(PlayedCell cell, Random random, bool isShipped)
         {
             _cell = cell;
             _random = random;
-            _descriptions = [RobotFiles.LoadText("youbot"), RobotFiles.LoadText("ur5")];
-            _robots = [RobotDescriptionAsset.Create("youbot", _descriptions[0]), RobotDescriptionAsset.Create("ur5", _descriptions[1])];
+            _isShipped = isShipped;
+            var youBot = RobotFiles.LoadText("youbot");
+            // The prefab shows a youBot: any other robot is refused there, and that is said.
+            _descriptions = [youBot, isShipped ? youBot + "<!-- edited -->" : RobotFiles.LoadText("ur5")];
+            _robots = [RobotDescriptionAsset.Create("one", _descriptions[0]), RobotDescriptionAsset.Create("other", _descriptions[1])];
+            _viewer = new GameObject("Viewer", typeof(Camera)) { tag = "MainCamera" };
             _actions =
             [
                 ("pause", () => Pause()),
@@ -81,6 +94,12 @@ public class LifeCycleTests
                 ("a rig less", () => Destroy(_rig == null ? null : _rig.gameObject)),
                 ("a rig's script less", () => Destroy(_rig)),
                 ("a gripper less", () => Destroy(_gripper == null ? null : _gripper.gameObject)),
+                ("any script on or off", () => Toggle(AnyScript())),
+                ("any object in or out", () => ToggleActive(AnyScript())),
+                ("any script less", () => Destroy(AnyScript())),
+                ("any object less", () => Destroy(AnyScript() is { } script ? script.gameObject : null)),
+                ("the viewer turns", () => _viewer.transform.rotation = Quaternion.Euler(0, _random.Next(360), 0)),
+                ("the viewer on or off", () => ToggleActive(_viewer)),
                 ("a cell less", () => Destroy(_root)),
                 ("a new cell", () => Rebuild()),
             ];
@@ -113,6 +132,8 @@ public class LifeCycleTests
         public void Clear()
         {
             Destroy(_root);
+            Destroy(_viewer);
+            foreach (var robot in _robots) Destroy(robot);
             _cell.Frame(null);
         }
 
@@ -129,16 +150,41 @@ public class LifeCycleTests
         void Rebuild()
         {
             Destroy(_root);
-            _session = _cell.NewSession(robot: null);
+            if (_isShipped) Instantiate();
+            else MakeByHand();
             _root = _session.gameObject;
             _session.RobotAsset = _robots[0];
             _session.Shown += NoteShown;
-            var anchor = Below<BaseAnchor>(_root.transform);
+            _root.SetActive(true);
+        }
+
+        void MakeByHand()
+        {
+            _session = _cell.NewSession(robot: null);
+            var anchor = Below<BaseAnchor>(_session.transform);
             _rig = Below<RobotRig>(anchor.transform);
             _gripper = Below<VirtualGripper>(_rig.transform);
             _ghost = Below<Ghost>(anchor.transform);
             _ghost.GetComponent<RobotRig>().With("_shows", RigPose.Held);
-            _root.SetActive(true);
+        }
+
+        void Instantiate()
+        {
+            _session = _cell.NewSessionOf("Nowpose Robot Cell");
+            _rig = _session.GetComponentsInChildren<RobotRig>(true).Single(rig => rig.Shows == RigPose.Displayed);
+            _gripper = _rig.GetComponentInChildren<VirtualGripper>(true);
+            _ghost = _session.GetComponentInChildren<Ghost>(true);
+            Assert.That(_session.GetComponentInChildren<StatusPanel>(true), Is.Not.Null);
+            Assert.That(_session.GetComponentInChildren<RenderTimeSource>(true), Is.Not.Null);
+        }
+
+        // The engine does not let go of a rig that a ghost needs.
+        MonoBehaviour AnyScript()
+        {
+            if (_root == null) return null;
+            var scripts = _root.GetComponentsInChildren<MonoBehaviour>(true);
+            var script = scripts.Length == 0 ? null : scripts[_random.Next(scripts.Length)];
+            return script is RobotRig && script.GetComponent<Ghost>() is { } ghost && ghost != null ? ghost : script;
         }
 
         static T Below<T>(Transform parent) where T : Component
