@@ -52,9 +52,6 @@ public partial class Object
     /// <summary>A component bears the name of its GameObject.</summary>
     internal virtual Object NameOwner => this;
 
-    /// <summary>Someone wrote its serialised fields.</summary>
-    internal virtual void FieldsChanged() { }
-
     /// <summary>A copy made by the class itself; null where Instantiate copies the serialised fields.</summary>
     internal virtual Object Duplicate() => null;
 

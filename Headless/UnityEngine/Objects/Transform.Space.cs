@@ -148,8 +148,7 @@ public partial class Transform
         return Unscaled(Quaternion.Inverse(_localRotation) * above);
     }
 
-    internal override void FieldsChanged() => MarkMoved();
-
+    /// <summary>Also for someone who wrote the fields themselves.</summary>
     internal void MarkMoved()
     {
         if (!_known) return;

@@ -87,7 +87,6 @@ sealed class Cloner
 
             (source as ISerializationCallbackReceiver)?.OnBeforeSerialize();
             CopyFields(source, copy);
-            copy.FieldsChanged();
             (copy as ISerializationCallbackReceiver)?.OnAfterDeserialize();
         }
     }

@@ -204,6 +204,30 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
+    public void Start_AddsAnother_WhichStartsBeforeItsFirstUpdate()
+    {
+        var a = Add<Recorder>("a");
+        Journal.Take();
+        a.On["Start"] = () => Add<Recorder>("b");
+
+        Assert.That(Frame(), Is.EqualTo("a.Start b.Awake b.OnEnable a.Update b.Start b.Update a.LateUpdate b.LateUpdate"));
+    }
+
+    [Test]
+    public void Start_AddsAnotherThatDisablesItself_WhichGetsNoUpdate()
+    {
+        var a = Add<Recorder>("a");
+        Journal.Take();
+        a.On["Start"] = () =>
+        {
+            var b = Add<Recorder>("b");
+            b.On["Start"] = () => b.enabled = false;
+        };
+
+        Assert.That(Frame(), Is.EqualTo("a.Start b.Awake b.OnEnable a.Update b.Start b.OnDisable a.LateUpdate"));
+    }
+
+    [Test]
     public void Start_WithoutFrameMessages_IsCalledInTheFirstFrame()
     {
         Add<Starter>("a");

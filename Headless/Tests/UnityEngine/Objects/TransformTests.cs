@@ -94,6 +94,8 @@ public sealed class TransformTests : PlayerFixture
     [Test]
     public void SetParent_LocalStays_MovesWithTheNewParent()
     {
+        _ = _child.position;
+
         _child.SetParent(null, false);
 
         AssertAt(_child.position, new Vector3(1, 2, 3));
