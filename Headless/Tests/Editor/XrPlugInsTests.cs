@@ -92,9 +92,12 @@ public sealed class XrPlugInsTests : EditorFixture
         public List<ScriptableObject> m_Loaders;
     }
 
-    class OpenXRLoader : ScriptableObject { }
+    // As in com.unity.xr.openxr: neither loader derives from the other.
+    abstract class OpenXRLoaderBase : ScriptableObject { }
 
-    sealed class OpenXRLoaderNoPreInit : OpenXRLoader { }
+    sealed class OpenXRLoader : OpenXRLoaderBase { }
+
+    sealed class OpenXRLoaderNoPreInit : OpenXRLoaderBase { }
 
     sealed class OtherLoader : ScriptableObject { }
 }

@@ -13,7 +13,7 @@ namespace Nowpose.Editor
     static class XrPlugIns
     {
         const string SettingsType = "XRGeneralSettingsPerBuildTarget";
-        const string LoaderType = "OpenXRLoader";
+        const string LoaderType = "OpenXRLoaderBase";
 
         /// <summary>Null where the project has no settings for that player.</summary>
         public static bool? UseOpenXr(BuildTargetGroup player)
@@ -21,30 +21,47 @@ namespace Nowpose.Editor
             foreach (var guid in AssetDatabase.FindAssets("t:" + SettingsType))
             {
                 var all = AssetDatabase.LoadMainAssetAtPath(AssetDatabase.GUIDToAssetPath(guid));
-                var loaders = Property(Referenced(SettingsOf(all, player), "m_LoaderManagerInstance"), "m_Loaders");
-                if (loaders != null) return Enumerable.Range(0, loaders.arraySize).Any(i => IsOpenXr(loaders.GetArrayElementAtIndex(i)));
+                var isOpenXr = HasOpenXr(Referenced(SettingsOf(all, player), "m_LoaderManagerInstance"));
+                if (isOpenXr != null) return isOpenXr;
             }
             return null;
         }
 
         static Object SettingsOf(Object all, BuildTargetGroup player)
         {
-            var keys = Property(all, "Keys");
-            var values = Property(all, "Values");
-            if (keys == null || values == null) return null;
-            for (var i = 0; i < Math.Min(keys.arraySize, values.arraySize); i++)
-                if (keys.GetArrayElementAtIndex(i).intValue == (int)player) return values.GetArrayElementAtIndex(i).objectReferenceValue;
-            return null;
+            if (all == null) return null;
+            using (var serialised = new SerializedObject(all))
+            {
+                var keys = serialised.FindProperty("Keys");
+                var values = serialised.FindProperty("Values");
+                if (keys == null || values == null) return null;
+                for (var i = 0; i < Math.Min(keys.arraySize, values.arraySize); i++)
+                    if (keys.GetArrayElementAtIndex(i).intValue == (int)player) return values.GetArrayElementAtIndex(i).objectReferenceValue;
+                return null;
+            }
         }
 
-        static Object Referenced(Object owner, string property) => Property(owner, property)?.objectReferenceValue;
-
-        static SerializedProperty Property(Object owner, string name) => owner == null ? null : new SerializedObject(owner).FindProperty(name);
-
-        // One of the classes derived from it starts without an early initialisation.
-        static bool IsOpenXr(SerializedProperty loader)
+        static Object Referenced(Object owner, string property)
         {
-            for (var type = loader.objectReferenceValue == null ? null : loader.objectReferenceValue.GetType(); type != null; type = type.BaseType)
+            if (owner == null) return null;
+            using (var serialised = new SerializedObject(owner)) return serialised.FindProperty(property)?.objectReferenceValue;
+        }
+
+        static bool? HasOpenXr(Object manager)
+        {
+            if (manager == null) return null;
+            using (var serialised = new SerializedObject(manager))
+            {
+                var loaders = serialised.FindProperty("m_Loaders");
+                if (loaders == null) return null;
+                return Enumerable.Range(0, loaders.arraySize).Any(i => IsOpenXr(loaders.GetArrayElementAtIndex(i).objectReferenceValue));
+            }
+        }
+
+        // The UWP player's is OpenXRLoaderNoPreInit, other players' OpenXRLoader; this is the base that they have in common.
+        static bool IsOpenXr(Object loader)
+        {
+            for (var type = loader == null ? null : loader.GetType(); type != null; type = type.BaseType)
                 if (type.Name == LoaderType) return true;
             return false;
         }
