@@ -34,9 +34,6 @@ namespace Nowpose.Editor
         /// <summary>Null where it is not installed.</summary>
         string VersionOf(string package);
 
-        /// <summary>Whether an assembly of that name is loaded, from a package or a plug-in folder.</summary>
-        bool HasAssembly(string name);
-
         /// <summary>Begins to add a package.</summary>
         void Add(PackageOrigin package);
 

@@ -4,23 +4,20 @@ namespace Nowpose.Editor
     {
         readonly string _name;
         readonly PackageOrigin _source;
-        readonly string _assembly;
         readonly string _byHand;
         readonly CheckState _without;
 
         /// <param name="source">Where it comes from; null where the user has to get it.</param>
         /// <param name="byHand">How the user gets it; null where there is a source.</param>
-        /// <param name="assembly">What it brings, for a project that has it as a plug-in instead; null where that does not occur.</param>
         /// <param name="without">How a project stands that has not got it.</param>
         public PackageCheck(
-            string title, string why, string name, PackageOrigin source = null, string byHand = null, string assembly = null,
+            string title, string why, string name, PackageOrigin source = null, string byHand = null,
             CheckState without = CheckState.Missing)
             : base(title, why, source == null ? null : "Add " + name)
         {
             _name = name;
             _source = source;
             _byHand = byHand;
-            _assembly = assembly;
             _without = without;
         }
 
@@ -28,7 +25,6 @@ namespace Nowpose.Editor
         {
             var version = project.VersionOf(_name);
             if (version != null) return Good(_name + " " + version);
-            if (_assembly != null && project.HasAssembly(_assembly)) return Good(_assembly + ", as a plug-in");
             return new CheckResult(_without, _name + " is not installed" + (_byHand == null ? "" : "; " + _byHand));
         }
 

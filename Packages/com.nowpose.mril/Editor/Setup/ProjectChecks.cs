@@ -28,12 +28,6 @@ namespace Nowpose.Editor
             new FrameTimingCheck(),
             new RunInBackgroundCheck(),
             new PackageCheck(
-                "MathNet.Numerics", "The clock's regression.", "org.nuget.mathnet.numerics",
-                PackageOrigin.Of(ScopedRegistry.UnityNuGet, "org.nuget.mathnet.numerics", "5.0.0"), assembly: "MathNet.Numerics"),
-            new PackageCheck(
-                "Newtonsoft.Json", "Reads what the gateway sends.", "com.unity.nuget.newtonsoft-json",
-                PackageOrigin.OfUnity("com.unity.nuget.newtonsoft-json"), assembly: "Newtonsoft.Json"),
-            new PackageCheck(
                 "MRTK3 (optional)", "Hand menus and grabbing; the package works without.", "org.mixedrealitytoolkit.core",
                 byHand: "get it with Microsoft's Mixed Reality Feature Tool or from github.com/MixedRealityToolkit", without: CheckState.Advice),
             new PackageCheck(

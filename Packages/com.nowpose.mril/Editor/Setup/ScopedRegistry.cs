@@ -8,9 +8,6 @@ namespace Nowpose.Editor
             "https://pkgs.dev.azure.com/aipmr/MixedReality-Unity-Packages/_packaging/Unity-packages/npm/registry/",
             "com.microsoft.mixedreality");
 
-        public static readonly ScopedRegistry UnityNuGet = new ScopedRegistry(
-            "UnityNuGet", "https://unitynuget-registry.openupm.com", "org.nuget");
-
         ScopedRegistry(string name, string url, string scope)
         {
             Name = name;

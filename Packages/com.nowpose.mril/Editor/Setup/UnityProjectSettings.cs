@@ -70,8 +70,6 @@ namespace Nowpose.Editor
         public string VersionOf(string package) =>
             PackageInfo.GetAllRegisteredPackages().FirstOrDefault(known => known.name == package)?.version;
 
-        public bool HasAssembly(string name) => AppDomain.CurrentDomain.GetAssemblies().Any(a => a.GetName().Name == name);
-
         public void Add(PackageOrigin package)
         {
             _trouble = null;

@@ -33,13 +33,12 @@ namespace Nowpose.Tests
         [Test]
         public void Add_RegistryThereUnderAnotherName_GetsTheScope()
         {
-            const string before = "{\"scopedRegistries\":[{\"name\":\"x\",\"url\":\"https://unitynuget-registry.openupm.com/\",\"scopes\":[\"b\"]}]}";
+            var before = "{\"scopedRegistries\":[{\"name\":\"x\",\"url\":\"" + ScopedRegistry.Microsoft.Url.TrimEnd('/') + "\",\"scopes\":[\"b\"]}]}";
 
-            var registries = (JArray)JObject.Parse(
-                ManifestEdit.Add(before, PackageOrigin.Of(ScopedRegistry.UnityNuGet, "org.nuget.a", "1.0.0")))["scopedRegistries"];
+            var registries = (JArray)JObject.Parse(ManifestEdit.Add(before, OpenXr))["scopedRegistries"];
 
             Assert.That(registries.Count, Is.EqualTo(1));
-            Assert.That(registries[0]["scopes"].ToString(Newtonsoft.Json.Formatting.None), Is.EqualTo("[\"b\",\"org.nuget\"]"));
+            Assert.That(registries[0]["scopes"].ToString(Newtonsoft.Json.Formatting.None), Is.EqualTo("[\"b\",\"com.microsoft.mixedreality\"]"));
         }
 
         [TestCase("", "Packages/manifest.json:0: not a JSON object")]
