@@ -1,5 +1,7 @@
 using System;
 using System.IO;
+using System.Linq;
+using System.Net;
 using System.Net.Security;
 using System.Net.Sockets;
 using System.Security.Authentication;
@@ -26,17 +28,15 @@ namespace Nowpose.Network
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
         {
-            var tcp = new TcpClient { NoDelay = true };
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
             {
                 inTime.CancelAfter(ProtocolLimits.DialTimeout);
                 try
                 {
-                    return await OpenAsync(tcp, port, inTime.Token).OrCancelled(inTime.Token).ConfigureAwait(false);
+                    return await TryAllAsync(port, inTime.Token).OrCancelled(inTime.Token).ConfigureAwait(false);
                 }
                 catch (Exception failure)
                 {
-                    tcp.Dispose();
                     cancel.ThrowIfCancellationRequested();
                     if (inTime.IsCancellationRequested)
                         throw new GatewayRefusalException(
@@ -46,14 +46,50 @@ namespace Nowpose.Network
             }
         }
 
-        async Task<Stream> OpenAsync(TcpClient tcp, int port, CancellationToken cancel)
+        async Task<Stream> TryAllAsync(int port, CancellationToken cancel)
         {
-            // Closing the socket is the only way to end a connect or a handshake on .NET Standard 2.1.
-            using (cancel.Register(tcp.Dispose))
+            var addresses = await AddressesAsync().ConfigureAwait(false);
+            for (var i = 0; ; i++)
             {
-                await tcp.ConnectAsync(_settings.Host, port).ConfigureAwait(false);
-                var plain = tcp.GetStream();
-                return _settings.Security == TransportSecurity.Plain ? plain : await SecureAsync(plain).ConfigureAwait(false);
+                cancel.ThrowIfCancellationRequested();
+                try
+                {
+                    return await OpenAsync(addresses[i], port, cancel).ConfigureAwait(false);
+                }
+                catch (SocketException) when (i + 1 < addresses.Length)
+                {
+                    // The gateway may listen on another of its addresses, or this machine may not speak this one's protocol.
+                }
+            }
+        }
+
+        // IPv4 first: it is what a gateway listens on unless told otherwise, and an address nobody answers at takes all the time there is.
+        async Task<IPAddress[]> AddressesAsync()
+        {
+            if (IPAddress.TryParse(_settings.Host, out var literal)) return new[] { literal };
+            var found = await Dns.GetHostAddressesAsync(_settings.Host).ConfigureAwait(false);
+            if (found.Length == 0) throw new SocketException((int)SocketError.HostNotFound);
+            return found.OrderBy(address => address.AddressFamily == AddressFamily.InterNetwork ? 0 : 1).ToArray();
+        }
+
+        async Task<Stream> OpenAsync(IPAddress address, int port, CancellationToken cancel)
+        {
+            // Made for the address: without a family a client is for IPv4 only under Mono and IL2CPP, for both elsewhere.
+            var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
+            try
+            {
+                // Closing the socket is the only way to end a connect or a handshake on .NET Standard 2.1.
+                using (cancel.Register(tcp.Dispose))
+                {
+                    await tcp.ConnectAsync(address, port).ConfigureAwait(false);
+                    var plain = tcp.GetStream();
+                    return _settings.Security == TransportSecurity.Plain ? plain : await SecureAsync(plain).ConfigureAwait(false);
+                }
+            }
+            catch
+            {
+                tcp.Dispose();
+                throw;
             }
         }
 
