@@ -60,7 +60,7 @@ namespace Nowpose.Protocol
         /// <summary>Backoff of both connections: first wait, factor, longest wait, and the share by which each wait varies.</summary>
         public static readonly TimeSpan BackoffFirst = TimeSpan.FromMilliseconds(200);
         public const double BackoffFactor = 2;
-        public static readonly TimeSpan BackoffLongest = TimeSpan.FromSeconds(1.5);
+        public static readonly TimeSpan BackoffLongest = TimeSpan.FromMilliseconds(1500);
         public const double BackoffJitter = 0.2;
     }
 }

@@ -11,7 +11,7 @@ namespace Nowpose.Session
     /// </remarks>
     public sealed class SessionWatch
     {
-        static readonly TimeSpan Settle = TimeSpan.FromSeconds(0.5);
+        static readonly TimeSpan Settle = TimeSpan.FromMilliseconds(500);
 
         SettledFlag _isSynchronised, _isInRange, _isFresh;
 

@@ -109,7 +109,7 @@ namespace Nowpose.Samples
             if (_cell == null || _time != _session.HeadsetClock) Begin(now);
             if (_described != session) session.Described(_robot.Urdf);
             _described = session;
-            _clock.Set(now, TimeSpan.FromSeconds(_clockAheadSeconds), _skewPpm * 1e-6);
+            _clock.Set(now, ClockAhead, _skewPpm * 1e-6);
             _cell.Settings = Knobs();
             _cell.Run(now, session);
         }
@@ -117,9 +117,12 @@ namespace Nowpose.Samples
         void Begin(HeadsetTime now)
         {
             _time = _session.HeadsetClock;
-            _clock = new VirtualClock(now, TimeSpan.FromSeconds(_clockAheadSeconds), _skewPpm * 1e-6);
+            _clock = new VirtualClock(now, ClockAhead, _skewPpm * 1e-6);
             _cell = new VirtualCell(new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now);
         }
+
+        // TimeSpan.FromSeconds rounds to whole milliseconds in Unity.
+        TimeSpan ClockAhead => TimeSpan.FromTicks((long)((double)_clockAheadSeconds * TimeSpan.TicksPerSecond));
 
         VirtualCellSettings Knobs() => new VirtualCellSettings(
             _samplingMs, _latencyMinMs, Mathf.Max(_latencyMinMs, _latencyMaxMs), _jitterMs, _loss, NetworkProfile.All[(int)_network]);

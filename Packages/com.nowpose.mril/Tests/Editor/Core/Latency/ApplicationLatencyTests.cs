@@ -50,7 +50,7 @@ namespace Nowpose.Tests
         [TestCase(501)]
         public void VisualisationLatency_OutOfRange_NamesValueUnitAndRange(int ms)
         {
-            var error = Assert.Throws<InputException>(() => new VisualisationLatency(TimeSpan.FromMilliseconds(ms)));
+            var error = Assert.Throws<InputException>(() => new VisualisationLatency(Lengths.Ms(ms)));
 
             Assert.That(error.Message, Is.EqualTo("visualisation latency: " + ms + " ms is out of range; allowed are 0 to 500 ms"));
         }

@@ -27,7 +27,7 @@ namespace Nowpose.Tests
         {
             for (var frame = 0; frame < count; frame++)
             {
-                foreach (var way in giving) _choice.Report(way - '0', TimeSpan.FromMilliseconds(1 + way - '0'));
+                foreach (var way in giving) _choice.Report(way - '0', Lengths.Ms(1 + way - '0'));
                 if (_choice.EndFrame()) _changes.Add(_choice.Source);
             }
         }

@@ -78,7 +78,7 @@ namespace Nowpose.Tests
             var points = new[]
             {
                 new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1.0, 2 }, new[] { 0.5, double.NaN }),
-                new JointTrajectoryPoint(TimeSpan.FromSeconds(1.25), new[] { 3.0, 4 }),
+                new JointTrajectoryPoint(Lengths.Seconds(1.25), new[] { 3.0, 4 }),
             };
             var sent = new JointTrajectoryMessage(ControlTime.FromSeconds(9), new[] { "a", "b" }, points);
 

@@ -33,7 +33,7 @@ namespace Nowpose.Tests
         {
             var request = SyncFrame.Request(0x0A0B0C0D, 0x0102030405060708);
 
-            var reply = SyncFrame.Reply(request, -1, long.MinValue, false, TimeSpan.FromMilliseconds(0.25), 1_000_000);
+            var reply = SyncFrame.Reply(request, -1, long.MinValue, false, Lengths.Ms(0.25), 1_000_000);
 
             Assert.That(BytesOf(reply), Is.EqualTo(GoldenReply));
         }

@@ -172,7 +172,7 @@ namespace Nowpose.Tests
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed);
             simulated.Run(10);
 
-            simulated.Link.Step = TimeSpan.FromSeconds(stepSeconds);
+            simulated.Link.Step = Lengths.Seconds(stepSeconds);
             simulated.Run(2, (frame, light) => Assert.That(Math.Abs(frame.Joints[Shoulder]), Is.LessThan(1.5), "nothing flies off"));
 
             var errors = new List<double>();

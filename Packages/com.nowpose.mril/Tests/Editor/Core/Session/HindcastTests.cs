@@ -112,7 +112,7 @@ namespace Nowpose.Tests
             var before = Statistics(simulated).HoldErrorMm.Value;
             var known = new List<double?>();
 
-            simulated.Link.Step = TimeSpan.FromSeconds(stepSeconds);
+            simulated.Link.Step = Lengths.Seconds(stepSeconds);
             simulated.Run(20, (frame, light) => known.Add(simulated.Session.Statistics(frame.Start).HoldErrorMm));
 
             Assert.That(known.Last().Value, Is.EqualTo(before).Within(20).Percent);
@@ -127,7 +127,7 @@ namespace Nowpose.Tests
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(20);
 
-            simulated.Link.Step = TimeSpan.FromSeconds(stepSeconds);
+            simulated.Link.Step = Lengths.Seconds(stepSeconds);
             simulated.Run(0.3);
             simulated.IsSamplingByTest = true;
             simulated.Run(6);
@@ -209,7 +209,7 @@ namespace Nowpose.Tests
             for (var i = 0; i < 240; i++)
             {
                 var now = HeadsetTime.FromSeconds(simulated.Now);
-                var ahead = TimeSpan.FromMilliseconds(i < 60 ? 300 : 0);
+                var ahead = Lengths.Ms(i < 60 ? 300 : 0);
                 simulated.Session.Received(new JointStateMessage(
                     simulated.Link.TrueOffset(now).ToControl(now) + ahead, new[] { "shoulder", "elbow" }, new[] { 0.01 * i, 0 }), now);
                 simulated.Run(0.05);

@@ -22,7 +22,7 @@ namespace Nowpose.Tests
             simulated.Run(1, (frame, light) =>
             {
                 states.Add(frame.State);
-                simulated.Session.Rendered(TimeSpan.FromMilliseconds(renderMs), source);
+                simulated.Session.Rendered(Lengths.Ms(renderMs), source);
             });
             return states;
         }
@@ -95,7 +95,7 @@ namespace Nowpose.Tests
             var session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), default, range: Range), TestRobot.Model, new SetClock());
             var before = session.Diagnostics().Values.Select(v => v.Key).ToList();
-            for (var i = 0; i < 20; i++) session.Rendered(TimeSpan.FromMilliseconds(renderMs), RenderTimeSourceKind.GpuTime);
+            for (var i = 0; i < 20; i++) session.Rendered(Lengths.Ms(renderMs), RenderTimeSourceKind.GpuTime);
 
             var values = session.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
 

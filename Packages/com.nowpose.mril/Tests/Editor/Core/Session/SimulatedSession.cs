@@ -100,7 +100,7 @@ namespace Nowpose.Tests
             _isElbowNext = !_isElbowNext;
             if (IsEachJointApart && _isElbowNext) message = new JointStateMessage(stamp, new[] { "elbow" }, new[] { elbow });
             else if (IsEachJointApart) message = new JointStateMessage(stamp, new[] { "shoulder" }, new[] { shoulder });
-            var acquisition = TimeSpan.FromMilliseconds(55 + 50 * _random.NextDouble());
+            var acquisition = Lengths.Ms(55 + 50 * _random.NextDouble());
             var at = now + acquisition + _sampleDelay.Next();
             if (at < _lastArrival) at = _lastArrival;
             _lastArrival = at;

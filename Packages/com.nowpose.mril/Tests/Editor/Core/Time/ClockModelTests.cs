@@ -8,7 +8,7 @@ namespace Nowpose.Tests
         static readonly HeadsetTime Reference = HeadsetTime.FromSeconds(1000);
 
         static ClockModel Model(double offsetSeconds, double skew) => new ClockModel(
-            Reference, new ClockOffset(TimeSpan.FromSeconds(offsetSeconds)), skew, TimeSpan.FromMilliseconds(1), ClockState.Synchronised);
+            Reference, new ClockOffset(Lengths.Seconds(offsetSeconds)), skew, TimeSpan.FromMilliseconds(1), ClockState.Synchronised);
 
         [TestCase(1234.5, 0)]
         [TestCase(-1.7e9, 80e-6)]
@@ -19,7 +19,7 @@ namespace Nowpose.Tests
 
             foreach (var age in new[] { -300.0, 0, 0.0123456, 3600 })
             {
-                var t = Reference + TimeSpan.FromSeconds(age);
+                var t = Reference + Lengths.Seconds(age);
                 Assert.That(Math.Abs((model.ToHeadset(model.ToControl(t)) - t).Ticks), Is.LessThanOrEqualTo(1), "at " + age + " s");
             }
         }

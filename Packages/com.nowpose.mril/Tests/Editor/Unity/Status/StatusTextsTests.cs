@@ -7,6 +7,7 @@ using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
+using static Nowpose.Tests.Lengths;
 
 namespace Nowpose.Tests
 {
@@ -31,8 +32,6 @@ namespace Nowpose.Tests
         }
 
         static string Row(StatusRow row, params (string Property, object Value)[] values) => Row(row, Statistics(values));
-
-        static TimeSpan Ms(double ms) => TimeSpan.FromTicks((long)(ms * TimeSpan.TicksPerMillisecond));
 
         [Test]
         public void Update_NothingKnown_IsDashes()

@@ -140,7 +140,7 @@ namespace Nowpose.Tests
             var run = NewRun();
             run.Run(link, 0, 30);
 
-            link.Step = TimeSpan.FromMilliseconds(stepMs);
+            link.Step = Lengths.Ms(stepMs);
             run.Run(link, 30, 60);
 
             Assert.That(run.Clock.Steps, Is.EqualTo(1));
@@ -230,7 +230,7 @@ namespace Nowpose.Tests
             var now = HeadsetTime.FromSeconds(0);
             for (var i = 0; i < 2000; i++)
             {
-                now += TimeSpan.FromSeconds(random.NextDouble() < 0.02 ? 100 : 0.2);
+                now += Lengths.Seconds(random.NextDouble() < 0.02 ? 100 : 0.2);
                 var control = ControlTime.FromNanoseconds((long)((2 * random.NextDouble() - 1) * long.MaxValue));
                 clock.Add(new SyncExchange(now - TimeSpan.FromMilliseconds(2), control, control, now), out _);
 

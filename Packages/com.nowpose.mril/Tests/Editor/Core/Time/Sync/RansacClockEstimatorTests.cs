@@ -72,7 +72,7 @@ namespace Nowpose.Tests
                 var t1 = HeadsetTime.FromSeconds(1e5 + i * 0.2);
                 var t4 = t1 + TimeSpan.FromMilliseconds(4);
                 var middle = t1 + TimeSpan.FromMilliseconds(2);
-                var offset = new ClockOffset(TimeSpan.FromSeconds(-1.7e9) + TimeSpan.FromTicks((long)Math.Round(i * 0.2e7 * skewPpm * 1e-6)));
+                var offset = new ClockOffset(Lengths.Seconds(-1.7e9) + TimeSpan.FromTicks((long)Math.Round(i * 0.2e7 * skewPpm * 1e-6)));
                 estimator.Add(new SyncExchange(t1, offset.ToControl(middle), offset.ToControl(middle), t4));
             }
 
@@ -88,7 +88,7 @@ namespace Nowpose.Tests
             {
                 var t1 = HeadsetTime.FromSeconds(i * 0.2);
                 var lateMs = i % 3 == 0 ? 20 + 200 * random.NextDouble() : 0;
-                var t4 = t1 + TimeSpan.FromMilliseconds(2 + lateMs);
+                var t4 = t1 + Lengths.Ms(2 + lateMs);
                 var at = new ControlTime(t1.SinceEpoch + TimeSpan.FromMilliseconds(1));
                 estimator.Add(new SyncExchange(t1, at, at, t4));
             }

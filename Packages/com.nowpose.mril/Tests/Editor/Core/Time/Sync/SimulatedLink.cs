@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Simulation;
 using Nowpose.Sync;
+using static Nowpose.Tests.Lengths;
 
 namespace Nowpose.Tests
 {
@@ -58,7 +59,5 @@ namespace Nowpose.Tests
             var exact = TrueOffset(moment).ToControl(moment).SinceEpoch.Ticks;
             return new ControlTime(new TimeSpan(Resolution == TimeSpan.Zero ? exact : exact / Resolution.Ticks * Resolution.Ticks));
         }
-
-        static TimeSpan Ms(double ms) => TimeSpan.FromTicks((long)(ms * TimeSpan.TicksPerMillisecond));
     }
 }

@@ -1,14 +1,13 @@
 using System;
 using Nowpose.Sync;
 using NUnit.Framework;
+using static Nowpose.Tests.Lengths;
 
 namespace Nowpose.Tests
 {
     public class SyncExchangeTests
     {
         static readonly HeadsetTime Start = HeadsetTime.FromSeconds(10);
-
-        static TimeSpan Ms(double ms) => TimeSpan.FromTicks((long)(ms * TimeSpan.TicksPerMillisecond));
 
         static SyncExchange Exchange(ClockOffset offset, double upMs, double serverMs, double downMs)
         {
@@ -22,7 +21,7 @@ namespace Nowpose.Tests
         [TestCase(4e9)]
         public void Offset_SymmetricPath_IsExact(double offsetSeconds)
         {
-            var offset = new ClockOffset(TimeSpan.FromSeconds(offsetSeconds));
+            var offset = new ClockOffset(Seconds(offsetSeconds));
 
             var exchange = Exchange(offset, 7.5, 3, 7.5);
 
@@ -35,7 +34,7 @@ namespace Nowpose.Tests
         [TestCase(0, 30)]
         public void Offset_AsymmetricPath_ErrsByHalfTheDifferenceAndAtMostHalfTheRoundTrip(double upMs, double downMs)
         {
-            var offset = new ClockOffset(TimeSpan.FromSeconds(1234.5));
+            var offset = new ClockOffset(Seconds(1234.5));
 
             var exchange = Exchange(offset, upMs, 0.2, downMs);
 

@@ -1,0 +1,42 @@
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Repository;
+
+/// <summary>Calls that do something else under Unity's Mono than under .NET, where no test of what they do would show it.</summary>
+/// <remarks>
+/// Mono rounds what TimeSpan.FromSeconds and FromMilliseconds are given to whole milliseconds; and a TcpClient that is made
+/// for no family of addresses is for IPv4 only.
+/// </remarks>
+public sealed partial class MonoTests
+{
+    [Test]
+    public void Calls_InThePackage_DoTheSameUnderMono()
+    {
+        var different = RepositoryFiles.Under(RepositoryFiles.Package, ".cs")
+            .SelectMany(file => Different(RepositoryFiles.Read(file)).Select(call => file + ": " + call));
+
+        Assert.That(different, Is.Empty);
+    }
+
+    [TestCase("TimeSpan.FromMilliseconds(0.25)")]
+    [TestCase("TimeSpan.FromSeconds(seconds)")]
+    [TestCase("TimeSpan.FromSeconds(1e-4)")]
+    [TestCase("TimeSpan.FromSeconds(\n    2 + x)")]
+    [TestCase("new TcpClient()")]
+    [TestCase("new TcpClient { NoDelay = true }")]
+    public void Different_FractionOrVariableOrNoFamily_IsFound(string code) => Assert.That(Different(code), Is.Not.Empty);
+
+    [TestCase("TimeSpan.FromMilliseconds(250)")]
+    [TestCase("TimeSpan.FromSeconds(-2_000)")]
+    [TestCase("HeadsetTime.FromSeconds(0.25)")]
+    [TestCase("TimeSpan.FromTicks(ticks)")]
+    [TestCase("new TcpClient(address.AddressFamily) { NoDelay = true }")]
+    [TestCase("// TimeSpan.FromSeconds(x) rounds")]
+    public void Different_WholeNumberOrTicksOrFamily_IsNot(string code) => Assert.That(Different(code), Is.Empty);
+
+    static IEnumerable<string> Different(string source) => OtherThanUnderNet().Matches(CSharpCode.Of(source)).Select(m => m.Value);
+
+    [GeneratedRegex(@"TimeSpan\.From(Milliseconds|Seconds)\((?!-?[0-9_]+\))[^\n]*|new\s+TcpClient\s*(\(\s*\)|\{)")]
+    private static partial Regex OtherThanUnderNet();
+}
