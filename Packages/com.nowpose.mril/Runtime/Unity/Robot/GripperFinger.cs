@@ -13,9 +13,6 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("What moves, as it stands at joint position 0 (closed, on the youBot), turned as the joint's own frame.")]
         Transform _finger = null;
 
-        [NonSerialized] Pose _rest;
-        [NonSerialized] bool _isRestKnown;
-
         public GripperFinger() { }
 
         public GripperFinger(string joint, Transform finger)
@@ -26,15 +23,5 @@ namespace Nowpose.Unity
 
         public string Joint => _joint;
         public Transform Finger => _finger;
-
-        /// <summary>Puts the finger back to where it stood when first asked: later it stands where a robot's joint left it.</summary>
-        /// <returns>In its parent's axes.</returns>
-        internal Pose Rest()
-        {
-            if (!_isRestKnown) _rest = new Pose(_finger.localPosition, _finger.localRotation);
-            _isRestKnown = true;
-            _finger.PlaceLocally(_rest.position, _rest.rotation);
-            return _rest;
-        }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Kinematics;
 using UnityEngine;
 
 namespace Nowpose.Unity
@@ -44,9 +45,10 @@ namespace Nowpose.Unity
             if (rig.Model != null) Fit();
         }
 
-        /// <summary>Stays where it is; done by itself when disabled.</summary>
+        /// <summary>Stays where it is, its fingers at rest; done by itself when disabled.</summary>
         public void Unmount()
         {
+            Rest();
             if (_source is null) return;
             _source.Bound -= Fit;
             _source.Posed -= Follow;
@@ -69,6 +71,7 @@ namespace Nowpose.Unity
             if (_flange == null)
                 Debug.LogError(
                     "[Nowpose] gripper '" + name + "': robot '" + _source.Model.Name + "' has no link '" + _flangeLink + "' to ride on", this);
+            Rest();
             var drives = new List<FingerDrive>();
             foreach (var finger in _fingers)
                 if (TryDrive(finger, out var drive)) drives.Add(drive);
@@ -79,13 +82,20 @@ namespace Nowpose.Unity
         {
             drive = default;
             if (finger.Finger == null) return false;
-            var rest = finger.Rest();
             var index = _source.Model.IndexOfMovingJoint(finger.Joint);
             if (index < 0) return false;
             var joint = _source.Model.MovingJoints[index];
             if (_source.Link(joint.ChildLink) == finger.Finger) return false;
-            drive = new FingerDrive(index, new JointDrive(finger.Finger, joint, rest.position, rest.rotation));
+            drive = new FingerDrive(index, finger.Finger, joint);
             return true;
+        }
+
+        // Whenever a finger is taken for moving, now or after scripts were compiled anew while playing, it stands as it was made.
+        void Rest()
+        {
+            foreach (var drive in _drives)
+                if (drive.Finger != null) drive.Move.Apply(0);
+            _drives = Array.Empty<FingerDrive>();
         }
 
         void Follow()
@@ -97,13 +107,15 @@ namespace Nowpose.Unity
 
         readonly struct FingerDrive
         {
-            public FingerDrive(int joint, JointDrive move)
+            public FingerDrive(int index, Transform finger, RobotJoint joint)
             {
-                Joint = joint;
-                Move = move;
+                Joint = index;
+                Finger = finger;
+                Move = new JointDrive(finger, joint, finger.localPosition, finger.localRotation);
             }
 
             public int Joint { get; }
+            public Transform Finger { get; }
             public JointDrive Move { get; }
         }
     }

@@ -154,5 +154,39 @@ namespace Nowpose.Tests
             Assert.That(_gripper.transform.position, Is.EqualTo(place));
             Assert.That(_gripper.Rig, Is.Null);
         }
+
+        [Test]
+        public void Unmount_FingersOpen_AreAtRestAlsoForAGripperThatRemembersNothing()
+        {
+            _rig.Bind(UrdfFiles.Robot("youbot"));
+            var rest = _left.localPosition;
+            _gripper.Mount(_rig);
+            Open(0.0115);
+
+            _gripper.Unmount();
+            Assert.That(_left.localPosition, Is.EqualTo(rest));
+
+            // What is left of the fingers when scripts are compiled anew while playing.
+            _gripper.With("_fingers", new List<GripperFinger> { new GripperFinger(Left, _left), new GripperFinger(Right, _right) });
+            _gripper.Mount(_rig);
+            Open(0.0115);
+            Open(0);
+
+            Assert.That(_left.localPosition, Is.EqualTo(rest));
+        }
+
+        [Test]
+        public void Unmount_FingerDestroyed_PutsTheOtherBack()
+        {
+            _rig.Bind(UrdfFiles.Robot("youbot"));
+            var rest = _right.localPosition;
+            _gripper.Mount(_rig);
+            Open(0.0115);
+            Object.DestroyImmediate(_left.gameObject);
+
+            _gripper.Unmount();
+
+            Assert.That(_right.localPosition, Is.EqualTo(rest));
+        }
     }
 }
