@@ -1,3 +1,4 @@
+using System.Reflection;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
@@ -77,6 +78,21 @@ public class StatusPanelTests
         Assert.That(Row("Error reduction").Value, Does.Match(@"^9\d %$"));
         Assert.That(Row("Gateway"), Is.EqualTo(("not connected", "within this machine")));
         Assert.That(Row("Robot"), Is.EqualTo(("–", "ur5")));
+    }
+
+    [Test]
+    public void LateUpdate_ScriptsCompiledAnew_MakesTheCellsThatItForgot()
+    {
+        Play(1);
+        var before = Sheet;
+        var scale = before.localScale.x;
+
+        typeof(StatusPanel).GetField("_cells", BindingFlags.Instance | BindingFlags.NonPublic).SetValue(_panel, null);
+        Run(1);
+
+        Assert.That(before == null, "the old ones are still there");
+        Assert.That(Row("Pose").Value, Is.Not.Empty);
+        Assert.That(Sheet.localScale.x, Is.EqualTo(scale).Within(1e-6));
     }
 
     [Test]

@@ -5,6 +5,8 @@ namespace Nowpose.Unity
     /// <summary>The texts of a status panel in their places. One unit is the font's size.</summary>
     sealed class PanelCells
     {
+        const string Name = "Cells";
+
         const float RowHeight = 1.35f;
 
         /// <summary>Of the ground: beyond the outermost letters, and behind all of them.</summary>
@@ -26,7 +28,7 @@ namespace Nowpose.Unity
         {
             _model = model;
             model.gameObject.SetActive(false);
-            _sheet = new GameObject("Cells") { layer = panel.gameObject.layer }.transform;
+            _sheet = new GameObject(Name) { layer = panel.gameObject.layer }.transform;
             _sheet.SetParent(panel, worldPositionStays: false);
             if (ground != null) Lay(ground);
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
@@ -36,6 +38,17 @@ namespace Nowpose.Unity
                 _notes[(int)row] = Copy(row, 2);
             }
             _values[(int)StatusRow.Message] = Copy(StatusRow.Message, 0);
+        }
+
+        /// <summary>Takes away those that another has made there.</summary>
+        public static void RemoveFrom(Transform panel)
+        {
+            var left = panel.Find(Name);
+            if (left == null) return;
+            // Destroyed at the end of the frame only.
+            left.gameObject.SetActive(false);
+            left.SetParent(null, worldPositionStays: false);
+            Object.Destroy(left.gameObject);
         }
 
         public void Show(StatusTexts texts)

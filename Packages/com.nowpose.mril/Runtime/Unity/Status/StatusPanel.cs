@@ -47,22 +47,26 @@ namespace Nowpose.Unity
         // Numbers that nobody keeps up are none.
         void OnDisable() => _cells?.Clear();
 
-        // Objects must not be added while others are being enabled.
-        void Start()
-        {
-            if (_cell != null) _cells = new PanelCells(transform, _cell, _ground);
-        }
-
         void LateUpdate()
         {
-            if (_cells == null || Time.unscaledTime < _due) return;
+            if (_cell == null || Time.unscaledTime < _due) return;
             _due = Time.unscaledTime + _refreshSeconds;
+            if (_cells == null) MakeCells();
             if (_source == null) _texts.Update(null, null, null, null);
             else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem);
             _cells.Show(_texts);
             var viewer = Viewer.Head;
             if (viewer != null && _distance.Update(Vector3.Distance(transform.position, viewer.position)))
                 _cells.Resize(LetterSize.At(_distance.Metres));
+        }
+
+        // Not while objects are being enabled: none may be added then. And not once only: scripts that are compiled anew while
+        // playing leave the objects, and forget them.
+        void MakeCells()
+        {
+            PanelCells.RemoveFrom(transform);
+            _cells = new PanelCells(transform, _cell, _ground);
+            _distance = default;
         }
     }
 }
