@@ -4,6 +4,7 @@ namespace UnityEditor;
 
 public sealed class EditorApplication
 {
+    public static CallbackFunction delayCall;
     public static CallbackFunction update;
 
     public static double timeSinceStartup => Now;
@@ -17,6 +18,14 @@ public sealed class EditorApplication
     {
         MenuItems.Add(menuItemPath);
         return true;
+    }
+
+    /// <summary>As the editor does once, when it has done with all windows.</summary>
+    internal static void RunDelayed()
+    {
+        var due = delayCall;
+        delayCall = null;
+        due?.Invoke();
     }
 
     public delegate void CallbackFunction();

@@ -31,6 +31,8 @@ public sealed class SetupWindowTests : EditorFixture
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam), Is.False, "done while the window is drawn");
+        EditorApplication.RunDelayed();
         GuiRecorder.Clear();
         Send("OnGUI");
 
@@ -53,24 +55,59 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
+    public void Click_OnAFixOfAWindowClosedSince_DoesNothing()
+    {
+        GuiRecorder.Click = "Declare WebCam";
+        Send("OnGUI");
+        UnityEngine.Object.DestroyImmediate(_window);
+
+        EditorApplication.RunDelayed();
+
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam), Is.False);
+    }
+
+    [Test]
+    public void Click_OnCheckAgain_ShowsWhatHasChanged()
+    {
+        PlayerSettings.enableFrameTimingStats = true;
+        GuiRecorder.Click = "Check again";
+
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Frame Timing Stats are on"));
+    }
+
+    [Test]
     public void Update_WhileAPackageIsAdded_ShowsItAndThenWhatCameOfIt()
     {
         GuiRecorder.Click = "Add com.unity.xr.openxr";
         Send("OnGUI");
-        GuiRecorder.Clear();
-        Send("Update");
-        Send("OnGUI");
-        Assert.That(GuiRecorder.Texts, Does.Contain("adding com.unity.xr.openxr …"));
+        EditorApplication.RunDelayed();
+        var texts = Draw();
+        Assert.That(texts, Does.Contain("adding com.unity.xr.openxr …"));
 
         Client.Newest.Fail("offline");
-        GuiRecorder.Clear();
+        Assert.That(Draw(), Is.EqualTo(texts), "changed between a layout and its event");
         Send("Update");
-        Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts, Does.Contain("com.unity.xr.openxr could not be added: offline"));
+        Assert.That(Draw(), Does.Contain("com.unity.xr.openxr could not be added: offline"));
         Assert.That(_window.Repaints, Is.EqualTo(2));
-        Send("Update");
-        Assert.That(_window.Repaints, Is.EqualTo(2), "repainted for nothing");
+    }
+
+    [Test]
+    public void Update_NothingNewOfAPackage_DoesNotLookAgain()
+    {
+        GuiRecorder.Click = "Add com.unity.xr.openxr";
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+        PlayerSettings.enableFrameTimingStats = true;
+
+        for (var tick = 0; tick < 3; tick++) Send("Update");
+
+        Assert.That(Draw(), Does.Not.Contain("✓ Frame Timing Stats are on"));
+        Assert.That(_window.Repaints, Is.EqualTo(1));
     }
 
     [Test]
@@ -82,6 +119,13 @@ public sealed class SetupWindowTests : EditorFixture
         open.Invoke(null, null);
 
         Assert.That(_window.Title, Is.EqualTo("Nowpose Setup"));
+    }
+
+    List<string> Draw()
+    {
+        GuiRecorder.Clear();
+        Send("OnGUI");
+        return GuiRecorder.Texts.ToList();
     }
 
     void Send(string message) =>

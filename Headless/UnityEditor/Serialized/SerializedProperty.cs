@@ -28,11 +28,16 @@ public class SerializedProperty : IDisposable
         set => throw new NotSupportedException("nobody resizes a list yet");
     }
 
-
     public int intValue
     {
         get => Convert.ToInt32(Value, System.Globalization.CultureInfo.InvariantCulture);
         set => Set(_type.IsEnum ? Enum.ToObject(_type, value) : value);
+    }
+
+    public string stringValue
+    {
+        get => (string)Value;
+        set => Set(value);
     }
 
     public Object objectReferenceValue

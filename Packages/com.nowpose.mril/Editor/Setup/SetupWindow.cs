@@ -14,7 +14,7 @@ namespace Nowpose.Editor
         IProjectSettings _project;
         ProjectReview _review;
         Vector2 _scroll;
-        bool _wasBusy;
+        string _activity, _trouble;
 
         [MenuItem("Window/Nowpose/Project Setup")]
         static void Open() => GetWindow<SetupWindow>("Nowpose Setup").minSize = new Vector2(520, 300);
@@ -23,32 +23,25 @@ namespace Nowpose.Editor
         {
             _project = project;
             _review = new ProjectReview(ProjectChecks.ForHoloLens(), project);
+            Latch();
         }
 
         void OnEnable() => Show(new UnityProjectSettings());
 
-        void OnFocus() => _review?.LookAgain();
+        void OnFocus() => LookAgain();
 
-        void OnProjectChange()
-        {
-            _review?.LookAgain();
-            Repaint();
-        }
+        void OnProjectChange() => LookAgain();
 
         void Update()
         {
-            var isBusy = _project.Activity != null;
-            if (!isBusy && !_wasBusy) return;
-            _wasBusy = isBusy;
-            _review.LookAgain();
-            Repaint();
+            if (_project.Activity != _activity || _project.Trouble != _trouble) LookAgain();
         }
 
         void OnGUI()
         {
             EditorGUILayout.LabelField(Summary(_review.MissingCount), EditorStyles.boldLabel);
-            if (_project.Activity != null) EditorGUILayout.HelpBox(_project.Activity, MessageType.Info);
-            if (_project.Trouble != null) EditorGUILayout.HelpBox(_project.Trouble, MessageType.Error);
+            if (_activity != null) EditorGUILayout.HelpBox(_activity, MessageType.Info);
+            if (_trouble != null) EditorGUILayout.HelpBox(_trouble, MessageType.Error);
             var clicked = -1;
             using (var scroll = new EditorGUILayout.ScrollViewScope(_scroll))
             {
@@ -58,9 +51,30 @@ namespace Nowpose.Editor
             }
             var again = GUILayout.Button("Check again");
 
-            // Only now: what is drawn must stay the same within one event.
-            if (clicked >= 0) _review.Fix(clicked);
-            else if (again) _review.LookAgain();
+            // Not here: what is drawn must stay the same from one layout to its event, and a fix may compile all scripts anew.
+            if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
+            else if (again) EditorApplication.delayCall += LookAgain;
+        }
+
+        void Fix(int check)
+        {
+            if (this == null) return;
+            _review.Fix(check);
+            LookAgain();
+        }
+
+        void LookAgain()
+        {
+            if (this == null || _review == null) return;
+            _review.LookAgain();
+            Latch();
+            Repaint();
+        }
+
+        void Latch()
+        {
+            _activity = _project.Activity;
+            _trouble = _project.Trouble;
         }
 
         static string Summary(int missing) => missing == 0
