@@ -7,7 +7,8 @@ namespace Nowpose.Unity
     [CreateAssetMenu(menuName = "Nowpose/Robot Description", fileName = "Robot")]
     public sealed class RobotDescriptionAsset : ScriptableObject
     {
-        [SerializeField, TextArea(10, 40), Tooltip("The whole URDF, xacro expanded: metres, radians.")]
+        // Text fields of the Inspector fail at about 16 000 characters, which a URDF may well have: the inspector is its own.
+        [SerializeField, HideInInspector]
         string _urdf = "";
 
         /// <summary>The text of the URDF.</summary>
@@ -26,7 +27,7 @@ namespace Nowpose.Unity
         /// <exception cref="InputException">Not a robot that can be computed; names this asset, the line and the element.</exception>
         public RobotModel Read()
         {
-            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException("'" + name + "': holds no URDF; paste the robot's into it");
+            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException("'" + name + "': holds no URDF; load the robot's into it");
             return UrdfReader.Read(_urdf, "'" + name + "'");
         }
     }

@@ -1,0 +1,52 @@
+using System;
+using System.IO;
+using Nowpose.Unity;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Says what is in a robot description, and loads a file into it.</summary>
+    [CustomEditor(typeof(RobotDescriptionAsset))]
+    sealed class RobotDescriptionAssetEditor : UnityEditor.Editor
+    {
+        UrdfSummary _summary;
+
+        public override void OnInspectorGUI()
+        {
+            var asset = (RobotDescriptionAsset)target;
+            if (_summary == null || !_summary.IsOf(asset)) _summary = new UrdfSummary(asset);
+            EditorGUILayout.LabelField("Robot", _summary.Robot);
+            EditorGUILayout.LabelField("Moving joints", _summary.Joints);
+            EditorGUILayout.LabelField("Characters", _summary.Length);
+            EditorGUILayout.LabelField("SHA-256", _summary.Hash);
+            if (_summary.Fault != null) EditorGUILayout.HelpBox(_summary.Fault, MessageType.Error);
+            // Not here: a dialog stops the drawing of this inspector.
+            if (GUILayout.Button("Load a URDF file …")) EditorApplication.delayCall += Choose;
+            EditorGUILayout.HelpBox(_summary.Beginning, MessageType.None);
+        }
+
+        void Choose()
+        {
+            if (target == null) return;
+            var path = EditorUtility.OpenFilePanel("Load a URDF, xacro expanded", "", "urdf");
+            if (string.IsNullOrEmpty(path)) return;
+            try
+            {
+                Load(File.ReadAllText(path));
+            }
+            catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
+            {
+                Debug.LogError("[Nowpose] '" + target.name + "': " + path + " could not be read; " + e.Message, target);
+            }
+        }
+
+        void Load(string urdf)
+        {
+            serializedObject.Update();
+            serializedObject.FindProperty("_urdf").stringValue = urdf;
+            serializedObject.ApplyModifiedProperties();
+            Repaint();
+        }
+    }
+}

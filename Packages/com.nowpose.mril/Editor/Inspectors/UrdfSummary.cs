@@ -1,0 +1,66 @@
+using System;
+using System.Globalization;
+using System.Linq;
+using System.Text;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+
+namespace Nowpose.Editor
+{
+    /// <summary>A robot description in a few words.</summary>
+    sealed class UrdfSummary
+    {
+        const int Lines = 12, LineLength = 120;
+
+        readonly string _urdf;
+
+        public UrdfSummary(RobotDescriptionAsset asset)
+        {
+            _urdf = asset.Urdf ?? "";
+            Length = _urdf.Length.ToString(CultureInfo.InvariantCulture);
+            Hash = _urdf.Length == 0 ? LiveText.Unknown : UrdfHash.Of(_urdf).ToString();
+            Beginning = BeginningOf(_urdf);
+            try
+            {
+                var model = asset.Read();
+                Robot = model.Name;
+                Joints = string.Join(", ", model.MovingJoints.Select(j => j.Name));
+            }
+            catch (InputException e)
+            {
+                Fault = e.Message;
+            }
+        }
+
+        public string Robot { get; } = LiveText.Unknown;
+        public string Joints { get; } = LiveText.Unknown;
+        public string Length { get; }
+
+        /// <summary>By which it is compared with the gateway's.</summary>
+        public string Hash { get; }
+
+        /// <summary>The first lines; what is left out is marked by an ellipsis.</summary>
+        public string Beginning { get; }
+
+        /// <summary>Why it is no robot; null where it is one.</summary>
+        public string Fault { get; }
+
+        /// <summary>Whether the asset still holds the same text.</summary>
+        public bool IsOf(RobotDescriptionAsset asset) => (asset.Urdf ?? "") == _urdf;
+
+        static string BeginningOf(string urdf)
+        {
+            var shown = new StringBuilder();
+            var start = 0;
+            for (var line = 0; line < Lines && start < urdf.Length; line++)
+            {
+                var end = urdf.IndexOf('\n', start);
+                if (end < 0) end = urdf.Length;
+                var length = Math.Min(end - start, LineLength);
+                shown.Append(urdf, start, length).Append(length < end - start ? "…\n" : "\n");
+                start = end + 1;
+            }
+            return shown.Append(start < urdf.Length ? "…" : "").ToString().TrimEnd();
+        }
+    }
+}
