@@ -19,7 +19,8 @@ public class PlayedRobotTests
     {
         _cell = new PlayedCell();
         _session = _cell.NewSession();
-        _rig = Below<RobotRig>("Robot", _session.transform);
+        var material = new Material((Shader)null);
+        _rig = Below<RobotRig>("Robot", _session.transform).With("_armMaterial", material).With("_toolMaterial", material);
     }
 
     [TearDown]
@@ -162,7 +163,7 @@ public class PlayedRobotTests
     public void Rig_NoSession_SaysSoUnlessAScriptMovesIt()
     {
         var alone = new GameObject("Alone").AddComponent<RobotRig>();
-        var moved = new GameObject("Moved").AddComponent<RobotRig>();
+        var moved = new GameObject("Moved").AddComponent<RobotRig>().With("_armMaterial", new Material((Shader)null));
         moved.Bind(RobotFiles.Load("ur5"));
 
         _cell.Frame(null);
@@ -170,6 +171,18 @@ public class PlayedRobotTests
 
         Assert.That(_cell.Player.Logs.Single().Context, Is.SameAs(alone));
         Assert.That(_cell.Messages.Single(), Does.Contain("'Alone'").And.Contain("no session"));
+    }
+
+    [Test]
+    public void Rig_BuiltWithoutMaterials_SaysSoOnce()
+    {
+        var rig = new GameObject("Plain").AddComponent<RobotRig>();
+
+        rig.Bind(RobotFiles.Load("ur5"));
+        rig.Bind(RobotFiles.Load("youbot"));
+
+        Assert.That(_cell.Messages.Single(), Does.Contain("'Plain' lacks a material"));
+        Assert.That(_cell.Player.Logs.Single().Context, Is.SameAs(rig));
     }
 
     [Test]

@@ -8,17 +8,39 @@ namespace Nowpose.Unity
     sealed class PlainLook : IRigLook
     {
         readonly Material _arm, _tool;
+        Material _unitys;
 
-        /// <param name="arm">Of the links up to the flange.</param>
-        /// <param name="tool">Of the links that the flange carries.</param>
+        /// <param name="arm">Of the links up to the flange; null for what Unity gives its primitives.</param>
+        /// <param name="tool">Of the links that the flange carries; null for the same.</param>
         public PlainLook(Material arm, Material tool)
         {
             _arm = arm;
             _tool = tool;
         }
 
-        public Material MaterialOf(VisualColour? colour, bool isTool) => isTool ? _tool : _arm;
+        /// <summary>Whether a material was asked for that it was not given.</summary>
+        public bool LacksMaterial { get; private set; }
+
+        public Material MaterialOf(VisualColour? colour, bool isTool)
+        {
+            var material = isTool ? _tool : _arm;
+            if (material != null) return material;
+            if (!LacksMaterial) _unitys = TakenFromAPrimitive();
+            LacksMaterial = true;
+            return _unitys;
+        }
 
         public GameObject MeshOf(LinkVisual visual, bool isTool) => null;
+
+        // What has no material at all is magenta; and a script can have Unity's default in no other way.
+        static Material TakenFromAPrimitive()
+        {
+            var cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            cube.SetActive(false);
+            var material = cube.GetComponent<MeshRenderer>().sharedMaterial;
+            if (Application.isPlaying) Object.Destroy(cube);
+            else Object.DestroyImmediate(cube);
+            return material;
+        }
     }
 }

@@ -31,6 +31,7 @@ namespace Nowpose.Unity
         RobotModel _refused;
         RigHierarchy _hierarchy;
         GameObject _built;
+        bool _toldOfMaterials;
         double[] _joints = Array.Empty<double>();
 
         /// <summary>The transforms were bound to a robot, or to another one than before.</summary>
@@ -150,7 +151,17 @@ namespace Nowpose.Unity
             return RigHierarchy.Find(model, transform);
         }
 
-        GameObject NewLinks(RobotModel model) => RigBuilder.Build(model, transform, new PlainLook(_armMaterial, _toolMaterial));
+        GameObject NewLinks(RobotModel model)
+        {
+            var look = new PlainLook(_armMaterial, _toolMaterial);
+            var links = RigBuilder.Build(model, transform, look);
+            if (look.LacksMaterial && !_toldOfMaterials)
+                Debug.LogWarning(
+                    "[Nowpose] rig '" + name + "' lacks a material for the robot that it built, which therefore looks like Unity's primitives, "
+                    + "or magenta in an app of another render pipeline; assign both", this);
+            _toldOfMaterials |= look.LacksMaterial;
+            return links;
+        }
 
         // Taken out at once: it is destroyed at the end of the frame, and until then its links would be found.
         void Unbuild()

@@ -257,6 +257,19 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Bind_NoMaterials_LooksLikeUnitysPrimitivesAndLeavesNoneBehind()
+        {
+            var arm = _scene.Material("arm");
+            var rig = NewRig().With("_armMaterial", arm);
+
+            rig.Bind(UrdfFiles.Robot("youbot"));
+
+            Assert.That(MaterialOf(rig, "arm_link_5"), Is.SameAs(arm));
+            Assert.That(MaterialOf(rig, "gripper_palm_link").name, Does.StartWith("Default-Material").Or.StartsWith("Lit"));
+            Assert.That(GameObject.Find("Cube"), Is.Null);
+        }
+
+        [Test]
         public void Bind_LinkOfMeshesOnly_IsABarToEachJointBelow()
         {
             const string mesh = "<visual><geometry><mesh filename='package://a/b.dae'/></geometry></visual>";
