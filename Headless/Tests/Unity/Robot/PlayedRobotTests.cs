@@ -160,6 +160,38 @@ public class PlayedRobotTests
     }
 
     [Test]
+    public void Rig_LinkDestroyed_IsSaidOnceAndTheRestGoesOn()
+    {
+        var ghost = NewGhost();
+        Play();
+
+        UnityEngine.Object.Destroy(_rig.Link("arm_link_3").gameObject);
+        _cell.Run(1, _session);
+
+        var fault = _cell.Player.Logs.Single(log => log.Type is LogType.Error or LogType.Exception);
+        Assert.That(fault.Message, Does.StartWith("[Nowpose] ").And.Contain("'arm_link_3'").And.Contain("is missing"));
+        Assert.That(_rig.IsFollowing, Is.False);
+        Assert.That(ghost.GetComponent<RobotRig>().Joints.ToArray(), Is.EqualTo(_session.Frame.HeldJoints.ToArray()));
+    }
+
+    [Test]
+    public void Gripper_FingerDestroyed_TheOtherGoesOn()
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _rig.transform);
+        var lost = Below<FrameProbe>("Left", gripper.transform).transform;
+        var kept = Below<FrameProbe>("Right", gripper.transform).transform;
+        gripper.With("_fingers", new List<GripperFinger> { new("gripper_finger_joint_l", lost), new("gripper_finger_joint_r", kept) });
+        Play();
+
+        UnityEngine.Object.Destroy(lost.gameObject);
+        _cell.Run(1, _session);
+
+        Assert.That(_cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
+        var joint = _session.Robot.IndexOfMovingJoint("gripper_finger_joint_r");
+        Assert.That(kept.localPosition.magnitude, Is.EqualTo(Math.Abs(_session.Frame.Joints[joint])).Within(1e-6));
+    }
+
+    [Test]
     public void Rig_NoSession_SaysSoUnlessAScriptMovesIt()
     {
         var alone = new GameObject("Alone").AddComponent<RobotRig>();

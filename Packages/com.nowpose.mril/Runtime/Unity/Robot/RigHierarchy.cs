@@ -31,6 +31,17 @@ namespace Nowpose.Unity
         public Transform Tool => Link(_model.ToolLink.Name);
         public Transform Flange => Link(_model.FlangeLink.Name);
 
+        /// <summary>False once one of the links was destroyed.</summary>
+        public bool IsWhole
+        {
+            get
+            {
+                foreach (var link in _links)
+                    if (link == null) return false;
+                return true;
+            }
+        }
+
         /// <returns>Null when the robot has no such link.</returns>
         public Transform Link(string name)
         {

@@ -132,7 +132,7 @@ namespace Nowpose.Unity
         void FollowRobot()
         {
             var robot = _source.Robot;
-            if (robot == null || robot == Model || robot == _refused) return;
+            if (robot == null || robot == _refused || (robot == Model && _hierarchy.IsWhole)) return;
             _refused = null;
             try
             {

@@ -102,7 +102,8 @@ namespace Nowpose.Unity
         {
             if (_flange != null && !transform.IsChildOf(_flange)) transform.SetPositionAndRotation(_flange.position, _flange.rotation);
             var joints = _source.Joints;
-            foreach (var drive in _drives) drive.Move.Apply(joints[drive.Joint]);
+            foreach (var drive in _drives)
+                if (drive.Finger != null) drive.Move.Apply(joints[drive.Joint]);
         }
 
         readonly struct FingerDrive
