@@ -1,3 +1,4 @@
+using Nowpose.Unity;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
@@ -33,7 +34,7 @@ namespace Nowpose.Editor
             var asset = prefab.Load<GameObject>();
             if (asset == null)
             {
-                Debug.LogError("[Nowpose] The prefab '" + prefab.Name + "' (GUID " + prefab.Guid
+                ConsoleLog.Fail(null, "The prefab '" + prefab.Name + "' (GUID " + prefab.Guid
                     + ") is not in this project; reinstall the package com.nowpose.mril.");
                 return null;
             }

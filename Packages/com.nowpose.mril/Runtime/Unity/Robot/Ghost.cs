@@ -38,7 +38,7 @@ namespace Nowpose.Unity
             _own = GetComponent<RobotRig>();
             _other = _displayed != null ? _displayed : DisplayedBeside(transform.parent);
             if (_other == null)
-                Debug.LogWarning("[Nowpose] ghost '" + name + "' finds no rig beside it to compare with; assign one", this);
+                ConsoleLog.Warn(this, "ghost '" + name + "' finds no rig beside it to compare with; assign one");
         }
 
         static RobotRig DisplayedBeside(Transform parent)

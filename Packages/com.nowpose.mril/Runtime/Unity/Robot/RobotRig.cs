@@ -99,7 +99,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = _session != null ? _session : GetComponentInParent<MrilSession>();
+            _source = this.SessionOr(_session);
             if (_source != null) _source.Shown += Show;
         }
 
@@ -114,7 +114,7 @@ namespace Nowpose.Unity
         {
             if (_source != null) FollowRobot();
             else if (Model == null)
-                Debug.LogWarning("[Nowpose] rig '" + name + "' has no session above it to move it; assign one, or call Bind and Apply", this);
+                ConsoleLog.Warn(this, "rig '" + name + "' has no session above it to move it; assign one, or call Bind and Apply");
         }
 
         void OnDestroy()
@@ -141,7 +141,7 @@ namespace Nowpose.Unity
             catch (InputException fault)
             {
                 _refused = robot;
-                Debug.LogError("[Nowpose] " + fault.Message, this);
+                ConsoleLog.Fail(this, fault.Message);
             }
         }
 

@@ -7,17 +7,15 @@ namespace Nowpose.Unity
     /// <summary>Says in the console what has changed: once per change, never per frame.</summary>
     sealed class SessionLog
     {
-        const string Prefix = "[Nowpose] ";
-
         readonly Object _context;
         string _sync, _samples;
 
         /// <param name="context">What the console selects when the line is clicked.</param>
         public SessionLog(Object context) => _context = context;
 
-        public void Say(string message) => Debug.Log(Prefix + message, _context);
-        public void Warn(string message) => Debug.LogWarning(Prefix + message, _context);
-        public void Fail(string message) => Debug.LogError(Prefix + message, _context);
+        public void Say(string message) => ConsoleLog.Say(_context, message);
+        public void Warn(string message) => ConsoleLog.Warn(_context, message);
+        public void Fail(string message) => ConsoleLog.Fail(_context, message);
 
         /// <summary>Allocates only when there is something to say.</summary>
         public void Follow(CompensationSession session)
@@ -26,16 +24,14 @@ namespace Nowpose.Unity
             Follow(session.SampleLink, "joint positions", ref _samples);
         }
 
-        /// <summary>Allocates nothing itself.</summary>
+        /// <summary>Allocates only when there is something to say.</summary>
         public void Say(SessionChange change)
         {
-            if ((change & SessionChange.Synchronised) != 0) Debug.Log(Prefix + "clock synchronised", _context);
-            if ((change & SessionChange.Lost) != 0)
-                Debug.LogWarning(Prefix + "clock synchronisation lost; poses are not current", _context);
-            if ((change & SessionChange.EnteredRange) != 0) Debug.Log(Prefix + "render time within the constant-latency range", _context);
-            if ((change & SessionChange.LeftRange) != 0)
-                Debug.LogWarning(Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
-            if ((change & SessionChange.Stale) != 0) Debug.LogWarning(Prefix + "joint positions are stale; the pose is held", _context);
+            if ((change & SessionChange.Synchronised) != 0) Say("clock synchronised");
+            if ((change & SessionChange.Lost) != 0) Warn("clock synchronisation lost; poses are not current");
+            if ((change & SessionChange.EnteredRange) != 0) Say("render time within the constant-latency range");
+            if ((change & SessionChange.LeftRange) != 0) Warn("render time beyond the constant-latency range; poses are late by an unknown time");
+            if ((change & SessionChange.Stale) != 0) Warn("joint positions are stale; the pose is held");
         }
 
         // While it tries again and again for one reason, the reason is said once.
