@@ -34,7 +34,7 @@ public class TickAllocationTests
                 session.Received(new JointStateMessage(control - TimeSpan.FromMilliseconds(80), names, Positions(names.Length, frame)), now);
 
             var before = GC.GetAllocatedBytesForCurrentThread();
-            session.Rendered(TimeSpan.FromMilliseconds(10 + frame % 7), RenderTimeSourceKind.GpuTime);
+            session.Rendered(TimeSpan.FromMilliseconds(10 + frame % 7), RenderTimeSourceKind.DisplayGpuTime);
             session.Tick(now);
             session.Fill(statistics, now);
             if (frame >= 500) allocated += GC.GetAllocatedBytesForCurrentThread() - before;

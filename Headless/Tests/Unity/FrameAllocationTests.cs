@@ -81,7 +81,8 @@ public class FrameAllocationTests
     {
         Means.Readback => RenderTimeSourceKind.GpuCompletion,
         Means.Camera => RenderTimeSourceKind.CameraCpu,
-        _ => RenderTimeSourceKind.GpuTime,
+        Means.EngineGpu => RenderTimeSourceKind.EngineGpuTime,
+        _ => RenderTimeSourceKind.DisplayGpuTime,
     };
 
     static string WordsOf(MrilSession session) => session.GetComponentInChildren<PoseAppearance>()

@@ -84,7 +84,7 @@ public sealed partial class ManualTests
     [TestCase("_visualisationMs", "Visualisation Ms")]
     [TestCase("_webSocketPort", "Web Socket Port")]
     [TestCase("m_URDFText", "URDF Text")]
-    [TestCase("GpuTime", "Gpu Time")]
+    [TestCase("GpuCompletion", "Gpu Completion")]
     [TestCase("joint", "Joint")]
     public void Label_OfAName_IsWhatUnityMakes(string name, string label)
     {

@@ -26,7 +26,7 @@ public class PoseAppearanceTests
         _cell = new PlayedCell();
         _session = _cell.NewSession(settings: new SessionSettings(
             new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
-            range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime)));
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime)));
         _eachFrame = null;
         _frames = 0;
         _rig = Child("Robot", _session.gameObject.transform).AddComponent<RobotRig>();
@@ -66,7 +66,7 @@ public class PoseAppearanceTests
 
     void Take(double ms)
     {
-        for (var i = 0; i < 20; i++) _session.Session.Rendered(TimeSpan.FromMilliseconds(ms), RenderTimeSourceKind.GpuTime);
+        for (var i = 0; i < 20; i++) _session.Session.Rendered(TimeSpan.FromMilliseconds(ms), RenderTimeSourceKind.DisplayGpuTime);
     }
 
     void BeCurrent()

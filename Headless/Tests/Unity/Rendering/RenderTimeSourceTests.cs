@@ -24,7 +24,7 @@ public class RenderTimeSourceTests
         _cell = new PlayedCell();
         _session = _cell.NewSession(settings: new SessionSettings(
             new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
-            range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime)));
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime)));
         _source = _session.gameObject.AddComponent<RenderTimeSource>();
         new GameObject("Camera").AddComponent<Camera>();
     }
@@ -63,11 +63,11 @@ public class RenderTimeSourceTests
 
         Play(2);
 
-        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuTime));
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
-        Assert.That(Said(), Is.EqualTo(new[] { "GPU time" }), "once");
+        Assert.That(Said(), Is.EqualTo(new[] { "GPU time by headset" }), "once");
         Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "nobody needs them");
     }
 
@@ -82,8 +82,10 @@ public class RenderTimeSourceTests
 
         Play(2);
 
-        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuTime));
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(11).Within(1e-3));
+        Assert.That(_session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource), "the limit was found with the headset's");
+        Assert.That(Said(), Is.EqualTo(new[] { "GPU time by Unity" }));
     }
 
     [TestCase(1)]
@@ -167,9 +169,9 @@ public class RenderTimeSourceTests
         Run(2);
 
         Assert.That(before, Is.EqualTo(RangeState.Outside));
-        Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.GpuTime), "a few silent frames are none of its end");
+        Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime), "a few silent frames are none of its end");
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
-        Assert.That(Said().First(), Is.EqualTo("GPU time"));
+        Assert.That(Said().First(), Is.EqualTo("GPU time by headset"));
         Assert.That(Said().Last(), Is.EqualTo("trigger to GPU done"));
         Assert.That(Said(), Has.None.Contains("CPU"), "a better one was on its way");
         Assert.That(Said().Count(), Is.LessThanOrEqualTo(3));

@@ -162,7 +162,7 @@ public class MrilSessionTests
         foreach (var name in new[] { "Synchronised", "Lost", "EnteredRange", "LeftRange", "Stale" }) Listen(session, name, told);
 
         void Render(double ms, double seconds) => _cell.Run(
-            seconds, session, () => session.Session.Rendered(TimeSpan.FromMilliseconds(ms), RenderTimeSourceKind.GpuTime));
+            seconds, session, () => session.Session.Rendered(TimeSpan.FromMilliseconds(ms), RenderTimeSourceKind.DisplayGpuTime));
         Render(10, 5);
         Assert.That(told, Is.EquivalentTo(new[] { "Synchronised", "EnteredRange" }));
         told.Clear();
@@ -477,7 +477,7 @@ public class MrilSessionTests
     }
 
     static SessionSettings WithLimit(double ms) => new(
-        PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, range: new ConstantLatencyRange(ms, RenderTimeSourceKind.GpuTime));
+        PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, range: new ConstantLatencyRange(ms, RenderTimeSourceKind.DisplayGpuTime));
 
     static void Listen(MrilSession session, string name, List<string> told)
     {

@@ -201,7 +201,7 @@ public class SessionListenersTests
 
     static SessionSettings With(double visualisationMs) =>
         new(PlayedCell.Offline.Connection, VisualisationLatency.FromMilliseconds(visualisationMs),
-            range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime));
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime));
 
     // Current, and with connections that a forgotten session would keep up.
     void Begin()
@@ -215,7 +215,7 @@ public class SessionListenersTests
 
     void Frame(double renderMs)
     {
-        if (_session != null) _session.Session?.Rendered(TimeSpan.FromMilliseconds(renderMs), RenderTimeSourceKind.GpuTime);
+        if (_session != null) _session.Session?.Rendered(TimeSpan.FromMilliseconds(renderMs), RenderTimeSourceKind.DisplayGpuTime);
         _cell.Frame(_session);
     }
 

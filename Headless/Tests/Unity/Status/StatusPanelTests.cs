@@ -23,7 +23,7 @@ public class StatusPanelTests
         _cell = new PlayedCell();
         _session = _cell.NewSession("ur5", new SessionSettings(
             new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
-            range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime)));
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime)));
         _eachFrame = null;
         _frames = 0;
         _camera = new GameObject("Camera") { tag = "MainCamera" }.AddComponent<Camera>();
@@ -63,7 +63,7 @@ public class StatusPanelTests
     [Test]
     public void LateUpdate_WholeSession_TellsOfIt()
     {
-        _eachFrame = _ => _session.Session?.Rendered(TimeSpan.FromMilliseconds(9.5), RenderTimeSourceKind.GpuTime);
+        _eachFrame = _ => _session.Session?.Rendered(TimeSpan.FromMilliseconds(9.5), RenderTimeSourceKind.DisplayGpuTime);
 
         Play(20);
 
@@ -73,7 +73,7 @@ public class StatusPanelTests
         Assert.That(Row("L_app"), Is.EqualTo(("80.0 ms", "95 % below 80 ms")));
         Assert.That(Row("L_visu").Value, Is.EqualTo("40.0 ms"));
         Assert.That(Row("Horizon").Value, Does.Match(@"^1[2-6]\d ms$"));
-        Assert.That(Row("Render time"), Is.EqualTo(("9.5 ms", "GPU time")));
+        Assert.That(Row("Render time"), Is.EqualTo(("9.5 ms", "GPU time by headset")));
         Assert.That(Row("Range"), Is.EqualTo(("inside", "")));
         Assert.That(Row("Error reduction").Value, Does.Match(@"^9\d %$"));
         Assert.That(Row("Gateway"), Is.EqualTo(("not connected", "within this machine")));
@@ -141,7 +141,7 @@ public class StatusPanelTests
     {
         var random = new System.Random(2);
         _eachFrame = _ =>
-            _session.Session.Rendered(TimeSpan.FromMilliseconds(8 + 6 * random.NextDouble()), RenderTimeSourceKind.GpuTime);
+            _session.Session.Rendered(TimeSpan.FromMilliseconds(8 + 6 * random.NextDouble()), RenderTimeSourceKind.DisplayGpuTime);
         Play(20);
         var changes = Texts.Sum(t => t.TextChanges);
         var before = _cell.Allocated;
@@ -156,7 +156,7 @@ public class StatusPanelTests
     public void LateUpdate_ManyFrames_WritesAFewTimesASecond()
     {
         _eachFrame = frame =>
-            _session.Session.Rendered(TimeSpan.FromMilliseconds(5 + frame % 97 * 0.1), RenderTimeSourceKind.GpuTime);
+            _session.Session.Rendered(TimeSpan.FromMilliseconds(5 + frame % 97 * 0.1), RenderTimeSourceKind.DisplayGpuTime);
         Play(5);
         var text = Sheet.Find("RenderTime 1").GetComponent<TextMesh>();
         var before = text.TextChanges;

@@ -17,7 +17,7 @@ namespace Nowpose.Latency
         readonly Candidate[] _candidates;
         int _inUse = None;
 
-        /// <param name="bestFirst">What each way measures; two may measure the same.</param>
+        /// <param name="bestFirst">What each way measures.</param>
         public RenderTimeChoice(params RenderTimeSourceKind[] bestFirst)
         {
             _candidates = new Candidate[bestFirst.Length];

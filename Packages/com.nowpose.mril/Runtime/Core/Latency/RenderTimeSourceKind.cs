@@ -6,8 +6,11 @@ namespace Nowpose.Latency
         /// <summary>Nothing measures.</summary>
         None,
 
-        /// <summary>Time the GPU worked on the frame, as the driver reports it.</summary>
-        GpuTime,
+        /// <summary>Time the GPU worked on the frame, as the headset's runtime reports it.</summary>
+        DisplayGpuTime,
+
+        /// <summary>The same as the engine reports it: it need not count the same work.</summary>
+        EngineGpuTime,
 
         /// <summary>From the trigger of the render job until the program learns that the GPU has finished it.</summary>
         GpuCompletion,

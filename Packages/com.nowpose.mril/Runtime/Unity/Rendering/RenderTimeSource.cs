@@ -43,10 +43,10 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _log ??= new SessionLog(this);
-            _target = _session != null ? _session : GetComponentInParent<MrilSession>();
+            _target = this.SessionOr(_session);
             _clock = _target != null ? _target.HeadsetClock : new StopwatchHeadsetClock();
             _choice = new RenderTimeChoice(
-                RenderTimeSourceKind.GpuTime, RenderTimeSourceKind.GpuTime, RenderTimeSourceKind.GpuCompletion, RenderTimeSourceKind.CameraCpu);
+                RenderTimeSourceKind.DisplayGpuTime, RenderTimeSourceKind.EngineGpuTime, RenderTimeSourceKind.GpuCompletion, RenderTimeSourceKind.CameraCpu);
             _completion = new GpuCompletion(_clock);
             _cameras = default;
             _trigger = null;
@@ -91,7 +91,8 @@ namespace Nowpose.Unity
             {
                 yield return _endOfFrame;
                 // The GPU's own time needs no readbacks beside it, until it is missing.
-                var isNeeded = Source != RenderTimeSourceKind.GpuTime || RenderTime == null;
+                var isGpuTime = Source == RenderTimeSourceKind.DisplayGpuTime || Source == RenderTimeSourceKind.EngineGpuTime;
+                var isNeeded = !isGpuTime || RenderTime == null;
                 if (isNeeded && _trigger is HeadsetTime triggered) _completion.Submitted(triggered);
                 _trigger = null;
             }

@@ -9,7 +9,8 @@ namespace Nowpose.Unity
         {
             switch (source)
             {
-                case RenderTimeSourceKind.GpuTime: return "GPU time";
+                case RenderTimeSourceKind.DisplayGpuTime: return "GPU time by headset";
+                case RenderTimeSourceKind.EngineGpuTime: return "GPU time by Unity";
                 case RenderTimeSourceKind.GpuCompletion: return "trigger to GPU done";
                 case RenderTimeSourceKind.CameraCpu: return "camera CPU, unverified";
                 default: return "nothing measures";

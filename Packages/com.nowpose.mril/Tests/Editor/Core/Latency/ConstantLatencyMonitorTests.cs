@@ -8,7 +8,7 @@ namespace Nowpose.Tests
     public class ConstantLatencyMonitorTests
     {
         const double Limit = SimulatedDisplay.TrueLimitMs;
-        const RenderTimeSourceKind Source = RenderTimeSourceKind.GpuTime;
+        const RenderTimeSourceKind Source = RenderTimeSourceKind.DisplayGpuTime;
         static readonly int[] Seeds = Enumerable.Range(1, 20).ToArray();
 
         static ConstantLatencyMonitor Monitor(double limitMs = Limit) =>
@@ -202,8 +202,8 @@ namespace Nowpose.Tests
             Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(100).Within(1e-3));
         }
 
-        [TestCase(0, RenderTimeSourceKind.GpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
-        [TestCase(double.NaN, RenderTimeSourceKind.GpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
+        [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
+        [TestCase(double.NaN, RenderTimeSourceKind.DisplayGpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(15, RenderTimeSourceKind.None, "render time limit: say which source of the render time it was found with; it holds for no other")]
         public void ConstantLatencyRange_BadSetting_SaysWhatIsWrong(double limitMs, RenderTimeSourceKind source, string message)
         {

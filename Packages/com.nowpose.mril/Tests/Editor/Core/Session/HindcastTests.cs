@@ -171,10 +171,10 @@ namespace Nowpose.Tests
         [Test]
         public void Statistics_RenderTimeOutsideTheRange_AreNotMixedWithFramesOfUnknownLight()
         {
-            var range = new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime);
+            var range = new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime);
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: range);
             simulated.Run(8);
-            for (var i = 0; i < 20; i++) simulated.Session.Rendered(TimeSpan.FromMilliseconds(30), RenderTimeSourceKind.GpuTime);
+            for (var i = 0; i < 20; i++) simulated.Session.Rendered(TimeSpan.FromMilliseconds(30), RenderTimeSourceKind.DisplayGpuTime);
 
             simulated.Run(12);
 

@@ -12,7 +12,7 @@ namespace Nowpose.Tests
     public class RenderTimeTests
     {
         const int Seed = 7;
-        static readonly ConstantLatencyRange Range = new ConstantLatencyRange(15, RenderTimeSourceKind.GpuTime);
+        static readonly ConstantLatencyRange Range = new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime);
 
         static SimulatedSession Session(ConstantLatencyRange range) => new SimulatedSession(NetworkProfile.Lan, Seed, range: range);
 
@@ -33,10 +33,10 @@ namespace Nowpose.Tests
             var simulated = Session(Range);
             simulated.Run(10);
 
-            var low = Run(simulated, 10, RenderTimeSourceKind.GpuTime);
-            var high = Run(simulated, 20, RenderTimeSourceKind.GpuTime);
+            var low = Run(simulated, 10, RenderTimeSourceKind.DisplayGpuTime);
+            var high = Run(simulated, 20, RenderTimeSourceKind.DisplayGpuTime);
             var range = simulated.Session.Tick(HeadsetTime.FromSeconds(simulated.Now)).Range;
-            var fallen = Run(simulated, 10, RenderTimeSourceKind.GpuTime);
+            var fallen = Run(simulated, 10, RenderTimeSourceKind.DisplayGpuTime);
 
             Assert.That(low, Is.All.EqualTo(PoseState.Current));
             Assert.That(high.Skip(10), Is.All.EqualTo(PoseState.OutsideRange));
@@ -60,12 +60,12 @@ namespace Nowpose.Tests
         public void Rendered_OutsideWhileUnsynchronisedOrHeld_TheGraverStateIsShown()
         {
             var simulated = Session(Range);
-            var incomplete = Run(simulated, 20, RenderTimeSourceKind.GpuTime).First();
+            var incomplete = Run(simulated, 20, RenderTimeSourceKind.DisplayGpuTime).First();
             simulated.Run(10);
             simulated.IsGatewayUp = false;
             simulated.Run(1);
 
-            var gone = Run(simulated, 20, RenderTimeSourceKind.GpuTime);
+            var gone = Run(simulated, 20, RenderTimeSourceKind.DisplayGpuTime);
 
             Assert.That(incomplete, Is.EqualTo(PoseState.Incomplete));
             Assert.That(gone, Is.All.EqualTo(PoseState.Held));
@@ -76,7 +76,7 @@ namespace Nowpose.Tests
         {
             var simulated = Session(Range);
             var before = simulated.Session.Statistics(default);
-            Run(simulated, 9.5, RenderTimeSourceKind.GpuTime);
+            Run(simulated, 9.5, RenderTimeSourceKind.DisplayGpuTime);
 
             var after = simulated.Session.Statistics(default);
 
@@ -84,7 +84,7 @@ namespace Nowpose.Tests
             Assert.That(before.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.None));
             Assert.That(before.RangeDoubt, Is.EqualTo(RangeDoubt.NoRenderTime));
             Assert.That(after.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9.5).Within(0.01));
-            Assert.That(after.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.GpuTime));
+            Assert.That(after.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
             Assert.That(after.Range, Is.EqualTo(RangeState.Inside));
         }
 
@@ -95,7 +95,7 @@ namespace Nowpose.Tests
             var session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), default, range: Range), TestRobot.Model, new SetClock());
             var before = session.Diagnostics().Values.Select(v => v.Key).ToList();
-            for (var i = 0; i < 20; i++) session.Rendered(Lengths.Ms(renderMs), RenderTimeSourceKind.GpuTime);
+            for (var i = 0; i < 20; i++) session.Rendered(Lengths.Ms(renderMs), RenderTimeSourceKind.DisplayGpuTime);
 
             var values = session.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
 

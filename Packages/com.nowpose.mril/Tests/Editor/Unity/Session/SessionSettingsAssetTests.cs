@@ -79,10 +79,10 @@ namespace Nowpose.Tests
         [Test]
         public void ToSettings_RenderTimeLimit_ArrivesWithItsSource()
         {
-            var range = Asset().With("_renderTimeLimitMs", 14.5).With("_renderTimeLimitSource", RenderTimeSourceKind.GpuTime).ToSettings().Range;
+            var range = Asset().With("_renderTimeLimitMs", 14.5).With("_renderTimeLimitSource", RenderTimeSourceKind.DisplayGpuTime).ToSettings().Range;
 
             Assert.That(range.Limit.TotalMilliseconds, Is.EqualTo(14.5));
-            Assert.That(range.Source, Is.EqualTo(RenderTimeSourceKind.GpuTime));
+            Assert.That(range.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
         }
 
         [Test]

@@ -95,7 +95,8 @@ namespace Nowpose.Tests
             Assert.That(Row(StatusRow.Horizon, statistics), Is.EqualTo("−3 ms|"));
         }
 
-        [TestCase(RenderTimeSourceKind.GpuTime, "9.5 ms|GPU time")]
+        [TestCase(RenderTimeSourceKind.DisplayGpuTime, "9.5 ms|GPU time by headset")]
+        [TestCase(RenderTimeSourceKind.EngineGpuTime, "9.5 ms|GPU time by Unity")]
         [TestCase(RenderTimeSourceKind.GpuCompletion, "9.5 ms|trigger to GPU done")]
         [TestCase(RenderTimeSourceKind.CameraCpu, "9.5 ms|camera CPU, unverified")]
         public void Update_RenderTime_NamesItsSource(RenderTimeSourceKind source, string expected)
