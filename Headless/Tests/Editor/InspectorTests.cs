@@ -38,7 +38,7 @@ public sealed class InspectorTests : EditorFixture
         Assert.That(editor.RequiresConstantRepaint());
         Assert.That(GuiRecorder.Texts, Does.Contain("Robot: –, youbot"));
         Assert.That(GuiRecorder.Texts, Does.Contain("Pose: current"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("L_visu: 40.0 ms, as calibrated"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("L_visu: 40.0 ms, as set"));
         Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("End to end: 12", StringComparison.Ordinal)), Does.EndWith(" ms"));
         Assert.That(GuiRecorder.Texts.Single(t => t.StartsWith("L_app 8", StringComparison.Ordinal)), Does.EndWith("ms   (100 ms at the top)"));
         Assert.That(GuiRecorder.Properties, Does.Contain("_settings"));
@@ -263,7 +263,7 @@ public sealed class InspectorTests : EditorFixture
         Play(session, 8);
 
         Inspect(panel).OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: current").And.Contain("L_visu: 40.0 ms, as calibrated").And.Contain("Legible up to: –"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Pose: current").And.Contain("L_visu: 40.0 ms, as set").And.Contain("Legible up to: –"));
 
         GuiRecorder.Clear();
         panel.enabled = false;

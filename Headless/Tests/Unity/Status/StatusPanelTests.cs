@@ -123,6 +123,41 @@ public class StatusPanelTests
     }
 
     [Test]
+    public void OnDisable_Playing_NothingOfItIsSeenUntilEnabledAgain()
+    {
+        _panel.With("_ground", new Material((Shader)null));
+        Play(1);
+        var shown = Seen();
+
+        _panel.enabled = false;
+        Run(0.5);
+        var hidden = Seen();
+        _panel.enabled = true;
+        Run(0.5);
+
+        Assert.That(hidden, Is.Empty);
+        Assert.That(Seen(), Is.EqualTo(shown).And.Contain("Ground").And.Contain("Pose 0"));
+    }
+
+    IEnumerable<string> Seen() =>
+        [.. Sheet.GetComponentsInChildren<MeshRenderer>().Where(r => r.enabled).Select(r => r.name), .. Texts.Where(t => t.text != "").Select(t => t.name)];
+
+    [Test]
+    public void OnDestroy_ComponentAlone_LeavesNoObjectsBehind()
+    {
+        _panel.With("_ground", new Material((Shader)null));
+        var before = _panel.transform.GetComponentsInChildren<Transform>(true).Length;
+        Play(1);
+        var panel = _panel.transform;
+        Assert.That(panel.GetComponentsInChildren<Transform>(true), Has.Length.GreaterThan(before));
+
+        UnityEngine.Object.Destroy(_panel);
+        Run(0.1);
+
+        Assert.That(panel.GetComponentsInChildren<Transform>(true), Has.Length.EqualTo(before));
+    }
+
+    [Test]
     public void LateUpdate_FirstFrame_ShowsDashesForWhatIsNotKnown()
     {
         _cell.IsPlantUp = false;

@@ -17,6 +17,7 @@ namespace Nowpose.Unity
 
         readonly Transform _sheet;
         readonly TextMesh _model;
+        readonly MeshRenderer _ground;
         readonly PanelCell[] _labels = new PanelCell[StatusTexts.Rows];
         readonly PanelCell[] _values = new PanelCell[StatusTexts.Rows];
         readonly PanelCell[] _notes = new PanelCell[StatusTexts.Rows];
@@ -30,7 +31,7 @@ namespace Nowpose.Unity
             model.gameObject.SetActive(false);
             _sheet = new GameObject(Name) { layer = panel.gameObject.layer }.transform;
             _sheet.SetParent(panel, worldPositionStays: false);
-            if (ground != null) Lay(ground);
+            if (ground != null) _ground = Lay(ground);
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
             {
                 _labels[(int)row] = Copy(row, 0);
@@ -55,11 +56,19 @@ namespace Nowpose.Unity
         {
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++)
                 Show(row, StatusTexts.LabelOf(row), texts.ValueOf(row), texts.NoteOf(row));
+            if (_ground != null) _ground.enabled = true;
         }
 
-        public void Clear()
+        /// <summary>Until the next <see cref="Show(StatusTexts)"/>.</summary>
+        public void Hide()
         {
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++) Show(row, "", "", "");
+            if (_ground != null) _ground.enabled = false;
+        }
+
+        public void Destroy()
+        {
+            if (_sheet != null) Object.Destroy(_sheet.gameObject);
         }
 
         /// <param name="size">Of the font, metres.</param>
@@ -72,15 +81,17 @@ namespace Nowpose.Unity
             _notes[(int)row].Show(note);
         }
 
-        void Lay(Material material)
+        MeshRenderer Lay(Material material)
         {
             var ground = new GameObject("Ground") { layer = _sheet.gameObject.layer };
             ground.AddComponent<MeshFilter>().sharedMesh = Resources.GetBuiltinResource<Mesh>("Quad.fbx");
-            ground.AddComponent<MeshRenderer>().sharedMaterial = material;
+            var renderer = ground.AddComponent<MeshRenderer>();
+            renderer.sharedMaterial = material;
             ground.transform.SetParent(_sheet, worldPositionStays: false);
             ground.transform.localPosition = new Vector3(0, 0, Behind);
             ground.transform.localScale = new Vector3(
                 Columns[Columns.Length - 1] + 2 * Margin, StatusTexts.Rows * RowHeight + 2 * Margin, 1);
+            return renderer;
         }
 
         PanelCell Copy(StatusRow row, int column)

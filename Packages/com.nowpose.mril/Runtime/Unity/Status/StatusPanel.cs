@@ -38,14 +38,16 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _source = _session != null ? _session : GetComponentInParent<MrilSession>();
+            _source = this.SessionOr(_session);
             _due = 0;
-            if (_source == null) Debug.LogWarning("[Nowpose] status panel '" + name + "' has no session above it to tell of; assign one", this);
-            if (_cell == null) Debug.LogError("[Nowpose] status panel '" + name + "' has no cell to copy; assign a text below it", this);
+            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session above it to tell of; assign one");
+            if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no cell to copy; assign a text below it");
         }
 
         // Numbers that nobody keeps up are none.
-        void OnDisable() => _cells?.Clear();
+        void OnDisable() => _cells?.Hide();
+
+        void OnDestroy() => _cells?.Destroy();
 
         void LateUpdate()
         {

@@ -20,6 +20,8 @@ namespace Nowpose.Unity
             "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Gateway", "Robot", "",
         };
 
+        static readonly string[] Poses = WordsOfPoses();
+
         static readonly NumberTexts Milliseconds = new NumberTexts("", " ms", (2, 1, 0));
         static readonly NumberTexts Bounds = new NumberTexts("± ", " ms", (2, 1, 0));
         static readonly NumberTexts Percentiles = new NumberTexts("95 % below ", " ms", (0, 0, 0));
@@ -69,7 +71,7 @@ namespace Nowpose.Unity
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            Set(StatusRow.VisualisationLatency, Milliseconds.Of(statistics.VisualisationLatency), "as calibrated");
+            Set(StatusRow.VisualisationLatency, Milliseconds.Of(statistics.VisualisationLatency), "as set");
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), DoubtOf(statistics.RangeDoubt));
             Set(StatusRow.Error, Percents.Of(statistics.ErrorReduction * 100), statistics.ErrorMm.HasValue ? Rests.Of(statistics.ErrorMm) : "");
@@ -96,16 +98,14 @@ namespace Nowpose.Unity
             Set(StatusRow.Message, message == null ? "" : WrappedText.Of("! " + message, MessageWidth), "");
         }
 
-        static string PoseOf(PoseState pose)
+        static string PoseOf(PoseState pose) => Poses[(int)pose];
+
+        static string[] WordsOfPoses()
         {
-            switch (pose)
-            {
-                case PoseState.Current: return "current";
-                case PoseState.OutsideRange: return "! outside range";
-                case PoseState.Held: return "! held";
-                case PoseState.Unsynchronised: return "! not synchronised";
-                default: return "! no positions yet";
-            }
+            var words = new string[(int)PoseState.Current + 1];
+            for (var pose = PoseState.Incomplete; pose < PoseState.Current; pose++) words[(int)pose] = "! " + PoseWords.Of(pose);
+            words[(int)PoseState.Current] = PoseWords.Of(PoseState.Current);
+            return words;
         }
 
         /// <summary>Why a pose is not current; empty where it is.</summary>

@@ -1,0 +1,20 @@
+using Nowpose.Session;
+
+namespace Nowpose.Unity
+{
+    /// <summary>What a wearer is told of a pose, the same words beside the robot and on the status panel.</summary>
+    static class PoseWords
+    {
+        public static string Of(PoseState pose)
+        {
+            switch (pose)
+            {
+                case PoseState.Current: return "current";
+                case PoseState.OutsideRange: return "outside range";
+                case PoseState.Held: return "held";
+                case PoseState.Unsynchronised: return "not synchronised";
+                default: return "no positions yet";
+            }
+        }
+    }
+}
