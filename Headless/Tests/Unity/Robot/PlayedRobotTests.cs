@@ -269,6 +269,22 @@ public class PlayedRobotTests
     }
 
     [Test]
+    public void Gripper_RobotWithoutItsJoints_SaysSoOnceWithoutAWarning()
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _rig.transform);
+        var finger = Below<FrameProbe>("Finger", gripper.transform).transform;
+        gripper.With("_fingers", new List<GripperFinger> { new("left_joint", finger), new("gripper_finger_joint_l", finger), new("right_joint", finger) });
+
+        Play(0.5);
+
+        var said = _cell.Player.Logs.Single(l => l.Message.Contains("gripper"));
+        Assert.That(said.Type, Is.EqualTo(LogType.Log));
+        Assert.That(said.Message, Is.EqualTo(
+            "[Nowpose] gripper 'Virtual Gripper': robot 'youbot' has no moving joint 'left_joint' and no 'right_joint', so what that moves stays as it is"));
+        Assert.That(said.Context, Is.SameAs(gripper));
+    }
+
+    [Test]
     public void Gripper_FlangeUnknown_SaysSoOnce()
     {
         Below<VirtualGripper>("Virtual Gripper", _rig.transform).With("_flangeLink", "hand");

@@ -60,7 +60,7 @@ namespace Nowpose.Unity
         {
             var rig = _rig != null ? _rig : GetComponentInParent<RobotRig>();
             if (rig != null) Mount(rig);
-            else Debug.LogError("[Nowpose] gripper '" + name + "' has no rig to ride on; place it below one, or assign one", this);
+            else ConsoleLog.Fail(this, "gripper '" + name + "' has no rig to ride on; place it below one, or assign one");
         }
 
         void OnDisable() => Unmount();
@@ -69,21 +69,29 @@ namespace Nowpose.Unity
         {
             _flange = string.IsNullOrEmpty(_flangeLink) ? _source.Flange : _source.Link(_flangeLink);
             if (_flange == null)
-                Debug.LogError(
-                    "[Nowpose] gripper '" + name + "': robot '" + _source.Model.Name + "' has no link '" + _flangeLink + "' to ride on", this);
+                ConsoleLog.Fail(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no link '" + _flangeLink + "' to ride on");
             Rest();
             var drives = new List<FingerDrive>();
+            var unknown = "";
             foreach (var finger in _fingers)
-                if (TryDrive(finger, out var drive)) drives.Add(drive);
+                if (TryDrive(finger, ref unknown, out var drive)) drives.Add(drive);
             _drives = drives.ToArray();
+            // No warning: on a robot that has no gripper this is how it should be.
+            if (unknown.Length > 0)
+                ConsoleLog.Say(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
+                    + ", so what that moves stays as it is");
         }
 
-        bool TryDrive(GripperFinger finger, out FingerDrive drive)
+        bool TryDrive(GripperFinger finger, ref string unknown, out FingerDrive drive)
         {
             drive = default;
             if (finger.Finger == null) return false;
             var index = _source.Model.IndexOfMovingJoint(finger.Joint);
-            if (index < 0) return false;
+            if (index < 0)
+            {
+                unknown += (unknown.Length > 0 ? " and no " : "") + "'" + finger.Joint + "'";
+                return false;
+            }
             var joint = _source.Model.MovingJoints[index];
             if (_source.Link(joint.ChildLink) == finger.Finger) return false;
             drive = new FingerDrive(index, finger.Finger, joint);
