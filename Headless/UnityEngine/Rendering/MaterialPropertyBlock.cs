@@ -8,6 +8,8 @@ public sealed class MaterialPropertyBlock
 
     public void Clear() => _floats.Clear();
 
+    public bool HasFloat(int nameID) => _floats.Has(nameID);
+    public bool HasFloat(string name) => HasFloat(Shader.PropertyToID(name));
     public float GetFloat(int nameID) => _floats.Get(nameID);
     public float GetFloat(string name) => GetFloat(Shader.PropertyToID(name));
     public void SetFloat(int nameID, float value) => _floats.Set(nameID, value);

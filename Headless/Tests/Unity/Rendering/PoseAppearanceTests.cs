@@ -140,6 +140,112 @@ public class PoseAppearanceTests
         Assert.That(_words.text, Is.Empty);
     }
 
+    [TestCase(false, false)]
+    [TestCase(true, false)]
+    [TestCase(false, true)]
+    public void Show_RigDestroyed_WhatItLeftIsNotDrawn(bool refreshed, bool enabledAgain)
+    {
+        BeCurrent();
+        var arm = _rig.Link("arm_link_2").GetComponentInChildren<MeshRenderer>();
+        Assert.That(arm.isVisible, Is.True);
+
+        UnityEngine.Object.Destroy(_rig);
+        Run(0.1);
+        if (refreshed) _appearance.Refresh();
+        if (enabledAgain) _appearance.enabled = false;
+        if (enabledAgain) _appearance.enabled = true;
+        Run(0.1);
+
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That(_tool.isVisible, Is.False);
+        Assert.That(_words.text, Is.EqualTo("rig not moved"));
+    }
+
+    [Test]
+    public void Show_NeverHadARig_IsDrawnAsThePoseIs()
+    {
+        var sign = Child("Sign", _session.transform).AddComponent<MeshRenderer>();
+        sign.gameObject.AddComponent<PoseAppearance>();
+
+        BeCurrent();
+
+        Assert.That(sign.isVisible, Is.True);
+    }
+
+    /// <summary>With an appearance of its own, and no rig above it.</summary>
+    (VirtualGripper Gripper, Renderer Part, TextMesh Words) MountElsewhere(string flange = "")
+    {
+        var gripper = Child("Gripper", _session.transform).AddComponent<VirtualGripper>().With("_rig", _rig).With("_flangeLink", flange);
+        var part = Child("Palm", gripper.transform).AddComponent<MeshRenderer>();
+        var words = Child("Gripper's Words", gripper.transform).AddComponent<TextMesh>();
+        words.gameObject.AddComponent<MeshRenderer>();
+        gripper.gameObject.AddComponent<PoseAppearance>().With("_words", words);
+        return (gripper, part, words);
+    }
+
+    [Test]
+    public void Show_GripperRidesOnARigElsewhere_IsDrawnAsThePoseIs()
+    {
+        var (_, part, words) = MountElsewhere();
+
+        BeCurrent();
+
+        Assert.That(part.isVisible, Is.True);
+        Assert.That(words.text, Is.Empty);
+    }
+
+    [TestCase("rig disabled")]
+    [TestCase("rig destroyed")]
+    [TestCase("rig refused")]
+    [TestCase("flange unknown")]
+    [TestCase("gripper disabled")]
+    [TestCase("gripper destroyed")]
+    public void Show_GripperRidesOnNothingThatFollows_IsNotDrawn(string trouble)
+    {
+        if (trouble == "rig refused") Child("arm_link_0", _rig.transform);
+        var (gripper, part, words) = MountElsewhere(trouble == "flange unknown" ? "hand" : "");
+
+        BeCurrent();
+        if (trouble == "rig disabled") _rig.enabled = false;
+        if (trouble == "rig destroyed") UnityEngine.Object.Destroy(_rig);
+        if (trouble == "gripper disabled") gripper.enabled = false;
+        if (trouble == "gripper destroyed") UnityEngine.Object.Destroy(gripper);
+        Run(0.1);
+
+        Assert.That(part.isVisible, Is.False);
+        Assert.That(words.text, Is.EqualTo("gripper not moved"));
+    }
+
+    [Test]
+    public void Show_GripperBelowTheRigIsDisabled_TheArmAloneIsDrawn([Values] bool destroyed)
+    {
+        var gripper = Child("Gripper", _rig.transform).AddComponent<VirtualGripper>();
+        var part = Child("Palm", gripper.transform).AddComponent<MeshRenderer>();
+        BeCurrent();
+        Assert.That(part.isVisible, Is.True);
+
+        if (destroyed) UnityEngine.Object.Destroy(gripper);
+        else gripper.enabled = false;
+        Run(0.1);
+        _appearance.Refresh();
+
+        Assert.That(part.isVisible, Is.False);
+        Assert.That(_tool.isVisible, Is.True);
+        Assert.That(_words.text, Is.EqualTo("gripper not moved"));
+    }
+
+    [Test]
+    public void Show_GripperSwitchedOffAsAWhole_NeedsNoWords()
+    {
+        var gripper = Child("Gripper", _rig.transform).AddComponent<VirtualGripper>();
+        BeCurrent();
+
+        gripper.gameObject.SetActive(false);
+        Run(0.1);
+
+        Assert.That(_words.text, Is.Empty);
+    }
+
     [Test]
     public void Show_SamplesStop_IsFaintStripedAndSaysSoUntilTheyComeAgain()
     {
@@ -266,6 +372,47 @@ public class PoseAppearanceTests
         Assert.That(_tool.isVisible, Is.True);
         Assert.That(Look(_tool), Is.EqualTo((0f, 0f)));
         Assert.That(_words.text, Is.Empty);
+    }
+
+    [Test]
+    public void OnDisable_UsersOwnLook_IsThereAgain()
+    {
+        var block = new MaterialPropertyBlock();
+        block.SetFloat("_Fade", 0.25f);
+        block.SetFloat("_Hatch", 1);
+        _tool.SetPropertyBlock(block);
+        var hidden = Child("Hidden", _rig.transform).AddComponent<MeshRenderer>();
+        hidden.forceRenderingOff = true;
+        var material = new Material((Shader)null);
+        material.SetFloat("_Fade", 0.75f);
+        hidden.sharedMaterial = material;
+        BeCurrent();
+        var current = (Look(_tool), hidden.forceRenderingOff);
+        _cell.IsPlantUp = false;
+        Run(1);
+        var held = Look(_tool).Fade;
+
+        _appearance.enabled = false;
+
+        Assert.That(current, Is.EqualTo(((0.25f, 1f), true)), "a current pose looks as the user wants it");
+        Assert.That(held, Is.EqualTo(0.5f));
+        Assert.That(Look(_tool), Is.EqualTo((0.25f, 1f)));
+        Assert.That(hidden.forceRenderingOff, Is.True);
+        Assert.That(Look(hidden).Fade, Is.EqualTo(0.75f));
+    }
+
+    [Test]
+    public void Refresh_RendererHasLeft_LooksAsBefore()
+    {
+        _cell.IsPlantUp = false;
+        Play(0.5);
+        Assert.That(_tool.isVisible, Is.False);
+
+        _tool.transform.SetParent(null);
+        _appearance.Refresh();
+
+        Assert.That(_tool.isVisible, Is.True);
+        Assert.That(Look(_tool), Is.EqualTo((0f, 0f)));
     }
 
     [Test]

@@ -6,57 +6,85 @@ namespace Nowpose.Unity
 {
     /// <summary>
     /// Makes a pose that is not current look different: everything below this object is fainter and striped, and words say
-    /// why. Before the first joint positions nothing is drawn but the words.
+    /// why. Before the first joint positions nothing is drawn but the words, nor is what a rig or gripper leaves standing that
+    /// does not follow the session any more.
     /// </summary>
     /// <remarks>
     /// Sets <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1) of the materials' shaders, which the package's have, by property
-    /// blocks: the materials stay as they are.
+    /// blocks: the materials stay as they are. Once disabled, everything has the values again that it had before.
     /// </remarks>
     [AddComponentMenu("Nowpose/Pose Appearance")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
     [DisallowMultipleComponent]
     public sealed class PoseAppearance : MonoBehaviour
     {
-        static readonly int FadeId = Shader.PropertyToID("_Fade");
-        static readonly int HatchId = Shader.PropertyToID("_Hatch");
-
         [SerializeField, Tooltip("The session whose pose is shown. Empty: the one on this object or above.")]
         MrilSession _session = null;
 
         [SerializeField, Tooltip("Where the words are written. They turn to the viewer, and are as large as it takes to read them. Empty: no words.")]
         TextMesh _words = null;
 
-        readonly List<Renderer> _renderers = new List<Renderer>();
+        readonly List<Renderer> _found = new List<Renderer>();
+        readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
+        readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
         MrilSession _source;
         RobotRig _rig;
+        PoseCarrier _carrier;
         MaterialPropertyBlock _block;
         ReadingDistance _distance;
         PoseState? _pose;
-        bool _isMoved, _wasDrawn, _hasWords;
+        bool _isOn, _hasWords;
 
-        internal PoseLook Look => !_pose.HasValue ? PoseLook.Abandoned : _isMoved ? PoseLook.Of(_pose.Value) : PoseLook.Unmoved;
+        internal PoseLook Look
+        {
+            get
+            {
+                if (!(_pose is PoseState pose)) return PoseLook.Abandoned;
+                var look = PoseLook.Of(pose);
+                return look.IsDrawn && Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
+            }
+        }
 
-        internal bool IsDrawn => _wasDrawn;
+        /// <summary>Whether any part is drawn; the words do not count.</summary>
+        internal bool IsDrawn
+        {
+            get
+            {
+                foreach (var part in _parts.Values)
+                    if (part.IsDrawn) return true;
+                return false;
+            }
+        }
 
         /// <summary>Renderers that take part, the words' apart.</summary>
-        internal int PartCount => _renderers.Count;
+        internal int PartCount => _parts.Count;
 
-        /// <summary>Takes up renderers that have come or gone below this object; done by itself when a rig is built.</summary>
+        /// <summary>Takes up renderers that have come or gone below this object; done by itself when a rig is built, and when enabled.</summary>
         public void Refresh()
         {
-            // Not enabled yet, as in an editor's scene: it does so itself then.
-            if (_block == null) return;
-            GetComponentsInChildren(true, _renderers);
-            if (_words != null) _renderers.Remove(_words.GetComponent<Renderer>());
+            // Not enabled, as in an edited scene: it does so itself then.
+            if (!_isOn) return;
+            GetComponentsInChildren(true, _found);
+            if (_words != null) _found.Remove(_words.GetComponent<Renderer>());
+            Leave();
+            _carriers.Clear();
+            _carrier = PoseCarrier.Of(transform, _carrier);
+            Follow(_carrier);
+            foreach (var each in _found)
+            {
+                if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block));
+                part.Take();
+                Follow(part.Carrier);
+            }
             Draw();
         }
 
         void OnEnable()
         {
             _block ??= new MaterialPropertyBlock();
+            _isOn = true;
             _pose = PoseState.Incomplete;
-            _isMoved = true;
-            _source = _session != null ? _session : GetComponentInParent<MrilSession>();
+            _source = this.SessionOr(_session);
             _rig = GetComponentInParent<RobotRig>();
             if (_rig != null) _rig.Bound += Refresh;
             if (_source != null)
@@ -65,7 +93,7 @@ namespace Nowpose.Unity
                 _source.Hidden += Abandon;
                 if (_source.Frame != null) _pose = _source.Frame.State;
             }
-            else Debug.LogWarning("[Nowpose] pose appearance '" + name + "' has no session above it to follow; assign one", this);
+            else ConsoleLog.Warn(this, "pose appearance '" + name + "' has no session above it to follow; assign one");
             Refresh();
         }
 
@@ -77,9 +105,11 @@ namespace Nowpose.Unity
                 _source.Shown -= Show;
                 _source.Hidden -= Abandon;
             }
+            _isOn = false;
             _pose = PoseState.Current;
-            _isMoved = true;
-            Draw();
+            _carriers.Clear();
+            foreach (var part in _parts.Values) part.GiveBack();
+            Say("");
         }
 
         void LateUpdate()
@@ -91,10 +121,10 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            var isMoved = _rig == null || _rig.IsFollowing;
-            if (frame.State == _pose && isMoved == _isMoved) return;
+            var isNews = frame.State != _pose;
+            foreach (var carrier in _carriers) isNews |= carrier.HasTurned();
+            if (!isNews) return;
             _pose = frame.State;
-            _isMoved = isMoved;
             Draw();
         }
 
@@ -107,21 +137,48 @@ namespace Nowpose.Unity
         void Draw()
         {
             var look = Look;
-            // What was not drawn before the session ended does not come to light by that.
-            if (_pose.HasValue) _wasDrawn = look.IsDrawn;
-            foreach (var each in _renderers)
-                if (each != null) Draw(each, look);
-            _hasWords = _words != null && look.Words.Length > 0;
-            if (_words != null) _words.text = look.Words;
+            foreach (var part in _parts.Values)
+            {
+                if (_pose.HasValue) part.Draw(look);
+                else part.Abandon();
+            }
+            Say(look.Words);
         }
 
-        void Draw(Renderer target, in PoseLook look)
+        /// <summary>Something to be seen that does not follow, the rig before its gripper; null for none.</summary>
+        PoseCarrier Unmoved
         {
-            target.forceRenderingOff = !_wasDrawn;
-            target.GetPropertyBlock(_block);
-            _block.SetFloat(FadeId, look.Fade);
-            _block.SetFloat(HatchId, look.IsHatched ? 1 : 0);
-            target.SetPropertyBlock(_block);
+            get
+            {
+                foreach (var carrier in _carriers)
+                    if (carrier.IsActive && !carrier.IsFollowing) return carrier;
+                return null;
+            }
+        }
+
+        void Say(string words)
+        {
+            _hasWords = _words != null && words.Length > 0;
+            if (_words != null) _words.text = words;
+        }
+
+        void Follow(PoseCarrier carrier)
+        {
+            if (carrier == null) return;
+            foreach (var known in _carriers)
+                if (known.IsSameAs(carrier)) return;
+            _carriers.Add(carrier);
+        }
+
+        // What is elsewhere now is not this one's any more.
+        void Leave()
+        {
+            foreach (var known in new List<Renderer>(_parts.Keys))
+            {
+                if (_found.Contains(known)) continue;
+                _parts[known].GiveBack();
+                _parts.Remove(known);
+            }
         }
     }
 }

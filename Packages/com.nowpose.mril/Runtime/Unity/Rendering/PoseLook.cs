@@ -8,10 +8,6 @@ namespace Nowpose.Unity
         /// <summary>No frame is computed any more; what was drawn last stays.</summary>
         public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
 
-        /// <summary>The rig does not follow the session: it stands wherever it was, and that may be anywhere.</summary>
-        public static readonly PoseLook Unmoved = new PoseLook(
-            "rig not moved", "the rig is disabled or cannot show the robot", 0.8f, isDrawn: false);
-
         PoseLook(string words, string reason, float fade, bool isDrawn = true)
         {
             Reason = reason;
@@ -40,12 +36,15 @@ namespace Nowpose.Unity
             switch (pose)
             {
                 case PoseState.Current: return new PoseLook("", reason, 0);
-                case PoseState.OutsideRange: return new PoseLook("outside range", reason, 0.3f);
-                case PoseState.Held: return new PoseLook("held", reason, 0.5f);
-                case PoseState.Unsynchronised: return new PoseLook("not synchronised", reason, 0.8f);
+                case PoseState.OutsideRange: return new PoseLook(PoseWords.Of(pose), reason, 0.3f);
+                case PoseState.Held: return new PoseLook(PoseWords.Of(pose), reason, 0.5f);
+                case PoseState.Unsynchronised: return new PoseLook(PoseWords.Of(pose), reason, 0.8f);
                 // The joints stand at zero, where the robot is not.
-                default: return new PoseLook("no positions yet", reason, 0.8f, isDrawn: false);
+                default: return new PoseLook(PoseWords.Of(pose), reason, 0.8f, isDrawn: false);
             }
         }
+
+        /// <summary>The same for other words: of the parts that do not follow the pose, which are not drawn at all.</summary>
+        public PoseLook Saying(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn);
     }
 }
