@@ -10,6 +10,9 @@ static class MaterialAssets
     /// <summary>The virtual parts: bright, for a headset's display only adds light.</summary>
     public static string Hologram(Workshop workshop) => Make(workshop, "Hologram", new Color(0.25f, 0.75f, 1, 1));
 
+    /// <summary>The arm where no real one is to be seen: it fades and is striped like the tool, and is told from it.</summary>
+    public static string Arm(Workshop workshop) => Make(workshop, "Arm", new Color(1, 0.55f, 0.15f, 1));
+
     /// <summary>The uncompensated pose: colourless and half transparent, so told from the other without its colour too.</summary>
     public static string Ghost(Workshop workshop) => Make(workshop, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f));
 

@@ -10,6 +10,7 @@ static class PackagePaths
     public const string HologramShader = Runtime + "Shaders/Hologram.shader";
     public const string OccluderShader = Runtime + "Shaders/Occluder.shader";
     public const string Hologram = Runtime + "Materials/Hologram.mat";
+    public const string Arm = Runtime + "Materials/Arm.mat";
     public const string Ghost = Runtime + "Materials/Ghost.mat";
     public const string Occluder = Runtime + "Materials/Occluder.mat";
     public const string Panel = Runtime + "Materials/Panel.mat";

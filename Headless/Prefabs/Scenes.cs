@@ -11,15 +11,14 @@ static class Scenes
     public static string Demo(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.Settings);
-        Draw(Arm(workshop, cell), Props.DefaultMaterial);
+        Draw(workshop, cell);
         return Save(workshop, cell);
     }
 
     public static string Connect(Workshop workshop, string cellPath)
     {
         var cell = Cell(workshop, cellPath, PackagePaths.ConnectSettings);
-        Draw(Arm(workshop, cell), Props.DefaultMaterial);
-        Fields.Set(cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>(), "_armMaterial", Props.DefaultMaterial);
+        Draw(workshop, cell);
         return Save(workshop, cell);
     }
 
@@ -59,9 +58,12 @@ static class Scenes
             .Where(r => r.sharedMaterial == occluder);
     }
 
-    static void Draw(IEnumerable<MeshRenderer> parts, Material material)
+    /// <summary>Shows the arm, also one that is built at run time.</summary>
+    static void Draw(Workshop workshop, GameObject cell)
     {
-        foreach (var part in parts) part.sharedMaterial = material;
+        var material = workshop.Load<Material>(PackagePaths.Arm);
+        foreach (var part in Arm(workshop, cell)) part.sharedMaterial = material;
+        Fields.Set(cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>(), "_armMaterial", material);
     }
 
     static string Save(Workshop workshop, params GameObject[] robots)

@@ -2,6 +2,7 @@ using System.Reflection;
 using Nowpose.Headless.Tests.Repository;
 using Nowpose.Kinematics;
 using Nowpose.Prefabs;
+using Nowpose.Samples;
 using Nowpose.Unity;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
@@ -16,10 +17,13 @@ public sealed class PackageAssetsTests
 {
     const string Runtime = "Packages/com.nowpose.mril/Runtime/";
 
-    /// <summary>References that may be empty, for then something else takes their place.</summary>
-    static readonly string[] MayBeEmpty = 
+    /// <summary>References that may be empty, for then something else takes their place, each with the end of the paths it may be so at.</summary>
+    static readonly (string Field, string Path)[] MayBeEmpty =
     {
-        "VirtualGripper._rig", "PoseAppearance._session", "PoseAppearance._words", "BodyFollow._head",
+        ("VirtualGripper._rig", "Virtual Gripper"),
+        ("PoseAppearance._session", "Virtual Gripper.prefab/Virtual Gripper"),
+        ("PoseAppearance._words", "/Base Anchor/Ghost"),
+        ("BodyFollow._head", "/Status Panel"),
     };
 
     AssetLibrary _library;
@@ -63,12 +67,32 @@ public sealed class PackageAssetsTests
         var roots = isScene ? _library.LoadScene(path).Roots : new[] { _library.Load<GameObject>(path) };
         var components = roots.SelectMany(r => r.GetComponentsInChildren<Component>(true));
 
-        var empty = components.SelectMany(c => SerializedFields.Of(c.GetType()).SelectMany(f => Empty(f, c)).Select(f => c.GetType().Name + "." + f));
+        var empty = components.SelectMany(c => SerializedFields.Of(c.GetType()).SelectMany(f => Empty(f, c))
+            .Select(f => (Field: c.GetType().Name + "." + f, Path: path + PathOf(c.transform))));
 
         // One cell takes its robot from the gateway; one scene has a rig that the simulation moves.
         string[] left = path.Contains("Any Robot") ? ["MrilSession._robot"]
             : path.EndsWith("Virtual Robot Cell.unity", StringComparison.Ordinal) ? ["RobotRig._session"] : [];
-        Assert.That(empty.Where(e => !MayBeEmpty.Contains(e)), Is.EquivalentTo(left));
+        var missing = empty.Where(e => !MayBeEmpty.Any(m => m.Field == e.Field && e.Path.EndsWith(m.Path, StringComparison.Ordinal)));
+        Assert.That(missing.Select(e => e.Field), Is.EquivalentTo(left), string.Join("\n", missing));
+    }
+
+    static string PathOf(Transform at) => (at.parent == null ? "" : PathOf(at.parent)) + "/" + at.name;
+
+    [TestCaseSource(nameof(Hierarchies))]
+    public void Hierarchy_DisplayedRig_CanBeToldFromOneThatIsNotCurrent(string path)
+    {
+        var roots = Path.GetExtension(path) == ".unity" ? _library.LoadScene(path).Roots : new[] { _library.Load<GameObject>(path) };
+        // Where the simulation has the robot is no displayed pose.
+        var rigs = roots.SelectMany(r => r.GetComponentsInChildren<RobotRig>(true))
+            .Where(r => r.Shows == RigPose.Displayed && r.GetComponent<TruthRig>() == null).ToList();
+
+        var drawn = rigs.SelectMany(r => r.GetComponentsInChildren<MeshFilter>(true)).Select(f => f.GetComponent<Renderer>().sharedMaterial);
+        var built = rigs.SelectMany(r => new[] { "_armMaterial", "_toolMaterial" }.Select(f => (Material)SerializedFields.Find(r.GetType(), f).GetValue(r)));
+
+        var plain = drawn.Concat(built).Where(m => m.shader.name != "Nowpose/Occluder" && !(m.HasProperty("_Fade") && m.HasProperty("_Hatch")));
+        Assert.That(plain.Select(m => m.name).Distinct(), Is.Empty);
+        Assert.That(rigs, Has.Count.EqualTo(path.EndsWith("Virtual Gripper.prefab", StringComparison.Ordinal) ? 0 : 1));
     }
 
     [TestCase("youBot.asset", "youbot.urdf")]

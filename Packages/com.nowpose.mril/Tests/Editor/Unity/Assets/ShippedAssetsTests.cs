@@ -34,7 +34,7 @@ namespace Nowpose.Tests
         public void Files_OfEachKind_AreFound()
         {
             Assert.That(Prefabs.Count(), Is.EqualTo(4));
-            Assert.That(Materials.Count(), Is.EqualTo(4));
+            Assert.That(Materials.Count(), Is.EqualTo(5));
             Assert.That(Robots.Count(), Is.EqualTo(2));
         }
 
