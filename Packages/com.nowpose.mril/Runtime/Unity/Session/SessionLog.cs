@@ -24,14 +24,17 @@ namespace Nowpose.Unity
             Follow(session.SampleLink, "joint positions", ref _samples);
         }
 
-        /// <summary>Allocates only when there is something to say.</summary>
+        /// <summary>Allocates nothing: the texts are constants.</summary>
         public void Say(SessionChange change)
         {
-            if ((change & SessionChange.Synchronised) != 0) Say("clock synchronised");
-            if ((change & SessionChange.Lost) != 0) Warn("clock synchronisation lost; poses are not current");
-            if ((change & SessionChange.EnteredRange) != 0) Say("render time within the constant-latency range");
-            if ((change & SessionChange.LeftRange) != 0) Warn("render time beyond the constant-latency range; poses are late by an unknown time");
-            if ((change & SessionChange.Stale) != 0) Warn("joint positions are stale; the pose is held");
+            if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + "clock synchronised", _context);
+            if ((change & SessionChange.Lost) != 0)
+                Debug.LogWarning(ConsoleLog.Prefix + "clock synchronisation lost; poses are not current", _context);
+            if ((change & SessionChange.EnteredRange) != 0)
+                Debug.Log(ConsoleLog.Prefix + "render time within the constant-latency range", _context);
+            if ((change & SessionChange.LeftRange) != 0)
+                Debug.LogWarning(ConsoleLog.Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
+            if ((change & SessionChange.Stale) != 0) Debug.LogWarning(ConsoleLog.Prefix + "joint positions are stale; the pose is held", _context);
         }
 
         // While it tries again and again for one reason, the reason is said once.
