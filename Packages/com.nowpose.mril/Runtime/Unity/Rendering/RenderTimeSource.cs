@@ -81,9 +81,18 @@ namespace Nowpose.Unity
         [BeforeRenderOrder(int.MaxValue)]
         void Trigger() => _trigger = _clock.Now;
 
-        void Begin(Camera camera) => _cameras.Begin(_clock.Now);
+        void Begin(Camera camera)
+        {
+            if (IsOfTheGame(camera)) _cameras.Begin(_clock.Now);
+        }
 
-        void End(Camera camera) => _cameras.End(_clock.Now);
+        void End(Camera camera)
+        {
+            if (IsOfTheGame(camera)) _cameras.End(_clock.Now);
+        }
+
+        // The editor's own, of scene views and previews, render in the same frames.
+        static bool IsOfTheGame(Camera camera) => (camera.hideFlags & HideFlags.DontSave) == 0;
 
         IEnumerator WatchSubmissions()
         {

@@ -192,7 +192,16 @@ namespace Nowpose.Unity
 
         void ShowAgain()
         {
-            if (Session != null && _used.RewriteBeforeRender) Show();
+            if (Session == null || !_used.RewriteBeforeRender) return;
+            try
+            {
+                Show();
+            }
+            catch (Exception fault)
+            {
+                // The engine calls all that wait for this moment in one go: a listener's fault would cost the others their frame.
+                Debug.LogException(fault, this);
+            }
         }
 
         void FollowPresence()
