@@ -13,8 +13,11 @@ namespace Nowpose.Prediction
         /// <param name="time">t_k as told, in seconds of control time since an epoch near by.</param>
         /// <param name="position">Finite; rad for revolute joints, m for prismatic ones.</param>
         /// <param name="order">Seconds that decide which sample is the newer one where <paramref name="time"/> is in error.</param>
-        /// <exception cref="ArgumentException">A value is not finite.</exception>
-        public JointSample(double time, double position, double order)
+        /// <param name="velocity">Per second; NaN where it is not told.</param>
+        /// <param name="acceleration">Per second squared; NaN where it is not told.</param>
+        /// <exception cref="ArgumentException">Time, position or order is not finite.</exception>
+        public JointSample(
+            double time, double position, double order, double velocity = double.NaN, double acceleration = double.NaN)
         {
             if (!double.IsFinite(time) || !double.IsFinite(position) || !double.IsFinite(order))
                 throw new ArgumentException(
@@ -22,6 +25,8 @@ namespace Nowpose.Prediction
             Time = time;
             Position = position;
             Order = order;
+            Velocity = double.IsFinite(velocity) ? velocity : double.NaN;
+            Acceleration = double.IsFinite(acceleration) ? acceleration : double.NaN;
         }
 
         /// <summary>t_k as the predictor is told, s.</summary>
@@ -32,5 +37,11 @@ namespace Nowpose.Prediction
 
         /// <summary>What sorts the samples, s: equal to <see cref="Time"/> unless the time told is in error.</summary>
         public double Order { get; }
+
+        /// <summary>rad/s or m/s as the control system tells it; NaN where it does not.</summary>
+        public double Velocity { get; }
+
+        /// <summary>rad/s² or m/s² as the control system tells it; NaN where it does not.</summary>
+        public double Acceleration { get; }
     }
 }

@@ -1,0 +1,22 @@
+namespace Nowpose.Studies;
+
+/// <summary>Where one simulated axis truly is.</summary>
+/// <param name="name">For tables.</param>
+/// <param name="seconds">Length worth studying, s; the motion is defined beyond it too.</param>
+/// <param name="at">Position at seconds since the start, in any unit; smooth enough to be differenced over 1 ms.</param>
+public sealed class AxisMotion(string name, double seconds, Func<double, double> at)
+{
+    const double Step = 5e-4;
+
+    public string Name { get; } = name;
+
+    public double Seconds { get; } = seconds;
+
+    public double At(double t) => at(t);
+
+    /// <summary>By a central difference, per second.</summary>
+    public double VelocityAt(double t) => (at(t + Step) - at(t - Step)) / (2 * Step);
+
+    /// <summary>By a central difference, per second squared.</summary>
+    public double AccelerationAt(double t) => (at(t + Step) - 2 * at(t) + at(t - Step)) / (Step * Step);
+}

@@ -1,0 +1,50 @@
+using Nowpose.Motion;
+
+namespace Nowpose.Studies;
+
+/// <summary>Moves one after another with dwells between, put together piece by piece.</summary>
+sealed class MoveSequence
+{
+    readonly List<Piece> _pieces = [];
+
+    /// <summary>Where the sequence ends so far.</summary>
+    public double End { get; private set; }
+
+    /// <summary>How long the sequence is so far, s.</summary>
+    public double Seconds { get; private set; }
+
+    public void Dwell(double seconds) => Seconds += seconds;
+
+    /// <summary>A 7-phase move to a position.</summary>
+    public void MoveTo(double position, double velocity, double acceleration, double jerk)
+    {
+        var profile = new SevenPhaseProfile(position - End, velocity, acceleration, jerk);
+        Add(position, profile.Duration, profile.PositionAt);
+    }
+
+    /// <param name="covered">Way covered at seconds since the piece's start.</param>
+    public void Add(double end, double duration, Func<double, double> covered)
+    {
+        _pieces.Add(new Piece(Seconds, duration, End, end, covered));
+        End = end;
+        Seconds += duration;
+    }
+
+    public AxisMotion Motion(string name) => new(name, Seconds, At);
+
+    public double At(double t)
+    {
+        var (low, high) = (0, _pieces.Count);
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (_pieces[middle].Start <= t) low = middle + 1;
+            else high = middle;
+        }
+        if (low == 0) return _pieces.Count == 0 ? End : _pieces[0].From;
+        var piece = _pieces[low - 1];
+        return t - piece.Start >= piece.Duration ? piece.To : piece.From + piece.Covered(t - piece.Start);
+    }
+
+    sealed record Piece(double Start, double Duration, double From, double To, Func<double, double> Covered);
+}

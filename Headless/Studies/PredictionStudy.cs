@@ -1,0 +1,42 @@
+using Nowpose.Prediction;
+
+namespace Nowpose.Studies;
+
+/// <summary>Plays one axis' motion to a predictor in virtual time, as a headset would receive it.</summary>
+public static class PredictionStudy
+{
+    /// <summary>All phases together.</summary>
+    public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<IJointPredictor> newPredictor)
+    {
+        var (predicted, held) = (new List<double>(), new List<double>());
+        for (var phase = 0; phase < settings.Phases; phase++)
+            foreach (var frame in Frames(motion, settings, newPredictor(), phase))
+            {
+                predicted.Add(frame.Predicted - frame.Truth);
+                held.Add(frame.Held - frame.Truth);
+            }
+        return new StudyResult(ErrorFigures.Of(predicted), ErrorFigures.Of(held));
+    }
+
+    /// <summary>The scored frames of one run.</summary>
+    /// <param name="phase">Which of the settings' runs.</param>
+    public static IEnumerable<StudyFrame> Frames(AxisMotion motion, StudySettings settings, IJointPredictor predictor, int phase)
+    {
+        var random = new Random(HashCode(settings.Seed, phase));
+        var frames = new Random(HashCode(settings.Seed, phase + 1_000_000));
+        var firstFrame = random.NextDouble() / settings.FrameRateHz;
+        var underWay = new SampleStream(motion, settings, random);
+        for (var i = 0; ; i++)
+        {
+            var time = firstFrame + i / settings.FrameRateHz;
+            if (time > motion.Seconds) yield break;
+            underWay.Deliver(time, predictor);
+            var error = settings.LatencyError + settings.RandomLatencyError * (2 * frames.NextDouble() - 1);
+            var predicted = predictor.At(time + error).Position;
+            if (time >= settings.WarmUp) yield return new StudyFrame(time, motion.At(time), predictor.Hold, predicted, underWay.Newest);
+        }
+    }
+
+    // Neighbouring seeds must not give alike sequences, and the framework's own hash differs from process to process.
+    static int HashCode(int seed, int phase) => unchecked((int)(((uint)seed * 2654435761u + (uint)phase) * 2246822519u >> 1));
+}

@@ -1,0 +1,43 @@
+using Nowpose.Prediction;
+
+namespace Nowpose.Studies;
+
+/// <summary>Takes samples of a motion and brings them to a predictor when they have arrived.</summary>
+sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random)
+{
+    readonly PriorityQueue<(JointSample Sample, int Index), (double, int)> _underWay = new();
+    readonly double _firstSample = random.NextDouble() * settings.SamplingInterval;
+    int _next;
+
+    /// <summary>Index of the newest sample delivered; −1 before the first.</summary>
+    public int Newest { get; private set; } = -1;
+
+    public void Deliver(double until, IJointPredictor predictor)
+    {
+        while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter + settings.Latency <= until) Send(_next++);
+        while (_underWay.TryPeek(out var next, out var arrival) && arrival.Item1 <= until)
+        {
+            _underWay.Dequeue();
+            predictor.Add(next.Sample);
+            Newest = Math.Max(Newest, next.Index);
+        }
+    }
+
+    // Every sample draws from the stream as often as any other, so that one condition does not shift another's numbers.
+    void Send(int index)
+    {
+        var time = _firstSample + index * settings.SamplingInterval + settings.SamplingJitter * Uniform();
+        var told = time + settings.StampError * Uniform();
+        var noise = settings.Noise * Normal();
+        var delay = Math.Min(settings.DelayMaximum, settings.DelayMedian * Math.Exp(Normal()));
+        if (random.NextDouble() < settings.Loss) return;
+        var sample = new JointSample(
+            told, motion.At(time) + noise, time, settings.TellsVelocity ? motion.VelocityAt(time) : double.NaN,
+            settings.TellsAcceleration ? motion.AccelerationAt(time) : double.NaN);
+        _underWay.Enqueue((sample, index), (time + settings.Latency + delay, index));
+    }
+
+    double Uniform() => 2 * random.NextDouble() - 1;
+
+    double Normal() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+}
