@@ -62,6 +62,8 @@ namespace Nowpose.Session
 
         public RobotModel Robot { get; }
 
+        public SessionSettings Settings => _settings;
+
         /// <summary>URDF text of the robot as the gateway describes it, the newest that could be read; null before. Any thread.</summary>
         public string RobotDescription => _description.Text;
 
@@ -81,6 +83,20 @@ namespace Nowpose.Session
         /// <remarks>A handler must be quick, must not throw, and must not call back into the session.</remarks>
         public event Action<SampleArrival, TimeSpan?> SampleTaken;
 
+        /// <summary>
+        /// Each message with why it was of no use, <see cref="DropReason.None"/> when it was. Raised within <see cref="Tick"/>,
+        /// but where the queue was full already on the thread that received.
+        /// </summary>
+        /// <remarks>A handler must be quick, must not throw, and must not call back into the session.</remarks>
+        public event Action<SampleArrival, DropReason> SampleJudged;
+
+        /// <summary>All samples are forgotten, for the clock stepped or became known; raised within <see cref="Tick"/>, before it takes others.</summary>
+        public event Action<ClockModel> StartedAnew;
+
+        /// <summary>A frame as it was computed; raised at the end of each <see cref="Tick"/>.</summary>
+        /// <remarks>As of <see cref="SampleJudged"/>; but properties, <see cref="Fill"/> and <see cref="Clock"/> may be read.</remarks>
+        public event Action<DisplayFrame> Ticked;
+
         /// <summary>What was dropped, by reason.</summary>
         public DropCounters Drops { get; } = new DropCounters();
 
@@ -93,6 +109,9 @@ namespace Nowpose.Session
             get { lock (_gate) return _visualisation; }
             set { lock (_gate) _visualisation = value; }
         }
+
+        /// <summary>Δt_render as <see cref="Rendered"/> was told it last; null while nothing measures.</summary>
+        public TimeSpan? NewestRenderTime { get; private set; }
 
         /// <summary>Completes when the connections that were ended are gone, sockets, threads and all; nobody has to wait for it.</summary>
         public Task Ended { get; private set; } = Task.CompletedTask;
@@ -140,6 +159,7 @@ namespace Nowpose.Session
                 var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;
                 _frame.Update(start, light, IsTrusted(clock), _monitor.State);
                 _hindcast.Shown(_frame);
+                Ticked?.Invoke(_frame);
                 return _frame;
             }
         }
@@ -149,7 +169,11 @@ namespace Nowpose.Session
         /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when nothing measures any more.</param>
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
         {
-            lock (_gate) _monitor.Add(renderTime, source);
+            lock (_gate)
+            {
+                _monitor.Add(renderTime, source);
+                NewestRenderTime = source != RenderTimeSourceKind.None && renderTime > TimeSpan.Zero ? renderTime : (TimeSpan?)null;
+            }
         }
 
         /// <summary>A message, queued for the next frame. Any thread.</summary>
@@ -158,7 +182,7 @@ namespace Nowpose.Session
         public void Received(JointStateMessage message, HeadsetTime arrival)
         {
             _arrivals.Enqueue(new SampleArrival(message, arrival));
-            if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out _)) Drops.Count(DropReason.SlowReader);
+            if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) Judged(oldest, DropReason.SlowReader);
         }
 
         /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
@@ -254,6 +278,7 @@ namespace Nowpose.Session
             _tracks.Reset();
             _latency.Reset();
             _hindcast.Reset();
+            StartedAnew?.Invoke(clock);
         }
 
         bool IsTrusted(in ClockModel clock) => clock.State == ClockState.Synchronised
@@ -264,17 +289,23 @@ namespace Nowpose.Session
             var stamp = arrival.Message.Stamp;
             if (clock.IsKnown && StampRule.IsInFuture(stamp, clock.ToControl(arrival.At), clock.ErrorBound))
             {
-                Drops.Count(DropReason.StampInFuture);
+                Judged(arrival, DropReason.StampInFuture);
                 return;
             }
             var reason = _tracks.Add(arrival.Message, out var overtaken);
-            Drops.Count(reason);
+            Judged(arrival, reason);
             Drops.Count(overtaken);
             if (reason != DropReason.None) return;
             _samples++;
             _hindcast.Add(arrival.Message);
             if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);
             SampleTaken?.Invoke(arrival, clock.IsKnown ? _latency.Newest : (TimeSpan?)null);
+        }
+
+        void Judged(in SampleArrival arrival, DropReason reason)
+        {
+            Drops.Count(reason);
+            SampleJudged?.Invoke(arrival, reason);
         }
     }
 }

@@ -30,21 +30,17 @@ namespace Nowpose.Sync
         /// <summary>Round-trip time of the newest exchange that was used; zero before the first.</summary>
         public TimeSpan RoundTripTime => _belief.RoundTripTime;
 
+        /// <summary>Each exchange with what became of it, in their order; raised by <see cref="Add"/> on its thread.</summary>
+        /// <remarks>A handler must be quick, must not throw, and must not call back.</remarks>
+        public event SyncExchangeHandler Judged;
+
         /// <summary>Checks and takes in one exchange.</summary>
         public SyncVerdict Add(in SyncExchange exchange, out SyncExchangeFault fault)
         {
             lock (_gate)
             {
-                fault = exchange.T4 <= _newest?.T4 ? SyncExchangeFault.NotNewer : SyncExchangeRules.Check(exchange);
-                if (fault != SyncExchangeFault.None) return SyncVerdict.Dropped;
-
-                if (exchange.T4 - _newest?.T4 > _settings.StartAnewAfter) ForgetTheLine();
-                _newest = exchange;
-                var verdict = _detector.Judge(exchange, _estimator.Line, _envelope);
-                if (verdict == SyncVerdict.Consistent) Use(exchange);
-                else if (verdict == SyncVerdict.Step) StartAnew();
-                else if (_detector.Suspects.Count >= SuspectsToDoubt || _estimator.Line.Exchanges == 0) Doubt(exchange);
-                if (verdict != SyncVerdict.SetAside) Publish(exchange, verdict == SyncVerdict.Step);
+                var verdict = Take(exchange, out fault);
+                Judged?.Invoke(exchange, verdict, fault);
                 return verdict;
             }
         }
@@ -69,6 +65,21 @@ namespace Nowpose.Sync
             var state = belief.State == ClockState.Synchronised && now - line.Reference > _settings.HoldoverAfter
                 ? ClockState.Holdover : belief.State;
             return new ClockModel(line.Reference, line.Offset, line.Skew, belief.Bound + grown, state, belief.Steps);
+        }
+
+        SyncVerdict Take(in SyncExchange exchange, out SyncExchangeFault fault)
+        {
+            fault = exchange.T4 <= _newest?.T4 ? SyncExchangeFault.NotNewer : SyncExchangeRules.Check(exchange);
+            if (fault != SyncExchangeFault.None) return SyncVerdict.Dropped;
+
+            if (exchange.T4 - _newest?.T4 > _settings.StartAnewAfter) ForgetTheLine();
+            _newest = exchange;
+            var verdict = _detector.Judge(exchange, _estimator.Line, _envelope);
+            if (verdict == SyncVerdict.Consistent) Use(exchange);
+            else if (verdict == SyncVerdict.Step) StartAnew();
+            else if (_detector.Suspects.Count >= SuspectsToDoubt || _estimator.Line.Exchanges == 0) Doubt(exchange);
+            if (verdict != SyncVerdict.SetAside) Publish(exchange, verdict == SyncVerdict.Step);
+            return verdict;
         }
 
         void Use(in SyncExchange exchange)

@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    /// <summary>What a session tells whoever keeps a record of it.</summary>
+    public class SessionEventsTests
+    {
+        static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
+
+        readonly List<string> _told = new List<string>();
+        CompensationSession _session;
+
+        [SetUp]
+        public void Listen()
+        {
+            _told.Clear();
+            _session = new CompensationSession(
+                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Lengths.Ms(40))), TestRobot.Model, new SetClock());
+            _session.Clock.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => _told.Add(verdict + " " + fault);
+            _session.SampleJudged += (arrival, reason) => _told.Add("sample " + reason);
+            _session.StartedAnew += clock => _told.Add("anew " + clock.IsKnown);
+            _session.Ticked += frame => _told.Add("frame");
+        }
+
+        static SyncExchange Exchange(HeadsetTime at) =>
+            new SyncExchange(at - Lengths.Ms(2), new ControlTime(at.SinceEpoch), new ControlTime(at.SinceEpoch), at);
+
+        static JointStateMessage Sample(TimeSpan stamp, string joint = "elbow") =>
+            new JointStateMessage(new ControlTime(stamp), new[] { joint }, new[] { 0.1 });
+
+        [Test]
+        public void Tick_FirstExchangeAndSample_AreToldInTheOrderInWhichTheyAct()
+        {
+            _session.Clock.Add(Exchange(Start), out _);
+            _session.Received(Sample(Start.SinceEpoch), Start);
+
+            _session.Tick(Start + Lengths.Ms(10));
+
+            Assert.That(_told, Is.EqualTo(new[] { "Consistent None", "anew True", "sample None", "frame" }));
+        }
+
+        [Test]
+        public void Exchange_ThatIsDropped_IsToldWithItsFault()
+        {
+            _session.Clock.Add(Exchange(Start), out _);
+            _session.Clock.Add(Exchange(Start), out _);
+
+            Assert.That(_told.Last(), Is.EqualTo("Dropped NotNewer"));
+        }
+
+        [TestCase("elbow", 0, "DuplicateSample")]
+        [TestCase("elbow", 5000, "StampInFuture")]
+        [TestCase("nobody", 0, "UnknownJoint")]
+        public void Sample_OfNoUse_IsToldWithTheReason(string joint, double aheadMs, string reason)
+        {
+            _session.Clock.Add(Exchange(Start), out _);
+            _session.Received(Sample(Start.SinceEpoch), Start);
+            _session.Received(Sample(Start.SinceEpoch + Lengths.Ms(aheadMs), joint), Start);
+
+            _session.Tick(Start + Lengths.Ms(10));
+
+            Assert.That(_told.Where(t => t.StartsWith("sample", StringComparison.Ordinal)), Is.EqualTo(new[] { "sample None", "sample " + reason }));
+        }
+
+        [Test]
+        public void Sample_ThatOverflowsTheQueue_IsToldAtOnce()
+        {
+            for (var i = 0; i <= 1000; i++) _session.Received(Sample(Start.SinceEpoch + Lengths.Ms(i)), Start);
+
+            Assert.That(_told, Is.EqualTo(new[] { "sample SlowReader" }));
+        }
+
+        [Test]
+        public void NewestRenderTime_IsTheLastOneThatWasMeasured()
+        {
+            Assert.That(_session.NewestRenderTime, Is.Null);
+            _session.Rendered(Lengths.Ms(9), RenderTimeSourceKind.DisplayGpuTime);
+            Assert.That(_session.NewestRenderTime, Is.EqualTo(Lengths.Ms(9)));
+            _session.Rendered(TimeSpan.Zero, RenderTimeSourceKind.None);
+            Assert.That(_session.NewestRenderTime, Is.Null);
+        }
+    }
+}
