@@ -2,6 +2,7 @@ using Nowpose.Gateway.Robots;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
+using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Sync;
 using NUnit.Framework;
@@ -10,11 +11,12 @@ namespace Nowpose.Headless.Tests.Session;
 
 public class TickAllocationTests
 {
-    [TestCase("hold")]
-    [TestCase("quadratic")]
-    [TestCase("quadratic-h4")]
-    [TestCase("cubic")]
-    public void TickAndFill_WarmWithSamplesComing_AllocateNothing(string predictor)
+    [TestCase("hold", false)]
+    [TestCase("quadratic", false)]
+    [TestCase("quadratic", true)]
+    [TestCase("quadratic-h4", false)]
+    [TestCase("cubic", false)]
+    public void TickAndFill_WarmWithSamplesComing_AllocateNothing(string predictor, bool isRecorded)
     {
         var robot = RobotFiles.Load("youbot");
         var names = robot.MovingJoints.Select(joint => joint.Name).ToArray();
@@ -22,6 +24,7 @@ public class TickAllocationTests
             new SessionSettings(
                 new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40)), new PredictionSettings(predictor)),
             robot, new StopwatchHeadsetClock());
+        using var recorder = isRecorded ? new SessionRecorder(session, new RecordingSettings("nowhere", () => Stream.Null)) : null;
         var statistics = new SessionStatistics();
         var allocated = 0L;
         for (var frame = 0; frame < 2000; frame++)

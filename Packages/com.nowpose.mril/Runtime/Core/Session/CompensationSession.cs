@@ -91,7 +91,7 @@ namespace Nowpose.Session
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>All samples are forgotten, for the clock stepped or became known; raised within <see cref="Tick"/>, before it takes others.</summary>
-        public event Action<ClockModel> StartedAnew;
+        public event Action<HeadsetTime, ClockModel> StartedAnew;
 
         /// <summary>A frame as it was computed; raised at the end of each <see cref="Tick"/>.</summary>
         /// <remarks>As of <see cref="SampleJudged"/>; but properties, <see cref="Fill"/> and <see cref="Clock"/> may be read.</remarks>
@@ -154,7 +154,7 @@ namespace Nowpose.Session
             lock (_gate)
             {
                 var clock = _synchroniser.ModelAt(start);
-                ForgetWhatAnotherClockStamped(clock);
+                ForgetWhatAnotherClockStamped(start, clock);
                 while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
                 var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;
                 _frame.Update(start, light, IsTrusted(clock), _monitor.State);
@@ -270,7 +270,7 @@ namespace Nowpose.Session
 
         // Stamps from before a step belong to another time line, and stamps from before the first exchange were never
         // checked: one from the future would hold the display for as long.
-        void ForgetWhatAnotherClockStamped(in ClockModel clock)
+        void ForgetWhatAnotherClockStamped(HeadsetTime now, in ClockModel clock)
         {
             if (_steps == clock.Steps && _wasKnown == clock.IsKnown) return;
             _steps = clock.Steps;
@@ -278,7 +278,7 @@ namespace Nowpose.Session
             _tracks.Reset();
             _latency.Reset();
             _hindcast.Reset();
-            StartedAnew?.Invoke(clock);
+            StartedAnew?.Invoke(now, clock);
         }
 
         bool IsTrusted(in ClockModel clock) => clock.State == ClockState.Synchronised

@@ -1,0 +1,37 @@
+using System;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+
+namespace Nowpose.Recording
+{
+    /// <summary>What was dropped since the start, by reason: the counts of one line.</summary>
+    static class DropsLine
+    {
+        static readonly LineNames Reasons = new LineNames(typeof(DropReason));
+        static readonly LineNames Faults = new LineNames(typeof(SyncExchangeFault));
+
+        public static int Count => Reasons.Count + Faults.Count;
+
+        public static void Fill(CompensationSession session, double[] numbers)
+        {
+            for (var i = 0; i < Reasons.Count; i++) numbers[i] = session.Drops[(DropReason)i];
+            for (var i = 0; i < Faults.Count; i++) numbers[Reasons.Count + i] = session.SyncFaults[(SyncExchangeFault)i];
+        }
+
+        public static void Write(JsonLine line, ReadOnlySpan<double> numbers)
+        {
+            Write(line, "messages", Reasons, numbers);
+            Write(line, "exchanges", Faults, numbers.Slice(Reasons.Count));
+        }
+
+        static void Write(JsonLine line, string name, LineNames names, ReadOnlySpan<double> counts)
+        {
+            line.Open(name, '{');
+            for (var i = 0; i < names.Count; i++)
+                if (counts[i] > 0) line.Add(names[i], (long)counts[i]);
+            line.Close('}');
+        }
+    }
+}

@@ -1,0 +1,190 @@
+using System;
+using System.Globalization;
+
+namespace Nowpose.Recording
+{
+    /// <summary>One line of JSON, put together in a buffer that is used again and again: it allocates only to grow.</summary>
+    /// <remarks>
+    /// A headset collects its garbage by stopping every thread, the frame's too, so the writing thread must not make any.
+    /// Numbers come back exactly as they were; one that is not finite is null.
+    /// </remarks>
+    sealed class JsonLine
+    {
+        const int LongestNumber = 32;
+
+        char[] _text = new char[4096];
+        int _length;
+        bool _isFirst;
+
+        public ReadOnlySpan<char> Text => _text.AsSpan(0, _length);
+
+        public JsonLine Begin(string kind)
+        {
+            _length = 0;
+            Put('{');
+            _isFirst = true;
+            return Add("kind", kind);
+        }
+
+        /// <summary>Ends the outermost object and the line.</summary>
+        public void End()
+        {
+            Put('}');
+            Put('\n');
+        }
+
+        public JsonLine Add(string name, long value)
+        {
+            Name(name);
+            Put(value);
+            return this;
+        }
+
+        public JsonLine Add(string name, double value)
+        {
+            Name(name);
+            Put(value);
+            return this;
+        }
+
+        /// <summary>Left out when it is unknown.</summary>
+        public JsonLine AddKnown(string name, double value) => double.IsNaN(value) ? this : Add(name, value);
+
+        public JsonLine Add(string name, bool value)
+        {
+            Name(name);
+            Put(value ? "true" : "false");
+            return this;
+        }
+
+        /// <param name="value">Null is written as null.</param>
+        public JsonLine Add(string name, string value)
+        {
+            Name(name);
+            if (value == null) Put("null");
+            else Quote(value);
+            return this;
+        }
+
+        public JsonLine Add(string name, ReadOnlySpan<double> values)
+        {
+            Open(name, '[');
+            foreach (var value in values)
+            {
+                Separate();
+                Put(value);
+            }
+            return Close(']');
+        }
+
+        public JsonLine Add(string name, string[] values)
+        {
+            Open(name, '[');
+            foreach (var value in values)
+            {
+                Separate();
+                Quote(value);
+            }
+            return Close(']');
+        }
+
+        /// <param name="bracket">{ or [</param>
+        public JsonLine Open(string name, char bracket)
+        {
+            Name(name);
+            return Open(bracket);
+        }
+
+        /// <summary>As an element of an array.</summary>
+        public JsonLine OpenElement()
+        {
+            Separate();
+            return Open('{');
+        }
+
+        public JsonLine Close(char bracket)
+        {
+            Put(bracket);
+            _isFirst = false;
+            return this;
+        }
+
+        JsonLine Open(char bracket)
+        {
+            Put(bracket);
+            _isFirst = true;
+            return this;
+        }
+
+        void Name(string name)
+        {
+            Separate();
+            Quote(name);
+            Put(':');
+        }
+
+        void Separate()
+        {
+            if (!_isFirst) Put(',');
+            _isFirst = false;
+        }
+
+        void Put(long value)
+        {
+            Reserve(LongestNumber);
+            value.TryFormat(_text.AsSpan(_length), out var written, default, CultureInfo.InvariantCulture);
+            _length += written;
+        }
+
+        void Put(double value)
+        {
+            if (double.IsNaN(value) || double.IsInfinity(value))
+            {
+                Put("null");
+                return;
+            }
+            Reserve(LongestNumber);
+            var room = _text.AsSpan(_length);
+            value.TryFormat(room, out var written, "R", CultureInfo.InvariantCulture);
+            // R of some runtimes loses the last digit of some numbers.
+            if (!double.TryParse(room.Slice(0, written), NumberStyles.Float, CultureInfo.InvariantCulture, out var back) || back != value)
+                value.TryFormat(room, out written, "G17", CultureInfo.InvariantCulture);
+            _length += written;
+        }
+
+        void Quote(string value)
+        {
+            Put('"');
+            foreach (var c in value)
+            {
+                if (c == '"' || c == '\\') Put('\\');
+                if (c >= ' ') Put(c);
+                else PutEscaped(c);
+            }
+            Put('"');
+        }
+
+        void PutEscaped(char control)
+        {
+            Put("\\u00");
+            Put((char)('0' + control / 16));
+            Put("0123456789abcdef"[control % 16]);
+        }
+
+        void Put(string text)
+        {
+            foreach (var c in text) Put(c);
+        }
+
+        void Put(char c)
+        {
+            Reserve(1);
+            _text[_length++] = c;
+        }
+
+        void Reserve(int count)
+        {
+            if (_length + count > _text.Length) Array.Resize(ref _text, Math.Max(2 * _text.Length, _length + count));
+        }
+    }
+}

@@ -1,0 +1,109 @@
+using System;
+using Nowpose.Latency;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+
+namespace Nowpose.Recording
+{
+    /// <summary>Records as lines of a session file. Times are whole nanoseconds on the clock that their name says.</summary>
+    sealed class RecordLine
+    {
+        static readonly LineNames Verdicts = new LineNames(typeof(SyncVerdict));
+        static readonly LineNames Faults = new LineNames(typeof(SyncExchangeFault));
+        static readonly LineNames Reasons = new LineNames(typeof(DropReason));
+        static readonly LineNames Poses = new LineNames(typeof(PoseState));
+        static readonly LineNames Ranges = new LineNames(typeof(RangeState));
+        static readonly LineNames ClockStates = new LineNames(typeof(ClockState));
+
+        readonly JsonLine _line;
+        readonly int _joints;
+
+        /// <param name="joints">Moving joints of the robot.</param>
+        public RecordLine(JsonLine line, int joints)
+        {
+            _line = line;
+            _joints = joints;
+        }
+
+        public void Write(SessionRecord record)
+        {
+            switch (record.Kind)
+            {
+                case RecordKind.Sync: WriteSync(record); break;
+                case RecordKind.Sample: WriteSample(record); break;
+                case RecordKind.Frame: WriteFrame(record); break;
+                case RecordKind.Clock: WriteClock(record); break;
+                case RecordKind.Display: WriteDisplay(record); break;
+                case RecordKind.Statistics: WriteStatistics(record); break;
+                default: WriteDrops(record); break;
+            }
+            _line.End();
+        }
+
+        void WriteSync(SessionRecord record)
+        {
+            var exchange = record.Exchange;
+            // As they came over the wire: the reader of the file adds the half resolution again.
+            var half = new TimeSpan(exchange.Resolution.Ticks / 2);
+            _line.Begin("sync").Add("t1_ns", exchange.T1.Nanoseconds).Add("t2_ns", (exchange.T2 - half).Nanoseconds)
+                .Add("t3_ns", (exchange.T3 - half).Nanoseconds).Add("t4_ns", exchange.T4.Nanoseconds)
+                .Add("resolution_ns", Nanoseconds(exchange.Resolution)).Add("server_bound_ns", Nanoseconds(exchange.ServerErrorBound));
+            if (!exchange.ServerSynchronised) _line.Add("server_synchronised", false);
+            _line.Add("verdict", Verdicts[(int)record.Verdict]);
+            if (record.Fault != SyncExchangeFault.None) _line.Add("fault", Faults[(int)record.Fault]);
+        }
+
+        void WriteSample(SessionRecord record)
+        {
+            var message = record.Arrival.Message;
+            _line.Begin("sample").Add("arrival_ns", record.Arrival.At.Nanoseconds).Add("stamp_ns", message.Stamp.Nanoseconds)
+                .Add("names", message.Names).Add("position", message.Positions);
+            if (message.Velocities != null) _line.Add("velocity", message.Velocities);
+            if (record.Reason != DropReason.None) _line.Add("dropped", Reasons[(int)record.Reason]);
+        }
+
+        void WriteFrame(SessionRecord record)
+        {
+            _line.Begin("frame").Add("start_ns", record.At.Nanoseconds);
+            if (record.Light.HasValue) _line.Add("light_ns", record.Light.Value.Nanoseconds);
+            _line.Add("state", Poses[(int)record.Pose]).Add("joints", record.Numbers.AsSpan(0, _joints))
+                .Add("held", record.Numbers.AsSpan(_joints, _joints));
+            if (record.Length.HasValue) _line.Add("render_ns", Nanoseconds(record.Length.Value));
+        }
+
+        void WriteClock(SessionRecord record)
+        {
+            _line.Begin("clock").Add("at_ns", record.At.Nanoseconds);
+            AddClock(record);
+            if (record.IsNewStart) _line.Add("new_start", true);
+        }
+
+        void WriteDisplay(SessionRecord record) => _line.Begin("display").Add("at_ns", record.At.Nanoseconds)
+            .Add("l_visu_ns", Nanoseconds(record.Length.GetValueOrDefault())).Add("range", Ranges[(int)record.Range]);
+
+        void WriteStatistics(SessionRecord record)
+        {
+            _line.Begin("statistics").Add("at_ns", record.At.Nanoseconds);
+            AddClock(record);
+            StatisticsLine.Write(_line, record.Numbers);
+        }
+
+        void WriteDrops(SessionRecord record)
+        {
+            _line.Begin("drops").Add("at_ns", record.At.Nanoseconds);
+            DropsLine.Write(_line, record.Numbers);
+        }
+
+        void AddClock(SessionRecord record)
+        {
+            var clock = record.Clock;
+            _line.Add("state", ClockStates[(int)clock.State]).Add("steps", clock.Steps);
+            if (!clock.IsKnown) return;
+            _line.Add("offset_ns", Nanoseconds(clock.OffsetAt(record.At).HeadsetMinusControl)).Add("skew_ppm", clock.Skew * 1e6)
+                .Add("error_bound_ns", Nanoseconds(clock.ErrorBound));
+        }
+
+        static long Nanoseconds(TimeSpan length) => length.Ticks * ClockTicks.NanosecondsPerTick;
+    }
+}

@@ -1,0 +1,168 @@
+using System;
+using System.Collections.Concurrent;
+using System.Diagnostics;
+using System.IO;
+using System.Text;
+using System.Threading;
+using System.Threading.Tasks;
+
+namespace Nowpose.Recording
+{
+    /// <summary>Turns records into lines of a file on a thread of its own, which alone waits for the disk.</summary>
+    sealed class RecordWriter
+    {
+        /// <summary>Room for the line that says why a file ends.</summary>
+        const int LastLineBytes = 100;
+
+        static readonly TimeSpan Pace = TimeSpan.FromMilliseconds(50);
+
+        /// <summary>What a process that dies may cost.</summary>
+        static readonly TimeSpan FlushInterval = TimeSpan.FromSeconds(1);
+
+        readonly RecordingSettings _settings;
+        readonly RecordRing _ring;
+        readonly JsonLine _line;
+        readonly RecordLine _recordLine;
+        readonly object _gate = new object();
+        readonly ConcurrentQueue<TaskCompletionSource<bool>> _flushes = new ConcurrentQueue<TaskCompletionSource<bool>>();
+        readonly Stopwatch _sinceFlush = Stopwatch.StartNew();
+        byte[] _bytes = new byte[4096];
+        volatile bool _isStopping;
+        volatile string _problem;
+        volatile RecordingState _state;
+        long _written, _lostTold;
+
+        /// <param name="line">Holds the first line already.</param>
+        /// <param name="recordLine">Writes into <paramref name="line"/>.</param>
+        public RecordWriter(RecordingSettings settings, RecordRing ring, JsonLine line, RecordLine recordLine)
+        {
+            _settings = settings;
+            _ring = ring;
+            _line = line;
+            _recordLine = recordLine;
+        }
+
+        public RecordingState State => _state;
+
+        /// <summary>Why it ended before it was stopped, in one line; null otherwise.</summary>
+        public string Problem => _problem;
+
+        public long Written => Interlocked.Read(ref _written);
+
+        public Task Ended { get; private set; }
+
+        // The scheduler is named because a caller's may be the frame's.
+        public void Start() => Ended = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+
+        /// <summary>What is in the ring by now is still written; returns at once.</summary>
+        public void Stop()
+        {
+            _isStopping = true;
+            Wake();
+        }
+
+        /// <summary>Completes when what is in the ring by now is in the file, or the recording has ended.</summary>
+        public Task FlushAsync()
+        {
+            var flush = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+            _flushes.Enqueue(flush);
+            Wake();
+            if (_state != RecordingState.Recording) CompleteFlushes();
+            return flush.Task;
+        }
+
+        void Run()
+        {
+            Thread.CurrentThread.Name = "Nowpose recording";
+            try
+            {
+                using (var stream = _settings.Open()) WriteAll(stream);
+                _state = _problem == null ? RecordingState.Closed : RecordingState.Full;
+            }
+            // Whatever it is: an exception that leaves a thread takes the application with it.
+            catch (Exception failure)
+            {
+                _problem = "recording " + _settings.Path + " has stopped: " + failure.Message.Replace('\r', ' ').Replace('\n', ' ');
+                _state = RecordingState.Failed;
+            }
+            CompleteFlushes();
+        }
+
+        void WriteAll(Stream stream)
+        {
+            TryPut(stream);
+            for (var isLast = false; !isLast;)
+            {
+                isLast = _isStopping;
+                // Before the ring is emptied: those that come meanwhile may have left something in it.
+                var asked = _flushes.Count;
+                if (!TryDrain(stream))
+                {
+                    _problem = "recording " + _settings.Path + " has stopped: it has reached its greatest size, "
+                        + _settings.MaximumBytes / 1_000_000 + " MB";
+                    break;
+                }
+                if (asked > 0 || _sinceFlush.Elapsed >= FlushInterval) Flush(stream, asked);
+                if (!isLast) Rest();
+            }
+            _line.Begin("end").Add("reason", _problem == null ? "closed" : "full").End();
+            Put(stream);
+        }
+
+        bool TryDrain(Stream stream)
+        {
+            while (_ring.TryPeek(out var record))
+            {
+                _recordLine.Write(record);
+                _ring.Release();
+                if (!TryPut(stream)) return false;
+            }
+            var lost = _ring.Lost;
+            if (lost == _lostTold) return true;
+            _line.Begin("lost").Add("count", lost - _lostTold).End();
+            _lostTold = lost;
+            return TryPut(stream);
+        }
+
+        bool TryPut(Stream stream)
+        {
+            if (Written + Encoding.UTF8.GetMaxByteCount(_line.Text.Length) > _settings.MaximumBytes - LastLineBytes
+                && Written + Encoding.UTF8.GetByteCount(_line.Text) > _settings.MaximumBytes - LastLineBytes) return false;
+            Put(stream);
+            return true;
+        }
+
+        void Put(Stream stream)
+        {
+            var most = Encoding.UTF8.GetMaxByteCount(_line.Text.Length);
+            if (_bytes.Length < most) _bytes = new byte[most];
+            var count = Encoding.UTF8.GetBytes(_line.Text, _bytes);
+            stream.Write(_bytes, 0, count);
+            Interlocked.Add(ref _written, count);
+        }
+
+        void Flush(Stream stream, int asked)
+        {
+            stream.Flush();
+            _sinceFlush.Restart();
+            for (; asked > 0 && _flushes.TryDequeue(out var flush); asked--) flush.SetResult(true);
+        }
+
+        void Wake()
+        {
+            lock (_gate) Monitor.Pulse(_gate);
+        }
+
+        // Nobody wakes it for a record: that would cost the frame a call into the system.
+        void Rest()
+        {
+            lock (_gate)
+                if (!_isStopping && _flushes.IsEmpty) Monitor.Wait(_gate, Pace);
+        }
+
+        void CompleteFlushes()
+        {
+            while (_flushes.TryDequeue(out var flush)) flush.SetResult(true);
+        }
+    }
+}

@@ -1,0 +1,178 @@
+using System;
+using System.Threading.Tasks;
+using Nowpose.Latency;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+
+namespace Nowpose.Recording
+{
+    /// <summary>Records a session to a file while it runs: exchanges, samples as received, frames, and how it does.</summary>
+    /// <remarks>
+    /// Whoever is told of something copies it into a ring that was made before, allocates nothing and waits for nobody; a thread
+    /// of its own formats and writes. What finds no room in the ring is lost and counted. The file is described in
+    /// <c>Documentation~/session-file.md</c>. A disk that fails ends the recording, never the session.
+    /// </remarks>
+    public sealed class SessionRecorder : IDisposable
+    {
+        /// <summary>Ten seconds of a usual session; a power of two.</summary>
+        const int RingLength = 2048;
+
+        static readonly TimeSpan StatisticsInterval = TimeSpan.FromSeconds(1);
+
+        readonly CompensationSession _session;
+        readonly RecordRing _ring;
+        readonly RecordWriter _writer;
+        readonly SessionStatistics _statistics = new SessionStatistics();
+        HeadsetTime _nextStatistics;
+        ClockState? _clockState;
+        int _clockSteps;
+        TimeSpan _visualisation;
+        RangeState? _range;
+        long _dropsTold;
+
+        /// <summary>Starts at once; what the session did before is not in the file.</summary>
+        public SessionRecorder(CompensationSession session, RecordingSettings settings)
+        {
+            _session = session ?? throw new ArgumentNullException(nameof(session));
+            Path = settings.Path;
+            var joints = session.Robot.MovingJoints.Count;
+            _ring = new RecordRing(RingLength, Math.Max(2 * joints, Math.Max(StatisticsLine.Count, DropsLine.Count)));
+            var line = new JsonLine();
+            HeaderLine.Write(line, session.Settings, session.Robot, settings.StartedUtc);
+            _writer = new RecordWriter(settings, _ring, line, new RecordLine(line, joints));
+            _writer.Start();
+            Listen();
+        }
+
+        public string Path { get; }
+
+        /// <summary>Any thread.</summary>
+        public RecordingState State => _writer.State;
+
+        /// <summary>Why the recording ended although nobody disposed of it, in one line; null otherwise. Any thread.</summary>
+        public string Problem => _writer.Problem;
+
+        /// <summary>Bytes written so far. Any thread.</summary>
+        public long Bytes => _writer.Written;
+
+        /// <summary>Lines that found no room since the start; the file says where. Any thread.</summary>
+        public long LostLines => _ring.Lost;
+
+        /// <summary>Completes when the file is closed; nobody has to wait for it.</summary>
+        public Task Ended => _writer.Ended;
+
+        /// <summary>Completes when all that was recorded by now is in the file, or the recording has ended. Not for a frame to wait for.</summary>
+        public Task FlushAsync() => _writer.FlushAsync();
+
+        /// <summary>Ends the recording; returns at once, while the rest is written.</summary>
+        public void Dispose()
+        {
+            _session.Clock.Judged -= OnExchange;
+            _session.SampleJudged -= OnSample;
+            _session.StartedAnew -= OnStartedAnew;
+            _session.Ticked -= OnFrame;
+            _writer.Stop();
+        }
+
+        void Listen()
+        {
+            _session.Clock.Judged += OnExchange;
+            _session.SampleJudged += OnSample;
+            _session.StartedAnew += OnStartedAnew;
+            _session.Ticked += OnFrame;
+        }
+
+        void OnExchange(in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault)
+        {
+            if (!TryClaim(RecordKind.Sync, out var record)) return;
+            record.Exchange = exchange;
+            record.Verdict = verdict;
+            record.Fault = fault;
+            _ring.Publish(record);
+        }
+
+        void OnSample(SampleArrival arrival, DropReason reason)
+        {
+            if (!TryClaim(RecordKind.Sample, out var record)) return;
+            record.Arrival = arrival;
+            record.Reason = reason;
+            _ring.Publish(record);
+        }
+
+        void OnStartedAnew(HeadsetTime at, ClockModel clock) => WriteClock(at, clock, isNewStart: true);
+
+        void OnFrame(DisplayFrame frame)
+        {
+            var clock = _session.Clock.ModelAt(frame.Start);
+            if (clock.State != _clockState || clock.Steps != _clockSteps) WriteClock(frame.Start, clock, isNewStart: false);
+            WriteDisplay(frame);
+            WriteFrame(frame);
+            WriteStatistics(frame.Start, clock);
+        }
+
+        void WriteClock(HeadsetTime at, in ClockModel clock, bool isNewStart)
+        {
+            if (!TryClaim(RecordKind.Clock, out var record)) return;
+            _clockState = clock.State;
+            _clockSteps = clock.Steps;
+            record.At = at;
+            record.Clock = clock;
+            record.IsNewStart = isNewStart;
+            _ring.Publish(record);
+        }
+
+        void WriteDisplay(DisplayFrame frame)
+        {
+            var visualisation = _session.Visualisation.Length;
+            if (visualisation == _visualisation && frame.Range == _range) return;
+            if (!TryClaim(RecordKind.Display, out var record)) return;
+            _visualisation = visualisation;
+            _range = frame.Range;
+            record.At = frame.Start;
+            record.Length = visualisation;
+            record.Range = frame.Range;
+            _ring.Publish(record);
+        }
+
+        void WriteFrame(DisplayFrame frame)
+        {
+            if (!TryClaim(RecordKind.Frame, out var record)) return;
+            record.At = frame.Start;
+            record.Light = frame.DisplayTime;
+            record.Pose = frame.State;
+            record.Length = _session.NewestRenderTime;
+            frame.Joints.CopyTo(record.Numbers);
+            frame.HeldJoints.CopyTo(record.Numbers.AsSpan(frame.Joints.Length));
+            _ring.Publish(record);
+        }
+
+        void WriteStatistics(HeadsetTime at, in ClockModel clock)
+        {
+            if (at < _nextStatistics || !TryClaim(RecordKind.Statistics, out var record)) return;
+            _nextStatistics = at + StatisticsInterval;
+            _session.Fill(_statistics, at);
+            record.At = at;
+            record.Clock = clock;
+            StatisticsLine.Fill(_statistics, record.Numbers);
+            _ring.Publish(record);
+            WriteDrops(at);
+        }
+
+        void WriteDrops(HeadsetTime at)
+        {
+            if (_statistics.Dropped == _dropsTold || !TryClaim(RecordKind.Drops, out var record)) return;
+            _dropsTold = _statistics.Dropped;
+            record.At = at;
+            DropsLine.Fill(_session, record.Numbers);
+            _ring.Publish(record);
+        }
+
+        bool TryClaim(RecordKind kind, out SessionRecord record)
+        {
+            // Nobody empties the ring any more: nothing is lost that could have been kept.
+            record = _writer.State == RecordingState.Recording ? _ring.TryClaim(kind) : null;
+            return record != null;
+        }
+    }
+}

@@ -1,0 +1,232 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Newtonsoft.Json.Linq;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Recording;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class SessionRecorderTests
+    {
+        static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
+
+        static CompensationSession NewSession() => new CompensationSession(
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1", token: "very-secret", headsetName: "test \"one\"\n"), new VisualisationLatency(Lengths.Ms(40)),
+                range: new ConstantLatencyRange(15.2, RenderTimeSourceKind.GpuCompletion)),
+            TestRobot.Model, new SetClock());
+
+        static SyncExchange Exchange(HeadsetTime at, double resolutionMs = 0) => new SyncExchange(
+            at - Lengths.Ms(2), new ControlTime(at.SinceEpoch), new ControlTime(at.SinceEpoch), at, Lengths.Ms(resolutionMs), Lengths.Ms(0.3));
+
+        [Test]
+        public void Header_SaysWhatWasInForce_AndNoSecret()
+        {
+            RecordedRun run;
+            using (run = new RecordedRun(NewSession())) run.Flush();
+
+            var header = run.Lines[0];
+            Assert.That((string)header["kind"], Is.EqualTo("session"));
+            Assert.That((string)header["format"], Is.EqualTo("nowpose-session"));
+            Assert.That((int)header["version"], Is.EqualTo(1));
+            Assert.That((string)header["headset"], Is.EqualTo("test \"one\"\n"));
+            Assert.That((string)header["started_utc"], Is.EqualTo("2026-01-02T03:04:05Z"));
+            Assert.That((string)header["robot"]["description_sha256"], Is.EqualTo(TestRobot.Model.SourceHash.ToString()).And.Length.EqualTo(64));
+            Assert.That(header["robot"]["joints"].Select(j => (string)j["name"]), Is.EqualTo(TestRobot.Model.MovingJoints.Select(j => j.Name)));
+            Assert.That(header["robot"]["joints"].Select(j => (string)j["unit"]), Is.EqualTo(new[] { "rad", "rad", "m", "m" }));
+            Assert.That((double)header["robot"]["joints"][0]["upper"], Is.EqualTo(3));
+            Assert.That(header["robot"]["joints"][1]["upper"], Is.Null, "nothing limits a continuous joint");
+            Assert.That((double)header["settings"]["visualisation_ms"], Is.EqualTo(40));
+            Assert.That((string)header["settings"]["render_time_source"], Is.EqualTo("gpu_completion"));
+            Assert.That(run.Text, Does.Not.Contain("secret"));
+        }
+
+        [Test]
+        public void Lines_OfASimulatedSession_AreWhatHappenedInItsOrder()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
+            var taken = new List<SampleArrival>();
+            var exchanges = new List<SyncExchange>();
+            var frames = new List<(long Start, long? Light, double[] Joints, double[] Held)>();
+            simulated.Session.SampleTaken += (arrival, _) => taken.Add(arrival);
+            simulated.Session.Clock.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => exchanges.Add(exchange);
+            var run = new RecordedRun(simulated.Session);
+
+            for (var second = 0; second < 20; second++)
+            {
+                simulated.Run(1, (frame, _) => frames.Add(
+                    (frame.Start.Nanoseconds, frame.DisplayTime?.Nanoseconds, frame.Joints.ToArray(), frame.HeldJoints.ToArray())));
+                run.Flush();
+            }
+            run.Close();
+
+            Assert.That(run.Recorder.LostLines, Is.EqualTo(0));
+            Assert.That(taken, Has.Count.GreaterThan(350));
+            var samples = run.Of("sample");
+            Assert.That(samples.Where(s => s["dropped"] == null).Select(s => (long)s["stamp_ns"]), Is.EqualTo(taken.Select(a => a.Message.Stamp.Nanoseconds)));
+            Assert.That(samples.Where(s => s["dropped"] == null).Select(s => (long)s["arrival_ns"]), Is.EqualTo(taken.Select(a => a.At.Nanoseconds)));
+            Assert.That(
+                samples.Where(s => s["dropped"] == null).SelectMany(s => s["position"].Select(p => (double)p)),
+                Is.EqualTo(taken.SelectMany(a => a.Message.Positions)), "to the last digit");
+            Assert.That(run.Of("sync").Select(s => (long)s["t1_ns"]), Is.EqualTo(exchanges.Select(e => e.T1.Nanoseconds)));
+            Assert.That(run.Of("sync").Select(s => (long)s["t3_ns"]), Is.EqualTo(exchanges.Select(e => e.T3.Nanoseconds)));
+            var lines = run.Of("frame");
+            Assert.That(lines.Select(f => (long)f["start_ns"]), Is.EqualTo(frames.Select(f => f.Start)));
+            Assert.That(lines.Select(f => (long?)f["light_ns"]), Is.EqualTo(frames.Select(f => f.Light)));
+            Assert.That(lines.SelectMany(f => f["joints"].Select(p => (double)p)), Is.EqualTo(frames.SelectMany(f => f.Joints)));
+            Assert.That(lines.SelectMany(f => f["held"].Select(p => (double)p)), Is.EqualTo(frames.SelectMany(f => f.Held)));
+            Assert.That(run.Of("clock").Select(c => (string)c["state"]).Last(), Is.EqualTo("synchronised"));
+            Assert.That(run.Of("statistics"), Has.Count.EqualTo(20));
+            Assert.That((double)run.Of("statistics")[19]["reduction"], Is.GreaterThan(0.5));
+            Assert.That((string)run.Last["reason"], Is.EqualTo("closed"));
+        }
+
+        [Test]
+        public void Exchange_OfACoarseClock_IsWrittenAsItCameOverTheWire()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session);
+
+            session.Clock.Add(Exchange(Start, resolutionMs: 1), out _);
+            session.Clock.Add(Exchange(Start, resolutionMs: 1), out _);
+            run.Close();
+
+            var first = run.Of("sync")[0];
+            Assert.That((long)first["t2_ns"], Is.EqualTo(100_000_000_000));
+            Assert.That((long)first["resolution_ns"], Is.EqualTo(1_000_000));
+            Assert.That((long)first["server_bound_ns"], Is.EqualTo(300_000));
+            Assert.That((string)first["verdict"], Is.EqualTo("consistent"));
+            Assert.That((string)run.Of("sync")[1]["fault"], Is.EqualTo("not_newer"));
+        }
+
+        [Test]
+        public void Sample_WithVelocitiesAndDropped_IsKeptWithItsReason()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session);
+            var message = new JointStateMessage(
+                new ControlTime(Start.SinceEpoch), new[] { "elbow", "shoulder" }, new[] { 0.1, 1 / 3.0 }, new[] { double.NaN, -2e-7 });
+
+            session.Received(message, Start);
+            session.Received(message, Start);
+            session.Tick(Start);
+            run.Close();
+
+            var samples = run.Of("sample");
+            Assert.That(samples[0]["velocity"].Select(v => (double?)v), Is.EqualTo(new double?[] { null, -2e-7 }));
+            Assert.That((double)samples[0]["position"][1], Is.EqualTo(1 / 3.0));
+            Assert.That(samples[0]["dropped"], Is.Null);
+            Assert.That((string)samples[1]["dropped"], Is.EqualTo("duplicate_sample"));
+            Assert.That((int)run.Of("drops").Single()["messages"]["duplicate_sample"], Is.EqualTo(1));
+        }
+
+        [Test]
+        public void ClockStep_AndChangeOfTheDisplay_HaveLinesBeforeTheFrameTheyActIn()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session);
+
+            session.Clock.Add(Exchange(Start), out _);
+            session.Tick(Start);
+            session.Visualisation = VisualisationLatency.FromMilliseconds(55);
+            session.Tick(Start + Lengths.Ms(16));
+            run.Close();
+
+            var kinds = run.Lines.Select(l => (string)l["kind"]).Where(k => k != "statistics");
+            Assert.That(kinds, Is.EqualTo(new[] { "session", "sync", "clock", "display", "frame", "display", "frame", "end" }));
+            Assert.That((bool)run.Of("clock").Single()["new_start"]);
+            Assert.That((long)run.Of("display")[1]["l_visu_ns"], Is.EqualTo(55_000_000));
+        }
+
+        [Test]
+        public void Ring_ThatOverflows_LosesNothingSilently()
+        {
+            var session = NewSession();
+            using (var gate = new System.Threading.ManualResetEventSlim())
+            {
+                var bytes = new MemoryStream();
+                var recorder = new SessionRecorder(session, new RecordingSettings("slow disk", () =>
+                {
+                    gate.Wait();
+                    return bytes;
+                }));
+                for (var i = 0; i < 5000; i++) session.Tick(Start + Lengths.Ms(i));
+                gate.Set();
+                recorder.Dispose();
+                Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));
+
+                var lines = System.Text.Encoding.UTF8.GetString(bytes.ToArray()).Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
+                var told = lines.Where(l => (string)l["kind"] == "lost").Sum(l => (long)l["count"]);
+                Assert.That(told, Is.EqualTo(recorder.LostLines).And.GreaterThan(2000));
+                Assert.That(lines.Count(l => (string)l["kind"] == "frame"), Is.GreaterThan(2000));
+            }
+        }
+
+        [Test]
+        public void File_AtItsGreatestSize_EndsWholeAndSaysSo()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session, maximumMegabytes: 0.02);
+
+            for (var i = 0; i < 500; i++) session.Tick(Start + Lengths.Ms(16 * i));
+            Assert.That(run.Recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
+
+            Assert.That(run.Recorder.State, Is.EqualTo(RecordingState.Full));
+            Assert.That(run.Recorder.Problem, Does.Contain("greatest size"));
+            Assert.That(run.Text.Length, Is.EqualTo(run.Recorder.Bytes).And.LessThanOrEqualTo(20_000).And.GreaterThan(19_000));
+            Assert.That((string)run.Last["reason"], Is.EqualTo("full"));
+        }
+
+        [Test]
+        public void Disk_ThatFails_EndsTheRecordingAndNotTheSession()
+        {
+            var session = NewSession();
+            var recorder = new SessionRecorder(session, new RecordingSettings("disk", () => throw new IOException("No space left\non device")));
+            Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));
+
+            session.Tick(Start);
+            var flush = recorder.FlushAsync();
+
+            Assert.That(flush.Wait(TimeSpan.FromMinutes(1)), "nobody waits for ever");
+            Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed));
+            Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
+            recorder.Dispose();
+        }
+
+        [Test]
+        public void Path_InAFolderThatDoesNotExist_IsMade()
+        {
+            var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+            var path = Path.Combine(folder, "deep", "session.jsonl");
+            try
+            {
+                var recorder = new SessionRecorder(NewSession(), new RecordingSettings(path));
+                recorder.Dispose();
+                Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));
+
+                Assert.That(recorder.Problem, Is.Null);
+                Assert.That(File.ReadAllLines(path), Has.Length.EqualTo(2));
+            }
+            finally
+            {
+                Directory.Delete(folder, true);
+            }
+        }
+
+        [TestCase(0)]
+        [TestCase(1e9)]
+        [TestCase(double.NaN)]
+        public void Settings_SizeOutOfRange_IsRefused(double megabytes)
+        {
+            Assert.Throws<InputException>(() => new RecordingSettings("x.jsonl", megabytes));
+        }
+    }
+}
