@@ -12,7 +12,9 @@ namespace Nowpose.Prediction
     public sealed class PolynomialPredictor : IJointPredictor
     {
         const int HighestDegree = 3;
-        const int LongestHistory = 100;
+
+        /// <summary>Greatest h.</summary>
+        public const int LongestHistory = 100;
 
         readonly PredictionLimits _limits;
         readonly SampleHistory _history;

@@ -16,7 +16,7 @@ namespace Nowpose.Prediction
         });
 
         /// <summary>A fresh predictor for one joint.</summary>
-        /// <param name="name">One of <see cref="Names"/>.</param>
+        /// <param name="name">One of <see cref="Names"/>, or a degree with another history h: linear-h4.</param>
         /// <param name="limits">Bounds of time and position.</param>
         /// <exception cref="InputException">There is no predictor of that name.</exception>
         public static IJointPredictor Create(string name, PredictionLimits limits)
@@ -29,7 +29,10 @@ namespace Nowpose.Prediction
                 case "cubic": return new PolynomialPredictor(3, 3, limits);
                 case "quadratic-h3": return new PolynomialPredictor(2, 3, limits);
                 case "quadratic-h4": return new PolynomialPredictor(2, 4, limits);
-                default: throw new InputException("predictor '" + name + "' is unknown; there are " + string.Join(", ", Names));
+                default:
+                    if (PolynomialName.TryRead(name, out var degree, out var history)) return new PolynomialPredictor(degree, history, limits);
+                    throw new InputException("predictor '" + name + "' is unknown; there are " + string.Join(", ", Names)
+                        + ", and linear, quadratic and cubic with -h and a history, as linear-h4");
             }
         }
     }

@@ -15,6 +15,9 @@ namespace Nowpose.Tests
         [TestCase("cubic", 601)]
         [TestCase("quadratic-h3", 496)]
         [TestCase("quadratic-h4", 447.4)]
+        [TestCase("linear-h1", 431)]
+        [TestCase("linear-h2", 1073 / 3.0)]
+        [TestCase("cubic-h4", 581.8)]
         public void Create_Name_HasItsDegreeAndHistory(string name, double expected)
         {
             var predictor = Predictors.Create(name, PredictionLimits.Unlimited);
@@ -36,6 +39,11 @@ namespace Nowpose.Tests
         }
 
         [TestCase("quartic")]
+        [TestCase("quartic-h4")]
+        [TestCase("linear-h0")]
+        [TestCase("cubic-h2")]
+        [TestCase("linear-h101")]
+        [TestCase("linear-h+4")]
         [TestCase("Quadratic")]
         [TestCase("")]
         [TestCase(null)]
