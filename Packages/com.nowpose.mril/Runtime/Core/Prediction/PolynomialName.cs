@@ -18,7 +18,7 @@ namespace Nowpose.Prediction
             if (mark < 0) return false;
             degree = Array.IndexOf(Degrees, name.Substring(0, mark)) + 1;
             return degree > 0
-                && int.TryParse(name.Substring(mark + HistoryMark.Length), NumberStyles.None, CultureInfo.InvariantCulture, out history)
+                && int.TryParse(name.AsSpan(mark + HistoryMark.Length), NumberStyles.None, CultureInfo.InvariantCulture, out history)
                 && history >= degree && history <= PolynomialPredictor.LongestHistory;
         }
     }
