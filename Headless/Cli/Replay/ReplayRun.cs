@@ -31,7 +31,7 @@ public sealed class ReplayRun
         _recording = recording;
         _settings = settings;
         _flow = new SampleFlow(recording, settings);
-        _predictors = [.. recording.Names.Select(_ => Predictors.Create(settings.Predictor, PredictionLimits.Unlimited))];
+        _predictors = [.. recording.Names.Select(_ => PredictorOf(settings))];
         _errors = [.. recording.Names.Select(_ => new AxisError())];
         _truth = new double[recording.Names.Count];
         RequireBearableLength();
@@ -79,6 +79,12 @@ public sealed class ReplayRun
             _errors[joint].Add(_predictors[joint].Hold - _truth[joint], predicted - _truth[joint]);
         }
         _frames++;
+    }
+
+    static IJointPredictor PredictorOf(ReplaySettings settings)
+    {
+        var predictor = Predictors.Create(settings.Predictor, PredictionLimits.Unlimited);
+        return settings.Blend == 0 ? predictor : new BlendedPredictor(predictor, PredictionLimits.Unlimited, settings.Blend);
     }
 
     void RequireBearableLength()

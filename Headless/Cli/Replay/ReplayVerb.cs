@@ -24,12 +24,13 @@ static class ReplayVerb
         var stampError = NumberOption.Create("--stamp-error-ms", "Half-width of a uniform error on each t_k.", 0.0, 0, 10000, "ms");
         var jitter = NumberOption.Create("--jitter-ms", "Greatest additional delay, uniform from 0.", 0.0, 0, 10000, "ms");
         var loss = NumberOption.Create("--loss", "Probability that a sample never arrives.", 0.0, 0, 1, "");
+        var blend = NumberOption.Create("--blend-ms", "Time constant within which a new section replaces the old one.", 0.0, 0, 200, "ms");
         var seed = NumberOption.Create("--seed", "Start of all that is random.", 1, int.MinValue, int.MaxValue, "");
         var json = new Option<bool>("--json") { Description = "Print JSON instead of a table." };
 
         var verb = new Command("replay", "Predicts a recorded motion as the headset would have; no network, virtual time.")
         {
-            file, sampling, latency, fps, predictor, latencyError, stampError, jitter, loss, seed, json
+            file, sampling, latency, fps, predictor, latencyError, stampError, jitter, loss, blend, seed, json
         };
         verb.SetAction((parsed, cancellation) =>
         {
@@ -43,6 +44,7 @@ static class ReplayVerb
                 StampError = parsed.GetValue(stampError) / MsPerSecond,
                 Jitter = parsed.GetValue(jitter) / MsPerSecond,
                 Loss = parsed.GetValue(loss),
+                Blend = parsed.GetValue(blend) / MsPerSecond,
                 Seed = parsed.GetValue(seed)
             };
             // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has measured.

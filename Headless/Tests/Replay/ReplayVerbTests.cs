@@ -64,6 +64,7 @@ public class ReplayVerbTests
     [TestCase("--stamp-error-ms=5", "rms", 1)]
     [TestCase("--jitter-ms=40", "rms_hold", 1)]
     [TestCase("--loss=0.3", "rms_hold", 1)]
+    [TestCase("--blend-ms=50", "rms", 1)]
     public async Task Json_Option_IsHeeded(string option, string key, int sign)
     {
         var plain = (await RunJson()).GetProperty(key).GetDouble();

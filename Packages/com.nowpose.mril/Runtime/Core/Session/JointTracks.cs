@@ -24,7 +24,7 @@ namespace Nowpose.Session
             _robot = robot;
             var count = robot.MovingJoints.Count;
             _tracks = new JointTrack[count];
-            for (var i = 0; i < count; i++) _tracks[i] = new JointTrack(settings.Create(robot.MovingJoints[i].Limits));
+            for (var i = 0; i < count; i++) _tracks[i] = new JointTrack(settings.CreateDisplayed(robot.MovingJoints[i].Limits));
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];

@@ -68,6 +68,10 @@ namespace Nowpose.Unity
             + "nothing about what it does after.")]
         double _maximumGapMs = 500;
 
+        [SerializeField, Tooltip("Within how many ms a joint glides most of the way from one prediction to the next when a sample corrects it, "
+            + "0 to 200; 0: it jumps. 14 ms costs less than 5 % of accuracy. Samples that come quickly shorten it.")]
+        double _blendMs = PredictionSettings.DefaultBlendMs;
+
         [Header("Clock")]
         [SerializeField, Tooltip("From one clock exchange to the next, ms, 20 to 10000. 200 ms: the clock is known within seconds, and the "
             + "network hardly notices.")]
@@ -82,7 +86,7 @@ namespace Nowpose.Unity
                 return new SessionSettings(
                     Connection(token ?? _token),
                     VisualisationLatency.FromMilliseconds(_visualisationMs),
-                    new PredictionSettings(_predictor, _horizonCapMs, _maximumGapMs),
+                    new PredictionSettings(_predictor, _horizonCapMs, _maximumGapMs, _blendMs),
                     syncIntervalMs: _syncIntervalMs,
                     range: _renderTimeLimitMs == 0 ? null : new ConstantLatencyRange(_renderTimeLimitMs, _renderTimeLimitSource),
                     rewriteBeforeRender: _rewriteBeforeRender);
