@@ -14,7 +14,7 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
 
     public void Deliver(double until, IJointPredictor predictor)
     {
-        while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter + settings.Latency <= until) Send(_next++);
+        while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter - settings.ToldJitter + settings.Latency <= until) Send(_next++);
         while (_underWay.TryPeek(out var next, out var arrival) && arrival.Item1 <= until)
         {
             _underWay.Dequeue();
@@ -26,8 +26,9 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
     // Every sample draws from the stream as often as any other, so that one condition does not shift another's numbers.
     void Send(int index)
     {
-        var time = _firstSample + index * settings.SamplingInterval + settings.SamplingJitter * Uniform();
-        var told = time + settings.StampError * Uniform();
+        var stamp = _firstSample + index * settings.SamplingInterval + settings.ToldJitter * Uniform();
+        var time = stamp + settings.SamplingJitter * Uniform();
+        var told = stamp + settings.StampError * Uniform();
         var noise = settings.Noise * Normal();
         var delay = Math.Min(settings.DelayMaximum, settings.DelayMedian * Math.Exp(Normal()));
         if (random.NextDouble() < settings.Loss) return;

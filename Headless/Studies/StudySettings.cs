@@ -20,8 +20,11 @@ public sealed record StudySettings
     /// <summary>Half-width of the uniform error ε_t on each t_k told, s.</summary>
     public double StampError { get; init; }
 
-    /// <summary>Half-width of the uniform deviation of the true sampling instants from the grid, s; stamps tell the truth about it.</summary>
+    /// <summary>Half-width of the uniform deviation of the true sampling instants from the grid that the stamps tell, s.</summary>
     public double SamplingJitter { get; init; }
+
+    /// <summary>The same of a source whose stamps tell the true instants, s.</summary>
+    public double ToldJitter { get; init; }
 
     /// <summary>Median of a log-normal delay added to the latency of each sample, s; 0 for none. Samples overtake each other.</summary>
     public double DelayMedian { get; init; }
