@@ -42,7 +42,7 @@ public class ReplayVerbTests
         Assert.That(result.GetProperty("axes").EnumerateArray().Select(axis => axis.GetProperty("name").GetString()),
             Is.EqualTo(new[] { "q1", "q2" }));
         Assert.That(result.GetProperty("file").GetString(), Is.EqualTo(_file));
-        Assert.That(result.GetProperty("predictor").GetString(), Is.EqualTo("quadratic"));
+        Assert.That(result.GetProperty("predictor").GetString(), Is.EqualTo("adaptive"));
         Assert.That(result.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.9));
     }
 
@@ -94,7 +94,7 @@ public class ReplayVerbTests
         Assert.That(run.ExitStatus, Is.EqualTo(0));
         Assert.That(run.Errors, Is.Empty);
         Assert.That(run.Output, Does.Contain("q1").And.Contain("q2")
-            .And.Contain("uncompensated RMS").And.Contain("motion.csv: quadratic"));
+            .And.Contain("uncompensated RMS").And.Contain("motion.csv: adaptive"));
     }
 
     [TestCase("--sampling-ms", "0", "0.1 to 10000 ms")]

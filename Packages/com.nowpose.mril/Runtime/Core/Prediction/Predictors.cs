@@ -1,18 +1,20 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Prediction.Stacking;
+using Nowpose.Prediction.Stamps;
 
 namespace Nowpose.Prediction
 {
     /// <summary>The predictors by the names that settings and command lines use.</summary>
     public static class Predictors
     {
-        /// <summary>What is used where nothing is asked for: the paper's choice when t_k is exact.</summary>
-        public const string Default = "quadratic";
+        /// <summary>What is used where nothing is asked for: what errs least on motion nobody has seen before.</summary>
+        public const string Default = "adaptive";
 
-        /// <summary>All names, in the order of their degree.</summary>
+        /// <summary>All names: the polynomials in the order of their degree, then what learns from the motion.</summary>
         public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[]
         {
-            "hold", "linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4"
+            "hold", "linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4", "adaptive"
         });
 
         /// <summary>A fresh predictor for one joint.</summary>
@@ -29,6 +31,7 @@ namespace Nowpose.Prediction
                 case "cubic": return new PolynomialPredictor(3, 3, limits);
                 case "quadratic-h3": return new PolynomialPredictor(2, 3, limits);
                 case "quadratic-h4": return new PolynomialPredictor(2, 4, limits);
+                case "adaptive": return new DejitteredPredictor(new StackedPredictor(limits));
                 default:
                     if (PolynomialName.TryRead(name, out var degree, out var history)) return new PolynomialPredictor(degree, history, limits);
                     throw new InputException("predictor '" + name + "' is unknown; there are " + string.Join(", ", Names)

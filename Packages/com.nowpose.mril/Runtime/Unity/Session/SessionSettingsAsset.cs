@@ -56,8 +56,8 @@ namespace Nowpose.Unity
         bool _rewriteBeforeRender = false;
 
         [Header("Prediction")]
-        [SerializeField, Tooltip("hold, linear, quadratic, cubic, quadratic-h3 or quadratic-h4. Quadratic is best where the samples' times are "
-            + "exact; h3 and h4 bear times that are some milliseconds off.")]
+        [SerializeField, Tooltip("adaptive, hold, linear, quadratic, cubic, quadratic-h3 or quadratic-h4. Adaptive learns from the motion which of "
+            + "them is right, and bears samples' times that are off; quadratic is the paper's.")]
         string _predictor = Predictors.Default;
 
         [SerializeField, Tooltip("How far ahead of the newest sample is predicted at most, ms, 0 to 5000; then the pose stays and is marked as "

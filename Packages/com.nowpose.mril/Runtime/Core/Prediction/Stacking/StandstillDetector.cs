@@ -1,0 +1,79 @@
+using System;
+
+namespace Nowpose.Prediction.Stacking
+{
+    /// <summary>Tells rest, noise included, from motion: at rest another mixture of forecasts is right.</summary>
+    /// <remarks>
+    /// The range of the newest four samples has a low decile over time, which is what noise alone makes; a few times that
+    /// is rest, and leaving an anchor by more than that ends it.
+    /// </remarks>
+    sealed class StandstillDetector
+    {
+        const int Window = 4;
+        const double Quantile = 0.1;
+
+        /// <summary>Step of the logarithm of the range per tenth of a second.</summary>
+        const double Learning = 0.3;
+
+        const double LongestLearning = 0.1;
+        const double EntersBelow = 3;
+        const double LeavesAbove = 4;
+        const double AnchorShare = 0.1;
+
+        /// <summary>A range of zero counts as this share of the greatest ever, or the logarithm would never come back.</summary>
+        const double LeastShare = 1e-6;
+
+        const double Tiny = 1e-300;
+
+        double _greatestRange;
+        double _logarithm;
+        double _anchor;
+        bool _knowsNoise;
+
+        public bool IsAtRest { get; private set; }
+
+        /// <param name="history">With the newest sample in it.</param>
+        /// <param name="interval">Before the newest sample, s.</param>
+        public void Add(SampleHistory history, double interval)
+        {
+            var count = Math.Min(Window, history.Count);
+            double least = double.PositiveInfinity, greatest = double.NegativeInfinity, sum = 0;
+            for (var i = 0; i < count; i++)
+            {
+                var position = history[i].Position;
+                least = Math.Min(least, position);
+                greatest = Math.Max(greatest, position);
+                sum += position;
+            }
+            var range = greatest - least;
+            _greatestRange = Math.Max(_greatestRange, range);
+            if (history.Count < 2) return;
+
+            Learn(range, interval);
+            var noise = Math.Exp(_logarithm);
+            var newest = history[0].Position;
+            if (IsAtRest && Math.Abs(newest - _anchor) > LeavesAbove * noise) IsAtRest = false;
+            if (!IsAtRest && history.Count >= Window && range <= EntersBelow * noise)
+            {
+                IsAtRest = true;
+                _anchor = sum / count;
+            }
+            if (IsAtRest) _anchor += AnchorShare * (newest - _anchor);
+        }
+
+        public void Reset()
+        {
+            _greatestRange = _logarithm = _anchor = 0;
+            _knowsNoise = IsAtRest = false;
+        }
+
+        void Learn(double range, double interval)
+        {
+            var logarithm = Math.Log(Math.Max(range, LeastShare * _greatestRange + Tiny));
+            if (!_knowsNoise) _logarithm = logarithm;
+            _knowsNoise = true;
+            var share = logarithm > _logarithm ? Quantile : Quantile - 1;
+            _logarithm += Learning * Math.Min(interval, LongestLearning) / LongestLearning * share;
+        }
+    }
+}
