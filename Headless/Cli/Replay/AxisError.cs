@@ -7,6 +7,9 @@ sealed class AxisError
     double _squares;
     double _heldSquares;
 
+    /// <summary>Frames so far.</summary>
+    public int Count => _predicted.Count;
+
     public void Add(double held, double predicted)
     {
         _heldSquares += held * held;

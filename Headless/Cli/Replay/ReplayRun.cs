@@ -84,7 +84,7 @@ public sealed class ReplayRun
     static IJointPredictor PredictorOf(ReplaySettings settings)
     {
         var predictor = Predictors.Create(settings.Predictor, PredictionLimits.Unlimited);
-        return settings.Blend == 0 ? predictor : new BlendedPredictor(predictor, PredictionLimits.Unlimited, settings.Blend);
+        return settings.Blend is > 0 and double blend ? new BlendedPredictor(predictor, PredictionLimits.Unlimited, blend) : predictor;
     }
 
     void RequireBearableLength()

@@ -27,8 +27,8 @@ public sealed class ReplaySettings
     /// <summary>Probability, 0 to 1, that a sample never arrives.</summary>
     public double Loss { get; init; }
 
-    /// <summary>Time constant in seconds within which a new section replaces the old one; 0 leaves the jump.</summary>
-    public double Blend { get; init; }
+    /// <summary>Time constant in seconds within which a new section replaces the old one; 0 leaves the jump. Null: as it was recorded, 0 for a motion.</summary>
+    public double? Blend { get; init; }
 
     public int Seed { get; init; } = 1;
 }

@@ -1,39 +1,42 @@
 using System.CommandLine;
+using Nowpose.Cli.Sessions;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Recordings;
-using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary><c>replay FILE.csv</c>: predicts a recorded motion as the headset would have; no network, virtual time.</summary>
+/// <summary><c>replay FILE</c>: predicts a recorded motion or session as the headset would have; no network, virtual time.</summary>
 static class ReplayVerb
 {
     const double MsPerSecond = 1000;
 
     public static Command Create()
     {
-        var file = new Argument<string>("FILE.csv")
+        var file = new Argument<string>("FILE")
         {
-            Description = "A recording (.csv or .csv.gz): header, time in seconds named t or t_s, then one column per joint."
+            Description = "A motion (.csv or .csv.gz): header, time in seconds named t or t_s, then one column per joint. Or a session "
+                + "(.jsonl or .jsonl.gz), which has its own sampling, latency and frames; the truth is then its samples, joined by cubics."
         };
         var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s.", 50.0, 0.1, 10000, "ms");
         var latency = NumberOption.Create("--latency-ms", "Latency L from a sample to its arrival.", 100.0, 0, 10000, "ms");
         var fps = NumberOption.Create("--fps", "Frames per second.", 60.0, 1, 1000, "");
-        var predictor = ChoiceOption.Create("--predictor", "How positions are predicted.", Predictors.Default, Predictors.Names);
+        var predictor = PredictorOption.Create();
         var latencyError = NumberOption.Create("--latency-error-ms", "Added to the time asked for.", 0.0, -10000, 10000, "ms");
         var stampError = NumberOption.Create("--stamp-error-ms", "Half-width of a uniform error on each t_k.", 0.0, 0, 10000, "ms");
         var jitter = NumberOption.Create("--jitter-ms", "Greatest additional delay, uniform from 0.", 0.0, 0, 10000, "ms");
         var loss = NumberOption.Create("--loss", "Probability that a sample never arrives.", 0.0, 0, 1, "");
-        var blend = NumberOption.Create("--blend-ms", "Time constant within which a new section replaces the old one.", 0.0, 0, 200, "ms");
+        var blend = NumberOption.Create("--blend-ms", "Time constant within which a new section replaces the old one; a session has its own.", 0.0, 0, 200, "ms");
         var seed = NumberOption.Create("--seed", "Start of all that is random.", 1, int.MinValue, int.MaxValue, "");
         var json = new Option<bool>("--json") { Description = "Print JSON instead of a table." };
 
-        var verb = new Command("replay", "Predicts a recorded motion as the headset would have; no network, virtual time.")
+        var verb = new Command("replay", "Predicts a recorded motion or session as the headset would have; no network, virtual time.")
         {
             file, sampling, latency, fps, predictor, latencyError, stampError, jitter, loss, blend, seed, json
         };
         verb.SetAction((parsed, cancellation) =>
         {
+            var path = parsed.GetRequiredValue(file);
+            if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnset(parsed, path, sampling, latency, fps, jitter, loss);
             var settings = new ReplaySettings
             {
                 SamplingInterval = parsed.GetValue(sampling) / MsPerSecond,
@@ -44,21 +47,30 @@ static class ReplayVerb
                 StampError = parsed.GetValue(stampError) / MsPerSecond,
                 Jitter = parsed.GetValue(jitter) / MsPerSecond,
                 Loss = parsed.GetValue(loss),
-                Blend = parsed.GetValue(blend) / MsPerSecond,
+                Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
             // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has measured.
             return Task.Run(
-                () => Run(parsed.GetRequiredValue(file), settings, parsed.GetValue(json), cancellation), CancellationToken.None);
+                () => Run(path, settings, parsed.GetValue(json), cancellation), CancellationToken.None);
         });
         return verb;
     }
 
     static int Run(string path, ReplaySettings settings, bool json, CancellationToken cancellation)
     {
-        var result = new ReplayRun(path, MotionRecording.Read(path), settings).Run(cancellation);
+        var result = SessionFileReader.IsSession(path)
+            ? RunSession(path, settings, cancellation)
+            : new ReplayRun(path, MotionRecording.Read(path), settings).Run(cancellation);
         if (json) Console.Out.WriteLine(ReplayJson.Of(result));
         else ReplayTable.Write(ResultConsole.Create(), result);
         return cancellation.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+    }
+
+    static ReplayResult RunSession(string path, ReplaySettings settings, CancellationToken cancellation)
+    {
+        var session = RecordedSession.Read(path);
+        if (session.Lost > 0) Console.Error.WriteLine($"nowpose: {path}: {session.Lost} lines are missing: the recording could not keep up");
+        return new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Sessions;
 using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
@@ -7,10 +8,20 @@ static class SyncLog
 {
     /// <summary>Exchanges as logged, unchecked, each with t4 to the nanosecond.</summary>
     public static IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> Read(string path) =>
+        SessionFileReader.IsSession(path) ? OfSession(path) : OfTable(path);
+
+    static List<(long, SyncExchange)> OfTable(string path) =>
         IntegerTable.Read(path, "t1_ns", "t2_ns", "t3_ns", "t4_ns")
             .ConvertAll(row => (row[3], new SyncExchange(
                 HeadsetTime.FromNanoseconds(row[0]), ControlTime.FromNanoseconds(row[1]),
                 ControlTime.FromNanoseconds(row[2]), HeadsetTime.FromNanoseconds(row[3]))));
+
+    static List<(long, SyncExchange)> OfSession(string path)
+    {
+        using var file = new SessionFileReader(path);
+        var exchanges = file.Lines().OfType<SyncLine>().Select(line => (line.T4Nanoseconds, line.Exchange)).ToList();
+        return exchanges.Count > 0 ? exchanges : throw new InputException($"{path}: holds no sync exchange; at least one is needed");
+    }
 
     public static IReadOnlyList<long> ReadInstants(string path)
     {

@@ -9,9 +9,10 @@ static class SyncVerb
 {
     public static Command Create()
     {
-        var file = new Argument<string>("FILE.csv")
+        var file = new Argument<string>("FILE")
         {
-            Description = "Log of exchanges: t1_ns,t2_ns,t3_ns,t4_ns (t1, t4 on C2; t2, t3 on C1); .csv or .csv.gz.",
+            Description = "Log of exchanges: t1_ns,t2_ns,t3_ns,t4_ns (t1, t4 on C2; t2, t3 on C1), .csv or .csv.gz; "
+                + "or a recorded session, .jsonl or .jsonl.gz.",
         };
         var estimator = ChoiceOption.Create(
             "--estimator", "Clock estimator; the default is the paper's, ransac, until a better one exists", "default", ["ransac", "default"]);

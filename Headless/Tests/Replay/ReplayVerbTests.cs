@@ -136,7 +136,7 @@ public class ReplayVerbTests
     {
         var run = await Run();
 
-        AssertRefused(run, "FILE.csv");
+        AssertRefused(run, "'FILE'");
     }
 
     [Test]

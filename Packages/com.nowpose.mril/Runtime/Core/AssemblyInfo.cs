@@ -1,3 +1,4 @@
 using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket")]
+[assembly: InternalsVisibleTo("Nowpose.Cli")]

@@ -51,7 +51,8 @@ namespace Nowpose.Recording
         {
             var prediction = settings.Prediction;
             line.Open("settings", '{').Add("predictor", prediction.Predictor);
-            line.Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds).Add("maximum_gap_ms", prediction.MaximumGap.TotalMilliseconds);
+            line.Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds).Add("maximum_gap_ms", prediction.MaximumGap.TotalMilliseconds)
+                .Add("blend_ms", prediction.Blend.TotalMilliseconds);
             line.Add("visualisation_ms", settings.Visualisation.Length.TotalMilliseconds);
             line.Add("rewrite_before_render", settings.RewriteBeforeRender);
             if (settings.Range != null)

@@ -1,0 +1,38 @@
+using System.CommandLine;
+using Nowpose.Prediction;
+
+namespace Nowpose.Cli;
+
+/// <summary><c>--predictor</c>: the names that are offered, and polynomials of any history.</summary>
+static class PredictorOption
+{
+    public static Option<string> Create()
+    {
+        const string name = "--predictor";
+        var list = string.Join(", ", Predictors.Names);
+        var option = new Option<string>(name)
+        {
+            Description = $"How joints are predicted [{list}; a history h of its own: linear-h4]",
+            DefaultValueFactory = _ => Predictors.Default,
+        };
+        option.Validators.Add(result =>
+        {
+            if (result.GetValueOrDefault<string>() is string value && !IsKnown(value))
+                result.AddError($"{name}: '{value}' is not known; allowed are {list}; or a history h of its own, as linear-h4.");
+        });
+        return option;
+    }
+
+    static bool IsKnown(string predictor)
+    {
+        try
+        {
+            Predictors.Create(predictor, PredictionLimits.Unlimited);
+            return true;
+        }
+        catch (InputException)
+        {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,95 @@
+using Nowpose.Cli.Sessions;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary>What a replay needs of a session file, in the order in which it acted, small enough to be kept.</summary>
+sealed class RecordedSession
+{
+    /// <summary>Numbers kept: about 400 MB. A file of the usual greatest size has a tenth of that.</summary>
+    const int MostNumbers = 50_000_000;
+
+    // Never reached a predictor, so that none is shown them.
+    static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
+
+    readonly string _path;
+    readonly Dictionary<string, int> _joints;
+    readonly List<Event> _events = [];
+    readonly List<Value> _values = [];
+    readonly List<double> _displayed = [];
+    int _timeLine;
+
+    RecordedSession(string path, SessionHeader header)
+    {
+        _path = path;
+        Header = header;
+        _joints = Enumerable.Range(0, header.Joints.Count).ToDictionary(i => header.Joints[i].Name);
+    }
+
+    public SessionHeader Header { get; }
+
+    public IReadOnlyList<Event> Events => _events;
+
+    public int Frames { get; private set; }
+
+    /// <summary>Lines that the recording lost.</summary>
+    public long Lost { get; private set; }
+
+    /// <exception cref="InputException">The file cannot be read or is not of the form.</exception>
+    public static RecordedSession Read(string path)
+    {
+        using var file = new SessionFileReader(path);
+        var session = new RecordedSession(path, file.Header);
+        foreach (var line in file.Lines()) session.Add(line);
+        return session;
+    }
+
+    /// <summary>The joints of a sample.</summary>
+    public ReadOnlySpan<Value> ValuesOf(in Event sample) =>
+        System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_values).Slice(sample.First, sample.Count);
+
+    /// <summary>The joints that a frame displayed, in the header's order.</summary>
+    public ReadOnlySpan<double> DisplayedBy(in Event frame) =>
+        System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_displayed).Slice(frame.First, frame.Count);
+
+    void Add(SessionLine line)
+    {
+        switch (line)
+        {
+            case SampleLine sample when Array.IndexOf(NeverTaken, sample.Dropped) < 0: Add(sample); break;
+            case FrameLine frame: Add(frame); break;
+            case ClockLine { IsNewStart: true }: _timeLine++; break;
+            case LostLine lost: Lost += lost.Count; break;
+        }
+        if (_values.Count + _displayed.Count > MostNumbers)
+            throw new InputException($"{_path}: is too long to be kept in memory; record shorter sessions");
+    }
+
+    void Add(SampleLine sample)
+    {
+        var first = _values.Count;
+        for (var i = 0; i < sample.Names.Length; i++)
+            if (_joints.TryGetValue(sample.Names[i], out var joint)) _values.Add(new Value(joint, sample.Positions[i]));
+        _events.Add(new Event(true, sample.Stamp, true, _timeLine, first, _values.Count - first));
+    }
+
+    void Add(FrameLine frame)
+    {
+        if (frame.Joints.Length != Header.Joints.Count)
+            throw new InputException($"{_path}: a frame has {frame.Joints.Length} joints, the header {Header.Joints.Count}");
+        Frames++;
+        _events.Add(new Event(false, frame.Light ?? default, frame.Light.HasValue, _timeLine, _displayed.Count, frame.Joints.Length));
+        _displayed.AddRange(frame.Joints);
+    }
+
+    /// <summary>A sample that was taken, or a frame.</summary>
+    /// <param name="At">t_k of a sample, the moment of light of a frame.</param>
+    /// <param name="IsTimed">Whether a frame knew its moment of light.</param>
+    /// <param name="TimeLine">Grows when the session forgot all samples, for then control times began to mean something else.</param>
+    /// <param name="First">Where its joints begin.</param>
+    /// <param name="Count">How many joints it has.</param>
+    public readonly record struct Event(bool IsSample, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
+
+    /// <param name="Joint">Index into the header's joints.</param>
+    /// <param name="Position">rad or m.</param>
+    public readonly record struct Value(int Joint, double Position);
+}

@@ -1,0 +1,121 @@
+using Nowpose.Prediction;
+using Nowpose.Session;
+
+namespace Nowpose.Cli.Replay;
+
+/// <summary>Plays a recorded session in virtual time to one predictor per joint: its samples as they came, its frames as they were.</summary>
+/// <remarks>
+/// In the order of the file, which is the order in which the headset took them; with the limits, the horizon cap and the maximum
+/// gap of the recording. So the predictor that ran then says again what was displayed.
+/// </remarks>
+sealed class SessionReplay
+{
+    /// <summary>As in the replay of a motion: the longest history of an offered polynomial, and the newest sample.</summary>
+    const int SamplesBeforeScoring = 5;
+
+    readonly string _path;
+    readonly RecordedSession _session;
+    readonly SessionTruth _truth;
+    readonly ReplaySettings _settings;
+    readonly RandomStream _stampErrors;
+    readonly JointTrack[] _tracks;
+    readonly int[] _samples;
+    readonly AxisError[] _errors;
+    int _timeLine;
+    ControlTime? _epoch;
+    int _frames;
+
+    /// <param name="path">Named in results and messages.</param>
+    /// <param name="truth">Of the session.</param>
+    /// <param name="settings">Predictor, errors and seed; what a recording has of its own is not asked for.</param>
+    public SessionReplay(string path, RecordedSession session, SessionTruth truth, ReplaySettings settings)
+    {
+        _path = path;
+        _session = session;
+        _truth = truth;
+        _settings = settings;
+        _stampErrors = new RandomStream(settings.Seed, 3);
+        var own = session.Header.Prediction;
+        var prediction = new PredictionSettings(
+            settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
+            settings.Blend * 1000 ?? own.Blend.TotalMilliseconds);
+        _tracks = [.. session.Header.Joints.Select(joint => new JointTrack(prediction.CreateDisplayed(joint.Limits)))];
+        _samples = new int[_tracks.Length];
+        _errors = [.. _tracks.Select(_ => new AxisError())];
+    }
+
+    /// <summary>Is told each frame's predictions: the frame, one position per joint, and how each was made.</summary>
+    public Action<RecordedSession.Event, double[], PredictionKind[]> Predicted { get; init; }
+
+    /// <exception cref="InputException">No frame could be scored.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
+    public ReplayResult Run(CancellationToken cancellation = default) => Run(0, _session.Events.Count, cancellation);
+
+    /// <param name="first">Where among the events it begins, as if nothing had been before.</param>
+    /// <param name="end">Where it ends.</param>
+    /// <inheritdoc cref="Run(CancellationToken)"/>
+    public ReplayResult Run(int first, int end, CancellationToken cancellation = default)
+    {
+        for (var i = first; i < end && !cancellation.IsCancellationRequested; i++) Play(_session.Events[i]);
+        if (_frames == 0)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            throw new InputException($"{_path}: no frame could be scored: there must be frames that knew a control time, after "
+                + $"{SamplesBeforeScoring} samples of a joint and before its last, and no longer pauses than the maximum gap");
+        }
+        var axes = Enumerable.Range(0, _errors.Length).Where(i => _errors[i].Count > 0)
+            .Select(i => _errors[i].Summary(_session.Header.Joints[i].Name));
+        return new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
+    }
+
+    void Play(in RecordedSession.Event next)
+    {
+        if (next.TimeLine != _timeLine || _epoch == null) StartAnew(next);
+        if (next.IsSample) Take(next);
+        else if (next.IsTimed) Show(next);
+    }
+
+    // What was before belongs to another time line.
+    void StartAnew(in RecordedSession.Event next)
+    {
+        if (next.TimeLine != _timeLine)
+        {
+            foreach (var track in _tracks) track.Reset();
+            Array.Clear(_samples);
+            _epoch = null;
+        }
+        _timeLine = next.TimeLine;
+        if (next.IsSample) _epoch ??= next.At;
+    }
+
+    void Take(in RecordedSession.Event sample)
+    {
+        var time = Seconds(sample.At);
+        var told = time + _settings.StampError * (2 * _stampErrors.Next() - 1);
+        foreach (var value in _session.ValuesOf(sample))
+        {
+            _tracks[value.Joint].Add(new JointSample(told, value.Position, time), out _);
+            _samples[value.Joint]++;
+        }
+    }
+
+    void Show(in RecordedSession.Event frame)
+    {
+        var time = Seconds(frame.At);
+        var (positions, kinds) = Predicted == null ? default : (new double[_tracks.Length], new PredictionKind[_tracks.Length]);
+        var isScored = false;
+        for (var joint = 0; joint < _tracks.Length; joint++)
+        {
+            // Also where nothing is scored: what smooths from frame to frame must see them all.
+            var prediction = _tracks[joint].At(time + _settings.LatencyError);
+            if (Predicted != null) (positions[joint], kinds[joint]) = (prediction.Position, prediction.Kind);
+            if (_samples[joint] < SamplesBeforeScoring || !_truth.TryAt(joint, frame, out var truth)) continue;
+            _errors[joint].Add(_tracks[joint].Hold - truth, prediction.Position - truth);
+            isScored = true;
+        }
+        if (isScored) _frames++;
+        Predicted?.Invoke(frame, positions, kinds);
+    }
+
+    double Seconds(ControlTime t) => (t - _epoch.GetValueOrDefault()).Ticks / (double)TimeSpan.TicksPerSecond;
+}

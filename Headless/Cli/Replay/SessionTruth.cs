@@ -1,0 +1,34 @@
+namespace Nowpose.Cli.Replay;
+
+/// <summary>Where all joints of a recorded session were, each time line for itself.</summary>
+sealed class SessionTruth
+{
+    readonly Dictionary<(int Joint, int TimeLine), RecordedTruth> _truths = [];
+
+    public SessionTruth(RecordedSession session)
+    {
+        foreach (var sample in session.Events)
+        {
+            if (!sample.IsSample) continue;
+            foreach (var value in session.ValuesOf(sample)) Of(value.Joint, sample.TimeLine, session).Add(sample.At, value.Position);
+        }
+        foreach (var truth in _truths.Values) truth.Complete();
+    }
+
+    /// <summary>Whether a joint has samples at all.</summary>
+    public bool Has(int joint) => _truths.Keys.Any(key => key.Joint == joint);
+
+    /// <returns>False where nobody knows.</returns>
+    public bool TryAt(int joint, in RecordedSession.Event frame, out double position)
+    {
+        position = 0;
+        return _truths.TryGetValue((joint, frame.TimeLine), out var truth) && truth.TryAt(frame.At, out position);
+    }
+
+    RecordedTruth Of(int joint, int timeLine, RecordedSession session)
+    {
+        if (!_truths.TryGetValue((joint, timeLine), out var truth))
+            _truths.Add((joint, timeLine), truth = new RecordedTruth(session.Header.Prediction.MaximumGap));
+        return truth;
+    }
+}

@@ -1,0 +1,93 @@
+using System.Text.Json;
+
+namespace Nowpose.Cli.Sessions;
+
+/// <summary>The fields of one JSON object; one that is missing or of another type is one line that names file, line and field.</summary>
+readonly struct LineFields(string place, JsonElement fields)
+{
+    readonly JsonElement _fields = fields;
+
+    public bool Has(string name) => _fields.TryGetProperty(name, out var value) && value.ValueKind != JsonValueKind.Null;
+
+    public string Text(string name) => Required(name) is { ValueKind: JsonValueKind.String } value
+        ? value.GetString() : throw Wrong(name, "is no text");
+
+    public string TextOr(string name, string otherwise) => Has(name) ? Text(name) : otherwise;
+
+    public bool FlagOr(string name, bool otherwise)
+    {
+        if (!Has(name)) return otherwise;
+        var kind = Required(name).ValueKind;
+        return kind is JsonValueKind.True or JsonValueKind.False ? kind == JsonValueKind.True : throw Wrong(name, "is neither true nor false");
+    }
+
+    /// <summary>A whole number that 64 bits hold, such as a time in nanoseconds.</summary>
+    public long Whole(string name)
+    {
+        var value = Required(name);
+        return value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out var number)
+            ? number : throw Wrong(name, $"{Shown(value)} is not a whole number (64 bits)");
+    }
+
+    public long WholeOr(string name, long otherwise) => Has(name) ? Whole(name) : otherwise;
+
+    public double Number(string name)
+    {
+        var value = Required(name);
+        return value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out var number) && double.IsFinite(number)
+            ? number : throw Wrong(name, $"{Shown(value)} is not a finite number");
+    }
+
+    public double NumberOr(string name, double otherwise) => Has(name) ? Number(name) : otherwise;
+
+    /// <param name="count">So many there must be; null for any number.</param>
+    /// <param name="mayBeAbsent">Whether an element may be null, which is NaN here.</param>
+    public double[] Numbers(string name, int? count = null, bool mayBeAbsent = false)
+    {
+        var array = Array(name);
+        if (count.HasValue && array.GetArrayLength() != count) throw Wrong(name, $"{array.GetArrayLength()} numbers; there must be {count}");
+        var numbers = new double[array.GetArrayLength()];
+        var i = 0;
+        foreach (var value in array.EnumerateArray())
+        {
+            if (value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out numbers[i]) && double.IsFinite(numbers[i])) i++;
+            else if (mayBeAbsent && value.ValueKind == JsonValueKind.Null) numbers[i++] = double.NaN;
+            else throw Wrong(name, $"element {i + 1}: {Shown(value)} is not a finite number");
+        }
+        return numbers;
+    }
+
+    public string[] Texts(string name)
+    {
+        var array = Array(name);
+        var texts = new string[array.GetArrayLength()];
+        var i = 0;
+        foreach (var value in array.EnumerateArray())
+        {
+            if (value.ValueKind != JsonValueKind.String) throw Wrong(name, $"element {i + 1}: {Shown(value)} is no text");
+            texts[i++] = value.GetString();
+        }
+        return texts;
+    }
+
+    public LineFields Object(string name) => Required(name) is { ValueKind: JsonValueKind.Object } value
+        ? new LineFields(place, value) : throw Wrong(name, "is no object");
+
+    public IEnumerable<LineFields> Objects(string name)
+    {
+        foreach (var value in Array(name).EnumerateArray())
+            yield return value.ValueKind == JsonValueKind.Object ? new LineFields(place, value) : throw Wrong(name, $"{Shown(value)} is no object");
+    }
+
+    public InputException Wrong(string field, string what) => new($"{place}: field '{field}' {what}");
+
+    JsonElement Array(string name) => Required(name) is { ValueKind: JsonValueKind.Array } value ? value : throw Wrong(name, "is no array");
+
+    JsonElement Required(string name) => _fields.TryGetProperty(name, out var value) ? value : throw Wrong(name, "is missing");
+
+    static string Shown(JsonElement value)
+    {
+        var text = value.GetRawText().ReplaceLineEndings(" ");
+        return text.Length <= 40 ? text : text[..40] + "…";
+    }
+}

@@ -1,0 +1,114 @@
+using System.Text.Json;
+using Nowpose.Gateway.Recordings;
+using Nowpose.Recording;
+
+namespace Nowpose.Cli.Sessions;
+
+/// <summary>Reads a session file from its first line to its last, one at a time, so that its size does not matter.</summary>
+sealed class SessionFileReader : IDisposable
+{
+    readonly string _path;
+    readonly TextReader _text;
+    int _line;
+
+    /// <exception cref="InputException">The file cannot be read, is no session file, or is newer than this program.</exception>
+    public SessionFileReader(string path)
+    {
+        _path = path;
+        _text = RecordingText.Open(path);
+        try
+        {
+            Header = ReadHeader();
+        }
+        catch
+        {
+            Dispose();
+            throw;
+        }
+    }
+
+    public SessionHeader Header { get; }
+
+    /// <summary>Whether the name promises a session file.</summary>
+    public static bool IsSession(string path) => path != null
+        && (path.EndsWith(".jsonl", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".jsonl.gz", StringComparison.OrdinalIgnoreCase));
+
+    /// <summary>The lines below the header; kinds that are not known are passed over.</summary>
+    /// <exception cref="InputException">A line is not of its form; names file, line and field.</exception>
+    public IEnumerable<SessionLine> Lines()
+    {
+        while (ReadLine() is string text)
+        {
+            if (string.IsNullOrWhiteSpace(text)) continue;
+            var line = Parse(text, out var isTorn);
+            // Written while the process died: all that came before is whole.
+            if (isTorn) yield break;
+            if (line != null) yield return line;
+        }
+    }
+
+    public void Dispose() => _text.Dispose();
+
+    SessionLine Parse(string text, out bool isTorn)
+    {
+        isTorn = false;
+        try
+        {
+            using var json = JsonDocument.Parse(text);
+            return SessionLines.Read(Fields(json));
+        }
+        catch (JsonException broken)
+        {
+            isTorn = IsLast();
+            return isTorn ? null : throw new InputException($"{Place}: is no JSON object: {OneLine(broken)}", broken);
+        }
+    }
+
+    SessionHeader ReadHeader()
+    {
+        var text = ReadLine() ?? throw new InputException($"{_path}: is empty; a session file begins with a line that says so");
+        try
+        {
+            using var json = JsonDocument.Parse(text);
+            var fields = Fields(json);
+            if (fields.TextOr("format", null) != SessionFormat.Name)
+                throw new InputException($"{Place}: field 'format' is not '{SessionFormat.Name}'; a session file begins with a line that says so");
+            var version = fields.Whole("version");
+            if (version is < 1 or > SessionFormat.Version)
+                throw new InputException($"{Place}: field 'version': the file is of version {version}; this program reads version "
+                    + $"{SessionFormat.Version}, use a newer one");
+            return SessionLines.ReadHeader(fields);
+        }
+        catch (JsonException broken)
+        {
+            throw new InputException($"{Place}: is no JSON object: {OneLine(broken)}", broken);
+        }
+    }
+
+    string Place => $"{_path}:{_line}";
+
+    LineFields Fields(JsonDocument json) => json.RootElement.ValueKind == JsonValueKind.Object
+        ? new LineFields(Place, json.RootElement) : throw new InputException($"{Place}: is no JSON object");
+
+    string ReadLine() => Guarded(() =>
+    {
+        _line++;
+        return _text.ReadLine();
+    });
+
+    bool IsLast() => Guarded(_text.Peek) < 0;
+
+    T Guarded<T>(Func<T> read)
+    {
+        try
+        {
+            return read();
+        }
+        catch (Exception e) when (e is IOException or InvalidDataException)
+        {
+            throw RecordingText.Unreadable(_path, e);
+        }
+    }
+
+    static string OneLine(JsonException broken) => broken.Message.ReplaceLineEndings(" ");
+}

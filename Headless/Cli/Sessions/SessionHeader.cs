@@ -1,0 +1,14 @@
+using Nowpose.Kinematics;
+using Nowpose.Session;
+
+namespace Nowpose.Cli.Sessions;
+
+/// <summary>The first line of a session file: what was in force.</summary>
+/// <param name="Robot">Its name.</param>
+/// <param name="Joints">The moving joints, in the order of the frames' positions.</param>
+/// <param name="Prediction">How the session predicted.</param>
+sealed record SessionHeader(string Robot, IReadOnlyList<SessionHeader.Joint> Joints, PredictionSettings Prediction)
+{
+    /// <param name="Unit">rad or m.</param>
+    public readonly record struct Joint(string Name, string Unit, JointLimits Limits);
+}

@@ -1,0 +1,58 @@
+using Nowpose.Kinematics;
+using Nowpose.Session;
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Sessions;
+
+/// <summary>The lines of version 1, field by field, as <c>session-file.md</c> describes them.</summary>
+static class SessionLines
+{
+    const int NanosecondsPerTick = 100;
+
+    public static SessionHeader ReadHeader(LineFields line)
+    {
+        var (robot, settings) = (line.Object("robot"), line.Object("settings"));
+        var prediction = new PredictionSettings(
+            settings.Text("predictor"), settings.Number("horizon_cap_ms"), settings.Number("maximum_gap_ms"),
+            settings.NumberOr("blend_ms", 0));
+        return new SessionHeader(robot.Text("name"), [.. robot.Objects("joints").Select(ReadJoint)], prediction);
+    }
+
+    /// <returns>Null for a kind that is of no use here, or not known.</returns>
+    public static SessionLine Read(LineFields line) => line.Text("kind") switch
+    {
+        "sync" => ReadSync(line),
+        "sample" => ReadSample(line),
+        "frame" => new FrameLine(
+            HeadsetTime.FromNanoseconds(line.Whole("start_ns")),
+            line.Has("light_ns") ? ControlTime.FromNanoseconds(line.Whole("light_ns")) : null,
+            line.Numbers("joints")),
+        "clock" => new ClockLine(line.FlagOr("new_start", false)),
+        "lost" => new LostLine(line.Whole("count")),
+        _ => null,
+    };
+
+    static SessionHeader.Joint ReadJoint(LineFields joint) => new(
+        joint.Text("name"), joint.Text("unit"), new JointLimits(
+            joint.NumberOr("lower", double.NegativeInfinity), joint.NumberOr("upper", double.PositiveInfinity),
+            joint.NumberOr("velocity", double.PositiveInfinity), double.PositiveInfinity));
+
+    static SyncLine ReadSync(LineFields line)
+    {
+        var t4 = line.Whole("t4_ns");
+        return new SyncLine(t4, new SyncExchange(
+            HeadsetTime.FromNanoseconds(line.Whole("t1_ns")), ControlTime.FromNanoseconds(line.Whole("t2_ns")),
+            ControlTime.FromNanoseconds(line.Whole("t3_ns")), HeadsetTime.FromNanoseconds(t4),
+            new TimeSpan(line.WholeOr("resolution_ns", 0) / NanosecondsPerTick), new TimeSpan(line.WholeOr("server_bound_ns", 0) / NanosecondsPerTick),
+            line.FlagOr("server_synchronised", true)));
+    }
+
+    static SampleLine ReadSample(LineFields line)
+    {
+        var names = line.Texts("names");
+        return new SampleLine(
+            HeadsetTime.FromNanoseconds(line.Whole("arrival_ns")), ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names,
+            line.Numbers("position", names.Length), line.Has("velocity") ? line.Numbers("velocity", names.Length, mayBeAbsent: true) : null,
+            line.TextOr("dropped", null));
+    }
+}

@@ -1,0 +1,178 @@
+using System.Text.Json;
+using Nowpose.Cli.Replay;
+using Nowpose.Headless.Tests.Cli;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Sessions;
+
+public class SessionReplayTests
+{
+    static readonly string[] Names = [.. Predictors.Names];
+
+    string _folder;
+    string _path;
+
+    [SetUp]
+    public void CreateFolder()
+    {
+        _folder = Directory.CreateTempSubdirectory("nowpose-session-").FullName;
+        _path = Path.Combine(_folder, "session.jsonl");
+    }
+
+    [TearDown]
+    public void DeleteFolder() => Directory.Delete(_folder, recursive: true);
+
+    static Task<CliRun> Run(params string[] arguments) => CliRun.OfAsync(arguments);
+
+    // What replay says of each joint in each frame, less what the frame displayed.
+    List<double> Differences(string predictor)
+    {
+        var session = RecordedSession.Read(_path);
+        var differences = new List<double>();
+        var replay = new SessionReplay(_path, session, new SessionTruth(session), new ReplaySettings { Predictor = predictor })
+        {
+            Predicted = (frame, positions, kinds) =>
+            {
+                var displayed = session.DisplayedBy(frame);
+                for (var joint = 0; joint < positions.Length; joint++)
+                    if (kinds[joint] != PredictionKind.None) differences.Add(Math.Abs(positions[joint] - displayed[joint]));
+            }
+        };
+        replay.Run();
+        return differences;
+    }
+
+    [TestCaseSource(nameof(Names))]
+    public void Replay_WithThePredictorThatRan_SaysWhatWasDisplayed(string predictor)
+    {
+        // Samples overtake each other, some are lost, and the control clock steps.
+        VirtualRecording.To(_path, predictor: predictor, jitterMs: 120, loss: 0.05, stepAfter: 12, blendMs: 14);
+
+        var differences = Differences(predictor);
+
+        Assert.That(differences, Has.Count.GreaterThan(5000));
+        Assert.That(differences.Max(), Is.EqualTo(0).Within(1e-12));
+    }
+
+    [Test]
+    public void Replay_WithAnotherPredictor_SaysSomethingElse()
+    {
+        VirtualRecording.To(_path, predictor: "quadratic", blendMs: 14);
+
+        Assert.That(Differences("linear").Max(), Is.GreaterThan(1e-3));
+    }
+
+    [TestCase(1)]
+    [TestCase(2)]
+    public async Task Reduction_BySamplesAsTruth_IsNearTheTrueOne(int seed)
+    {
+        var recording = VirtualRecording.To(_path, seconds: 40, seed: seed, samplingMs: 20);
+
+        var run = await Run("replay", _path, "--predictor", "quadratic", "--json");
+
+        using var json = JsonDocument.Parse(run.Output);
+        var truth = 1 - Math.Sqrt(recording.DisplayedSquares / recording.HeldSquares);
+        Assert.That(json.RootElement.GetProperty("reduction").GetDouble(), Is.EqualTo(truth).Within(0.02), $"seed {seed}");
+        Assert.That(truth, Is.GreaterThan(0.6));
+    }
+
+    [Test]
+    public async Task Json_OfASession_HasTheKeysOfAMotion()
+    {
+        VirtualRecording.To(_path);
+
+        var run = await Run("replay", _path, "--json", "--predictor", "hold");
+
+        using var json = JsonDocument.Parse(run.Output);
+        Assert.That(
+            json.RootElement.EnumerateObject().Select(p => p.Name),
+            Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
+        Assert.That(json.RootElement.GetProperty("reduction").GetDouble(), Is.EqualTo(0));
+        Assert.That(json.RootElement.GetProperty("frames").GetInt32(), Is.InRange(900, 1200));
+        Assert.That(json.RootElement.GetProperty("axes")[0].GetProperty("name").GetString(), Is.EqualTo("arm_joint_1"));
+    }
+
+    [TestCase("--sampling-ms=50")]
+    [TestCase("--latency-ms=100")]
+    [TestCase("--fps=60")]
+    [TestCase("--jitter-ms=0")]
+    [TestCase("--loss=0")]
+    public async Task Option_ThatTheRecordingHasItself_IsRefused(string option)
+    {
+        VirtualRecording.To(_path, seconds: 8);
+
+        var run = await Run("replay", _path, option);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.StartWith("nowpose: " + option.Split('=')[0] + ":").And.Contain("a recorded session has its own"));
+        Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+    }
+
+    [TestCase("--predictor=linear-h4")]
+    [TestCase("--latency-error-ms=20")]
+    [TestCase("--stamp-error-ms=10")]
+    [TestCase("--blend-ms=40")]
+    public async Task Option_ThatARecordingDoesNotContradict_ChangesTheResult(string option)
+    {
+        VirtualRecording.To(_path, seconds: 10);
+
+        var plain = await Run("replay", _path, "--json");
+        var changed = await Run("replay", _path, "--json", option);
+
+        Assert.That(changed.ExitStatus, Is.EqualTo(0), changed.Errors);
+        Assert.That(RmsOf(changed), Is.Not.EqualTo(RmsOf(plain)).Within(1e-6));
+    }
+
+    [Test]
+    public async Task StampError_OfAnotherSeed_IsAnother()
+    {
+        VirtualRecording.To(_path, seconds: 10);
+
+        var one = await Run("replay", _path, "--json", "--stamp-error-ms=5", "--seed=1");
+        var again = await Run("replay", _path, "--json", "--stamp-error-ms=5", "--seed=1");
+        var other = await Run("replay", _path, "--json", "--stamp-error-ms=5", "--seed=2");
+
+        Assert.That(RmsOf(again), Is.EqualTo(RmsOf(one)));
+        Assert.That(RmsOf(other), Is.Not.EqualTo(RmsOf(one)));
+    }
+
+    [Test]
+    public async Task Compressed_AndTorn_IsReadUpToTheTear()
+    {
+        VirtualRecording.To(_path, seconds: 10);
+        var text = File.ReadAllText(_path);
+        using var whole = new TemporaryFile(text, ".jsonl.gz");
+        using var torn = new TemporaryFile(text[..(text.Length - 200)], ".jsonl");
+
+        var plain = await Run("replay", _path, "--json");
+        var compressed = await Run("replay", whole.Path, "--json");
+        var cut = await Run("replay", torn.Path, "--json");
+
+        Assert.That(RmsOf(compressed), Is.EqualTo(RmsOf(plain)));
+        Assert.That(cut.ExitStatus, Is.EqualTo(0), cut.Errors);
+        Assert.That(RmsOf(cut), Is.EqualTo(RmsOf(plain)).Within(0.01 * RmsOf(plain)));
+    }
+
+    [TestCase("--estimator=default")]
+    [TestCase("--json")]
+    public async Task Sync_OfASession_SaysWhatItSaysOfItsExchanges(string option)
+    {
+        var recording = VirtualRecording.To(_path, stepAfter: 10);
+        using var log = new TemporaryFile("t1_ns,t2_ns,t3_ns,t4_ns\n" + string.Join('\n', recording.Exchanges) + "\n");
+
+        var ofSession = await Run("sync", _path, option);
+        var ofLog = await Run("sync", log.Path, option);
+
+        Assert.That(ofSession.ExitStatus, Is.EqualTo(0), ofSession.Errors);
+        Assert.That(recording.Exchanges, Has.Count.GreaterThan(80));
+        Assert.That(ofSession.Output, Is.EqualTo(ofLog.Output));
+    }
+
+    static double RmsOf(CliRun run)
+    {
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        using var json = JsonDocument.Parse(run.Output);
+        return json.RootElement.GetProperty("rms").GetDouble();
+    }
+}
