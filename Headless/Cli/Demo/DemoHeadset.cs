@@ -1,4 +1,5 @@
 using Nowpose.Kinematics;
+using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Unity;
 using Nowpose.UnityPlayer;
@@ -17,12 +18,16 @@ sealed class DemoHeadset : IDisposable
     readonly RobotRig _displayed;
     readonly RobotRig _held;
     readonly List<TimeSpan> _latencies;
+    readonly string _recordingPath;
     CompensationSession _watched;
+    SessionRecorder _recorder;
 
     /// <param name="clock">The headset clock, also of the frames.</param>
     /// <param name="samples">How many samples are expected; more are taken too.</param>
-    public DemoHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples)
+    /// <param name="recordingPath">Where the session is recorded; null for nowhere.</param>
+    public DemoHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples, string recordingPath = null)
     {
+        _recordingPath = recordingPath;
         // Room for all of them: the frame is watched for allocations, and this is filled within it.
         _latencies = new List<TimeSpan>(samples);
         var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
@@ -67,7 +72,20 @@ sealed class DemoHeadset : IDisposable
         _player.Step(seconds);
     }
 
-    public void Dispose() => _player.Dispose();
+    /// <summary>Ends the recording and waits for its last line.</summary>
+    /// <returns>Why it ended before; null when it did not.</returns>
+    public string EndRecording()
+    {
+        _recorder?.Dispose();
+        _recorder?.Ended.Wait();
+        return _recorder?.Problem;
+    }
+
+    public void Dispose()
+    {
+        _recorder?.Dispose();
+        _player.Dispose();
+    }
 
     // The prefab with the youBot for a youBot; any other robot is built from what the gateway describes.
     static string SceneFor(RobotModel robot, AssetLibrary assets) =>
@@ -88,9 +106,17 @@ sealed class DemoHeadset : IDisposable
         var session = _component.Session;
         if (session == _watched || session == null) return;
         _watched = session;
+        // The first one of a cell for any robot has no joints: nothing of it is worth a file.
+        if (_recordingPath != null && session.Robot.MovingJoints.Count > 0) Record(session);
         session.SampleTaken += (_, latency) =>
         {
             if (latency.HasValue) _latencies.Add(latency.Value);
         };
+    }
+
+    void Record(CompensationSession session)
+    {
+        EndRecording();
+        _recorder = new SessionRecorder(session, new RecordingSettings(_recordingPath, startedUtc: DateTime.UtcNow));
     }
 }

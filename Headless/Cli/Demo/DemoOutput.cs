@@ -9,10 +9,14 @@ sealed class DemoOutput
     {
         ResultPath = Path.Combine(folder, "result.json");
         ReportPath = Path.Combine(folder, "report.html");
+        SessionPath = Path.Combine(folder, "session.jsonl");
     }
 
     public string ResultPath { get; }
     public string ReportPath { get; }
+
+    /// <summary>What the headset records while it runs, for <c>replay</c>, <c>sync</c> and <c>recommend</c>.</summary>
+    public string SessionPath { get; }
 
     /// <summary>Makes the folder, and takes an earlier run's files away so that nobody takes them for this one's.</summary>
     /// <exception cref="InputException">It cannot be written to; better known before the run than twenty seconds later.</exception>
@@ -22,6 +26,7 @@ sealed class DemoOutput
         {
             var output = new DemoOutput(Directory.CreateDirectory(folder).FullName);
             File.Delete(output.ReportPath);
+            File.Delete(output.SessionPath);
             File.WriteAllText(output.ResultPath, "");
             File.Delete(output.ResultPath);
             return output;

@@ -18,7 +18,8 @@ static class DemoStage
     static readonly ControlTime ControlEpoch = ControlTime.FromSeconds(1_700_000_000);
 
     /// <summary>Plays until the time is over or it is cancelled.</summary>
-    public static async Task<DemoRun> PlayAsync(DemoSettings settings, CancellationToken cancel)
+    /// <param name="recordingPath">Where the headset records its session.</param>
+    public static async Task<DemoRun> PlayAsync(DemoSettings settings, string recordingPath, CancellationToken cancel)
     {
         var control = new StopwatchControlClock(ControlEpoch, ControlSkew);
         var options = new GatewayOptions { SyncPort = 0, WebSocketPort = 0 };
@@ -33,22 +34,24 @@ static class DemoStage
         var truth = new DemoTruth(control, cell, settings.Motion);
         // On a thread of its own, as a headset's frame loop is: the pool has two threads here, and the sockets need them.
         return await Task.Factory.StartNew(
-            () => Play(settings, connection, truth, cancel), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+            () => Play(settings, connection, truth, recordingPath, cancel), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 
     static CellTiming Timing(DemoSettings settings) => new(
         TimeSpan.FromMilliseconds(settings.SamplingMs),
         TimeSpan.FromMilliseconds(settings.Acquisition.Min), TimeSpan.FromMilliseconds(settings.Acquisition.Max));
 
-    static DemoRun Play(DemoSettings settings, ConnectionSettings connection, DemoTruth truth, CancellationToken cancel)
+    static DemoRun Play(
+        DemoSettings settings, ConnectionSettings connection, DemoTruth truth, string recordingPath, CancellationToken cancel)
     {
         var told = new VisualisationLatency(TimeSpan.FromMilliseconds(settings.VisualisationMs + settings.VisualisationErrorMs));
         var clock = new StopwatchHeadsetClock();
         using var headset = new DemoHeadset(
             settings.Robot, new SessionSettings(connection, told, new PredictionSettings(settings.Predictor)), clock,
-            (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000);
+            (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000, recordingPath);
         var loop = new DemoFrameLoop(settings, headset, clock, truth);
         DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
+        if (headset.EndRecording() is string problem) Console.Error.WriteLine("nowpose: " + problem);
         if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);
         return new DemoRun(settings, truth, loop.Frames, headset.ApplicationLatencies, headset.Session.Statistics(clock.Now));
     }

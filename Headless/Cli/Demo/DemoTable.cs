@@ -14,6 +14,7 @@ static class DemoTable
         console.Write(Facts(result));
         console.WriteLine("result  " + output.ResultPath);
         console.WriteLine("report  " + output.ReportPath);
+        console.WriteLine("session " + output.SessionPath);
     }
 
     static Table Errors(DemoScore score, DemoResult result)

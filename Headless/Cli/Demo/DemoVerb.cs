@@ -24,8 +24,7 @@ static class DemoVerb
     {
         Description = "Motion to play forth and back: .csv or .csv.gz, time in s, then one column per joint",
     };
-    static readonly Option<string> Predictor = ChoiceOption.Create(
-        "--predictor", "How joints are predicted", Predictors.Default, [.. Predictors.Names]);
+    static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "Sampling interval T_s of the control system", 50.0, 1, 1000, "ms");
     static readonly Option<MillisecondRange> Acquisition = RangeOption.Create(
@@ -37,7 +36,7 @@ static class DemoVerb
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of everything random", 1, 0, 1_000_000, "");
     static readonly Option<string> Output = new("--out")
     {
-        Description = "Folder for report.html and result.json",
+        Description = "Folder for report.html, result.json and session.jsonl",
         DefaultValueFactory = _ => "nowpose-demo",
     };
 
@@ -80,7 +79,7 @@ static class DemoVerb
     static async Task<int> RunAsync(DemoSettings settings, string folder, CancellationToken cancel)
     {
         var output = DemoOutput.At(folder);
-        var run = await DemoStage.PlayAsync(settings, cancel);
+        var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
         // An interrupted run writes what there is; a whole one that measured nothing has failed.
         if (!cancel.IsCancellationRequested && run.Failure() is string failure) throw new DemoFailedException(failure);
         var score = new DemoScore(run);

@@ -53,7 +53,20 @@ public class DemoVerbTests
         Assert.That(Names(result.GetProperty("frame")), Is.EqualTo("cpu_us_p50 cpu_us_p99 allocated_bytes_per_frame"));
         var repeated = result.GetProperty("tool_error_mm").GetProperty("reduction_repeated");
         Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "no third cycle in six seconds");
+        await AssertReplayable();
         Assert.That(Result().GetProperty("frame").GetProperty("allocated_bytes_per_frame").GetDouble(), Is.EqualTo(0));
+    }
+
+    async Task AssertReplayable()
+    {
+        var session = Path.Combine(_folder, "session.jsonl");
+        var replay = await CliRun.OfAsync("replay", session, "--json");
+        var sync = await CliRun.OfAsync("sync", session);
+
+        Assert.That(replay.ExitStatus, Is.EqualTo(0), replay.Errors);
+        Assert.That(JsonDocument.Parse(replay.Output).RootElement.GetProperty("frames").GetInt32(), Is.GreaterThan(250));
+        Assert.That(sync.Lines, Has.Length.GreaterThan(20));
+        Assert.That(File.ReadLines(session).Last(), Does.Contain("\"closed\""));
     }
 
     [Test]
