@@ -5,12 +5,15 @@ namespace Nowpose.Studies;
 /// <summary>Simulated motions in mm, each the same for the same seed.</summary>
 public static class Motions
 {
-    /// <summary>The paper's move (Fig. 12) forth and back without end: 500 mm, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell.</summary>
+    /// <summary>The paper's move (Fig. 12): 500 mm, 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
     /// <remarks>The paper gives no limits; these are ours.</remarks>
+    public static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
+
+    /// <summary><see cref="PaperMove"/> forth and back without end, with 0.4 s dwell.</summary>
     public static AxisMotion PaperSwing(double seconds = 12)
     {
         const double dwell = 0.4;
-        var move = new SevenPhaseProfile(500, 1000, 5000, 50_000);
+        var move = PaperMove;
         var half = move.Duration + dwell;
         return new AxisMotion("paper's swing", seconds, t =>
         {

@@ -25,7 +25,7 @@ public static class PredictionStudy
         var random = new Random(HashCode(settings.Seed, phase));
         var frames = new Random(HashCode(settings.Seed, phase + 1_000_000));
         var firstFrame = random.NextDouble() / settings.FrameRateHz;
-        var underWay = new SampleStream(motion, settings, random);
+        var underWay = new SampleStream(motion, settings, random, new Random(HashCode(settings.Seed, phase + 2_000_000)));
         for (var i = 0; ; i++)
         {
             var time = firstFrame + i / settings.FrameRateHz;

@@ -3,11 +3,13 @@ using Nowpose.Prediction;
 namespace Nowpose.Studies;
 
 /// <summary>Takes samples of a motion and brings them to a predictor when they have arrived.</summary>
-sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random)
+/// <param name="spread">Draws the latency's spread alone, which other conditions' numbers do not depend on.</param>
+sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random, Random spread)
 {
     readonly PriorityQueue<(JointSample Sample, int Index), (double, int)> _underWay = new();
     readonly double _firstSample = random.NextDouble() * settings.SamplingInterval;
     int _next;
+    double _newestArrival = double.NegativeInfinity;
 
     /// <summary>Index of the newest sample delivered; −1 before the first.</summary>
     public int Newest { get; private set; } = -1;
@@ -31,11 +33,12 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
         var told = stamp + settings.StampError * Uniform();
         var noise = settings.Noise * Normal();
         var delay = Math.Min(settings.DelayMaximum, settings.DelayMedian * Math.Exp(Normal()));
+        _newestArrival = Math.Max(_newestArrival, time + settings.Latency + settings.LatencySpread * spread.NextDouble());
         if (random.NextDouble() < settings.Loss) return;
         var sample = new JointSample(
             told, motion.At(time) + noise, time, settings.TellsVelocity ? motion.VelocityAt(time) : double.NaN,
             settings.TellsAcceleration ? motion.AccelerationAt(time) : double.NaN);
-        _underWay.Enqueue((sample, index), (time + settings.Latency + delay, index));
+        _underWay.Enqueue((sample, index), (_newestArrival + delay, index));
     }
 
     double Uniform() => 2 * random.NextDouble() - 1;

@@ -9,6 +9,9 @@ public sealed record StudySettings
     /// <summary>L, s, from t_k to the arrival of the sample; frames are timed by when they are seen.</summary>
     public double Latency { get; init; } = 0.100;
 
+    /// <summary>Added to the latency of each sample, uniform from 0 to this, s; none overtakes another.</summary>
+    public double LatencySpread { get; init; }
+
     public double FrameRateHz { get; init; } = 60;
 
     /// <summary>ε_L, s, added to the time the predictor is asked for: positive when the latency is taken for too large.</summary>
