@@ -1,4 +1,4 @@
-// What a build of Web.csproj runs: installs the pinned packages when package-lock.json changed and bundles the page when
+// What a build of Web.csproj runs: installs the pinned packages when package-lock.json changed and bundles the pages when
 // a source changed. Builds that run at the same time take turns.
 // Exit status: 0 done, 3 the packages cannot be had here (the build goes on without plots), 1 the sources are at fault.
 import { execSync } from 'node:child_process';
@@ -54,11 +54,11 @@ function install() {
   return true;
 }
 
-/** The sources are those of ReportSource in Web.csproj. */
+/** Sources and pages are those of PageSource and BundledPage in Web.csproj. */
 function isCurrent() {
-  const page = join(web, 'dist', 'report.html');
+  const pages = ['report.html', 'figures.html'].map(page => join(web, 'dist', page));
   const sources = ['src', 'package-lock.json', 'bundle.mjs', 'prepare.mjs'].map(s => newest(join(web, s)));
-  return existsSync(page) && statSync(page).mtimeMs >= Math.max(...sources);
+  return pages.every(page => existsSync(page) && statSync(page).mtimeMs >= Math.max(...sources));
 }
 
 async function prepare() {

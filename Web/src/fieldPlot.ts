@@ -6,7 +6,9 @@ import { format } from './numbers';
 import { colour } from './theme';
 import { type Look, LOOKS } from './traces';
 
-interface Path {
+const FEW = 200;
+
+export interface Path {
   label: string;
   look: Look;
   points: OperatingPath;
@@ -15,7 +17,11 @@ interface Path {
 
 /** Latency against speed with curves of equal error e = v·L, and where the run was with and without compensation. */
 export function fieldPlot(field: FieldData, description: string): { chart: Chart; legend: Legend } {
-  const paths = pathsOf(field);
+  return operatingPlot(pathsOf(field), field.iso_mm ?? [], description);
+}
+
+/** Paths of operating points over curves of equal error, mm. */
+export function operatingPlot(paths: Path[], isoMm: number[], description: string): { chart: Chart; legend: Legend } {
   const { latency, speed } = extents(paths);
 
   const legend = new Legend([
@@ -36,7 +42,7 @@ export function fieldPlot(field: FieldData, description: string): { chart: Chart
     data: [[0, latency], [0, speed]],
     scales: { x: { time: false, min: 0, max: latency }, y: { auto: false, min: 0, max: speed } },
     zoomY: true,
-    draw: u => paint(u, paths, field.iso_mm ?? []),
+    draw: u => paint(u, paths, isoMm),
     onCursor: (u, inside) => legend.show(inside ? readout(u) : ''),
   });
   return { chart, legend };
@@ -103,8 +109,10 @@ function paintCurve(u: uPlot, error: number): void {
 
 /** Uncompensated points are hollow squares, compensated ones filled: they differ in shape as well as in colour. */
 function paintPoints(u: uPlot, path: Path): void {
-  const { ctx, bbox } = u, size = 4 * devicePixelRatio;
+  const { ctx, bbox } = u;
   const { latency_ms, speed } = path.points;
+  // A handful can be larger than thousands.
+  const isFew = latency_ms.length < FEW, size = (isFew ? 7 : 4) * devicePixelRatio;
   const squares = new Path2D();
   // One square a pixel: an hour's points lie in thousands on each other.
   const stride = Math.ceil(bbox.width) + 1, taken = new Uint8Array(stride * (Math.ceil(bbox.height) + 1));
@@ -115,10 +123,10 @@ function paintPoints(u: uPlot, path: Path): void {
     taken[y * stride + x] = 1;
     squares.rect(bbox.left + x - size / 2, bbox.top + y - size / 2, size, size);
   }
-  ctx.globalAlpha = 0.7;
+  ctx.globalAlpha = isFew ? 1 : 0.7;
   if (path.look.mark === 'hollow') {
     ctx.strokeStyle = colour(path.look.ink);
-    ctx.lineWidth = devicePixelRatio;
+    ctx.lineWidth = (isFew ? 1.5 : 1) * devicePixelRatio;
     ctx.stroke(squares);
   } else {
     ctx.fillStyle = colour(path.look.ink);

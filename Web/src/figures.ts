@@ -39,7 +39,7 @@ function citation(source: string): HTMLElement {
   return el('span', { class: 'source' }, '(', el('a', { href: PAPER }, `Schnierle & Röck 2022, ${source}`), ')');
 }
 
-function plotBlock({ chart, legend }: Plot): HTMLElement {
+export function plotBlock({ chart, legend }: Plot): HTMLElement {
   const reset = el('button', { type: 'button', class: 'reset' }, 'Reset zoom');
   reset.addEventListener('click', () => chart.reset());
   return el('div', { class: 'plot-block' }, el('div', { class: 'bar' }, legend.element, reset), chart.element);

@@ -3,9 +3,9 @@ import { type ClockData, type ErrorData, type FieldData, hasPoints, type JointDa
 import { beyond, fieldPlot, pathsOf } from './fieldPlot';
 import { figure, type FigureOptions, notMeasured } from './figures';
 import { histogram } from './histogram';
+import { linePlot } from './linePlot';
 import { format, statistics } from './numbers';
 import { factTable, statisticsTable } from './tables';
-import { timePlot } from './timePlot';
 import { LOOKS, type Trace } from './traces';
 
 export function errorSection(error: ErrorData | null | undefined): HTMLElement {
@@ -21,7 +21,7 @@ export function errorSection(error: ErrorData | null | undefined): HTMLElement {
   ].flat();
   if (traces.length === 0) return notMeasured(options);
   const description = `Distance between the drawn and the true tool over time. ${inWords(traces, 'mm')}`;
-  return figure(options, [timePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, fromZero: true })],
+  return figure(options, [linePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, fromZero: true })],
     numbersOf('Tool error', 'mm', traces));
 }
 
@@ -41,7 +41,7 @@ export function jointSection(joint: JointData | null | undefined): HTMLElement {
   if (traces.length === 0) return notMeasured(options);
   const unit = joint!.unit;
   const description = `Position of joint ${joint!.name} over control time. ${inWords(traces, unit)}`;
-  return figure(options, [timePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces })],
+  return figure(options, [linePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces })],
     numbersOf('Joint position', unit, traces));
 }
 
@@ -82,10 +82,10 @@ export function clockSection(clock: ClockData | null | undefined): HTMLElement {
   const widest = greatestSize(error.flatMap(t => t.v));
   const note = widest > extent ? ` The error is shown up to ${format(extent, 'µs')}; it or its bound reaches ${format(widest, 'µs')}.` : '';
   const plots = [];
-  if (offset.length > 0) plots.push(timePlot({
+  if (offset.length > 0) plots.push(linePlot({
     description: `Clock offset relative to the first estimate, over time. ${inWords(offset, 'µs')}`,
     height: 200, yLabel: 'offset (µs)', unit: 'µs', traces: offset }));
-  if (error.length > 0) plots.push(timePlot({
+  if (error.length > 0) plots.push(linePlot({
     description: `Error of the clock offset with its bound, over time. ${inWords(error, 'µs')}${note}`,
     height: 260, yLabel: 'offset error (µs)', unit: 'µs', traces: error, yExtent: extent,
     band: error.some(t => t.mirror) ? '--band' : undefined }));

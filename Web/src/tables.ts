@@ -3,15 +3,15 @@ import { el } from './dom';
 import { format, type Statistics } from './numbers';
 
 /** Scrolls by itself where it is wider than the window, with the keyboard too. */
-function scrollable(caption: string, table: HTMLTableElement): HTMLElement {
+export function scrollable(caption: string, table: HTMLTableElement): HTMLElement {
   return el('div', { class: 'table', role: 'region', 'aria-label': caption, tabindex: 0 }, table);
 }
 
-function header(...labels: string[]): HTMLElement {
+export function header(...labels: string[]): HTMLElement {
   return el('thead', {}, el('tr', {}, ...labels.map(label => el('th', { scope: 'col' }, label))));
 }
 
-function row(label: string, ...cells: string[]): HTMLElement {
+export function row(label: string, ...cells: string[]): HTMLElement {
   return el('tr', {}, el('th', { scope: 'row' }, label), ...cells.map(cell => el('td', {}, cell)));
 }
 

@@ -1,7 +1,8 @@
 /** Colours come from the style sheet, so that page and canvas follow the same light, dark and print rules. */
 export type Ink =
   | '--ink' | '--muted' | '--grid' | '--surface'
-  | '--hold' | '--compensated' | '--truth' | '--band';
+  | '--hold' | '--compensated' | '--truth' | '--band'
+  | '--adaptive' | '--quadratic' | '--cubic' | '--linear';
 
 export function colour(ink: Ink): string {
   return getComputedStyle(document.documentElement).getPropertyValue(ink).trim();

@@ -12,14 +12,14 @@ export interface Look {
   mark?: 'hollow' | 'filled';
 }
 
-export const LOOKS: Record<'truth' | 'hold' | 'compensated' | 'holdPoints' | 'compensatedPoints' | 'bound', Look> = {
+export const LOOKS = {
   truth: { ink: '--truth', width: 5, dash: [] },
   hold: { ink: '--hold', width: 1.5, dash: [5, 3] },
   compensated: { ink: '--compensated', width: 2, dash: [] },
   holdPoints: { ink: '--hold', width: 1.5, dash: [], mark: 'hollow' },
   compensatedPoints: { ink: '--compensated', width: 1.5, dash: [], mark: 'filled' },
   bound: { ink: '--muted', width: 1, dash: [2, 3] },
-};
+} satisfies Record<string, Look>;
 
 export interface Trace {
   label: string;
@@ -28,6 +28,8 @@ export interface Trace {
   v: (number | null)[];
   /** Holds each value until the next, with a point where it was taken. */
   stepped?: boolean;
+  /** Marks each point. */
+  marked?: boolean;
   /** Draws with this trace and is shown and hidden with it: the other edge of a band. */
   mirror?: boolean;
 }

@@ -8,7 +8,7 @@ import { chromium } from 'playwright-core';
 const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync'];
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'chrome'];
-const template = readFileSync(new URL('../dist/report.html', import.meta.url), 'utf8');
+const read = name => readFileSync(new URL(`../dist/${name}.html`, import.meta.url), 'utf8');
 
 function executable() {
   const candidates = [process.env.CHROMIUM, ...(process.env.PATH ?? '').split(delimiter)
@@ -25,14 +25,16 @@ function executable() {
   return found;
 }
 
-/** The same insertion that ReportPage.Render does. */
-export function render(data) {
-  return template.replace('__REPORT_DATA__', () => JSON.stringify(data).replaceAll('<', '\\u003c'));
+/** The same insertion that ReportPage.Render and FiguresPage.Render do. */
+export function render(data, name = 'report') {
+  return read(name).replace('__REPORT_DATA__', () => JSON.stringify(data).replaceAll('<', '\\u003c'));
 }
 
 export class Browser {
-  static async start() {
+  /** @param name Of the page: report or figures. */
+  static async start(name = 'report') {
     const self = new Browser();
+    self.name = name;
     self.folder = mkdtempSync(join(tmpdir(), 'nowpose-web-'));
     self.browser = await chromium.launch({ executablePath: executable(), args: FLAGS });
     return self;
@@ -44,16 +46,16 @@ export class Browser {
   }
 
   /** A page with `complaints`: console errors, exceptions and each request but the one for the page itself. */
-  async open(data, options = {}) {
+  async open(data, { fragment = '', ...options } = {}) {
     const file = join(this.folder, `${Math.random().toString(36).slice(2)}.html`);
-    writeFileSync(file, render(data));
-    const address = pathToFileURL(file).href;
+    writeFileSync(file, render(data, this.name));
+    const address = pathToFileURL(file).href + fragment;
     const context = await this.browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
     const page = await context.newPage();
     page.complaints = [];
     page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));
     page.on('pageerror', e => page.complaints.push(`exception: ${e.message}`));
-    page.on('request', r => r.url() !== address && !r.url().startsWith('data:') && page.complaints.push(`request: ${r.url()}`));
+    page.on('request', r => r.url() !== address.replace(/#.*/, '') && !r.url().startsWith('data:') && page.complaints.push(`request: ${r.url()}`));
     page.on('dialog', d => { page.complaints.push(`dialog: ${d.message()}`); return d.dismiss(); });
     await page.goto(address);
     await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { Browser } from './browser.mjs';
+import { contrast, hasInk, luminance, settled } from './inks.mjs';
 import { report } from './sample.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
@@ -26,21 +27,6 @@ const painted = page => page.evaluate(() => [...document.querySelectorAll('.plot
   return { pixels, colours: colours.size };
 }));
 
-/** Whether the plot's canvas has a pixel near the colour of a style sheet variable. */
-const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
-  const probe = document.createElement('span');
-  probe.style.color = `var(${ink})`;
-  document.body.append(probe);
-  const want = getComputedStyle(probe).color.match(/\d+/g).map(Number);
-  probe.remove();
-  const canvas = document.querySelectorAll('.plot canvas')[index];
-  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-  for (let i = 0; i < data.length; i += 4) {
-    if (data[i + 3] > 200 && want.every((w, c) => Math.abs(data[i + c] - w) < 12)) return true;
-  }
-  return false;
-}, [index, ink]);
-
 /** Median height of a plot's signal, from 0 at the bottom of what is plotted to 1 at its top. */
 const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   const plot = document.querySelectorAll('.plot')[index], canvas = plot.querySelector('canvas');
@@ -55,7 +41,6 @@ const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   return 1 - rows[rows.length >> 1] / over.height;
 }, [index, ink]);
 
-const settled = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
 const shot = (page, index) => page.evaluate(i => document.querySelectorAll('.plot canvas')[i].toDataURL(), index);
 
 describe('a complete report', () => {
@@ -415,12 +400,7 @@ describe('any window and any text', () => {
   it('keeps signals apart without hue', async () => {
     for (const colorScheme of ['light', 'dark']) {
       const page = await browser.open(report(), { colorScheme });
-      const [hold, compensated, truth, surface] = await page.evaluate(() => ['--hold', '--compensated', '--truth', '--surface'].map(ink => {
-        const [r, g, b] = getComputedStyle(document.documentElement).getPropertyValue(ink).trim().match(/\w\w/g)
-          .map(h => parseInt(h, 16) / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
-        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-      }));
-      const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+      const [hold, compensated, truth, surface] = await luminance(page, ['--hold', '--compensated', '--truth', '--surface']);
       assert.ok(contrast(hold, compensated) > 1.7, `${colorScheme}: hold and compensated`);
       assert.ok(contrast(truth, compensated) > 3, `${colorScheme}: truth and compensated`);
       assert.ok(contrast(hold, surface) > 3 && contrast(compensated, surface) > 4.5, `${colorScheme}: on the page`);

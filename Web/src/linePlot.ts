@@ -6,12 +6,26 @@ import { Legend } from './legend';
 import { format } from './numbers';
 import type { Trace } from './traces';
 
-export interface TimePlotOptions {
+export interface Quantity {
+  name: string;
+  unit: string;
+}
+
+export interface Mark {
+  label: string;
+  x: number;
+}
+
+export interface LinePlotOptions {
   description: string;
   height: number;
   yLabel: string;
   unit: string;
   traces: Trace[];
+  /** What runs to the right; time in seconds where it is not said. */
+  x?: Quantity;
+  /** Named vertical lines. */
+  marks?: Mark[];
   /** Fills between a trace and its mirror. */
   band?: Ink;
   /** The vertical axis begins at 0. */
@@ -20,8 +34,8 @@ export interface TimePlotOptions {
   yExtent?: number;
 }
 
-/** Signals over time. Each has instants of its own; the cursor shows each one's value there. */
-export function timePlot(options: TimePlotOptions): { chart: Chart; legend: Legend } {
+/** Signals over time or another quantity. Each has values of its own to the right; the cursor shows each one's value there. */
+export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Legend } {
   const { traces, unit } = options;
   const data = uPlot.join(traces.map(t => [t.t, t.v] as uPlot.AlignedData));
   const entries = traces.map((trace, i) => ({ trace, i })).filter(e => !e.trace.mirror);
@@ -33,23 +47,48 @@ export function timePlot(options: TimePlotOptions): { chart: Chart; legend: Lege
   })));
   const chart = new Chart({
     ...options,
-    xLabel: 'time (s)',
+    xLabel: labelOf(options.x ?? { name: 'time', unit: 's' }),
     data,
     series: [{}, ...traces.map(series)],
     bands: options.band ? bandsOf(traces, options.band) : undefined,
     scales: { y: { range: yRange(options) } },
+    draw: options.marks?.length ? u => paintMarks(u, options.marks!) : undefined,
     onCursor: (u, inside) => {
       if (!inside) return legend.show('');
       const time = u.posToVal(u.cursor.left!, 'x');
-      legend.show(`t = ${time.toFixed(3)} s`, entries.map(e => format(valueAt(e.trace, time), unit)));
+      const { x } = options;
+      legend.show(x ? `${x.name} ${format(time, x.unit)}` : `t = ${time.toFixed(3)} s`, entries.map(e => format(valueAt(e.trace, time), unit)));
     },
   });
   return { chart, legend };
 }
 
-function yRange({ fromZero, yExtent }: TimePlotOptions): uPlot.Scale.Range {
+function yRange({ fromZero, yExtent }: LinePlotOptions): uPlot.Scale.Range {
   if (yExtent) return [-yExtent, yExtent];
   return { min: { pad: 0.08, soft: 0, mode: fromZero ? 1 : 0 }, max: { pad: 0.08 } };
+}
+
+export function labelOf({ name, unit }: Quantity): string {
+  return unit ? `${name} (${unit})` : name;
+}
+
+function paintMarks(u: uPlot, marks: Mark[]): void {
+  const { ctx, bbox } = u, ratio = devicePixelRatio;
+  ctx.save();
+  ctx.strokeStyle = ctx.fillStyle = colour('--muted');
+  ctx.lineWidth = ratio;
+  ctx.font = `600 ${12 * ratio}px system-ui, sans-serif`;
+  ctx.setLineDash([2 * ratio, 3 * ratio]);
+  for (const { label, x } of marks) {
+    const at = u.valToPos(x, 'x', true);
+    if (at < bbox.left || at > bbox.left + bbox.width) continue;
+    ctx.beginPath();
+    ctx.moveTo(at, bbox.top);
+    ctx.lineTo(at, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.fillText(label, at + 5 * ratio, bbox.top + 14 * ratio);
+  }
+  ctx.restore();
 }
 
 function series(trace: Trace): uPlot.Series {
@@ -60,8 +99,13 @@ function series(trace: Trace): uPlot.Series {
     dash: look.dash,
     stroke: () => colour(look.ink),
     paths: trace.stepped ? uPlot.paths.stepped!({ align: 1 }) : undefined,
-    points: trace.stepped ? { show: u => hasRoom(u, trace), size: 5, fill: () => colour('--surface') } : { show: false },
+    points: pointsOf(trace),
   };
+}
+
+function pointsOf(trace: Trace): uPlot.Series.Points {
+  if (trace.marked) return { show: true, size: 6, fill: () => colour(trace.look.ink) };
+  return trace.stepped ? { show: u => hasRoom(u, trace), size: 5, fill: () => colour('--surface') } : { show: false };
 }
 
 /** Points only where they would not run into one another. */

@@ -1,0 +1,38 @@
+using Nowpose.Web;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Web;
+
+public sealed class FiguresPageTests
+{
+    [SetUp]
+    public void SetUp()
+    {
+        if (!FiguresPage.HasPlots) Assert.Ignore("Node.js was missing when this was built: the page has no plots");
+    }
+
+    [Test]
+    public void Render_Data_GoesIntoThePageOfFigures()
+    {
+        var page = FiguresPage.Render("{\"title\":\"a < b\",\"figures\":[]}");
+
+        Assert.That(page, Does.Contain("{\"title\":\"a \\u003c b\",\"figures\":[]}").And.Contain("<title>Nowpose figures</title>"));
+        Assert.That(page, Does.Not.Contain("__REPORT_DATA__").And.Not.Contain("/*SCRIPT*/").And.Not.Contain("/*STYLE*/"));
+    }
+
+    [Test]
+    public void Render_AnyData_RefersToNothingOutside()
+    {
+        var page = FiguresPage.Render("{}");
+
+        Assert.That(page, Does.Contain("default-src 'none'"));
+        Assert.That(page, Does.Not.Match("(?i)<script[^>]+src|<link[^>]+stylesheet|@import|url\\((?!data:)"));
+    }
+
+    [TestCase("{\"a\":NaN}", "not JSON")]
+    [TestCase("[1]", "a JSON Array")]
+    public void Render_NotAnObject_IsRefused(string json, string reason)
+    {
+        Assert.That(() => FiguresPage.Render(json), Throws.ArgumentException.With.Message.Contains(reason));
+    }
+}

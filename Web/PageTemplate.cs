@@ -1,0 +1,48 @@
+using System.Text.Json;
+
+namespace Nowpose.Web;
+
+/// <summary>A page that the bundler made, with a place for its data. One HTML file that needs no network.</summary>
+sealed class PageTemplate
+{
+    const string Placeholder = "__REPORT_DATA__";
+
+    readonly string _html;
+
+    PageTemplate(string html) => _html = html;
+
+    /// <summary>Null when Node.js was missing where this assembly was built.</summary>
+    public static PageTemplate Named(string resource)
+    {
+        using var stream = typeof(PageTemplate).Assembly.GetManifestResourceStream(resource);
+        if (stream == null) return null;
+        using var reader = new StreamReader(stream);
+        return new PageTemplate(reader.ReadToEnd());
+    }
+
+    /// <exception cref="ArgumentException">The text is not JSON (which has no NaN) or not an object.</exception>
+    public static JsonDocument Parse(string json)
+    {
+        JsonDocument data;
+        try
+        {
+            data = JsonDocument.Parse(json);
+        }
+        catch (JsonException e)
+        {
+            throw new ArgumentException($"the page's data is not JSON: {e.Message}", nameof(json), e);
+        }
+        var kind = data.RootElement.ValueKind;
+        if (kind == JsonValueKind.Object) return data;
+        data.Dispose();
+        throw new ArgumentException($"the page's data is a JSON {kind}, an object is needed", nameof(json));
+    }
+
+    /// <summary>In JSON a &lt; stands only inside strings, where its escape means the same and cannot end the script element.</summary>
+    public string With(string json)
+    {
+        var at = _html.IndexOf(Placeholder, StringComparison.Ordinal);
+        var data = json.Replace("<", "\\u003c", StringComparison.Ordinal);
+        return string.Concat(_html.AsSpan(0, at), data, _html.AsSpan(at + Placeholder.Length));
+    }
+}

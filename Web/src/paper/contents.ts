@@ -1,0 +1,16 @@
+import { el } from '../dom';
+import { header, scrollable } from '../tables';
+import type { FigureData } from './data';
+import { anchorOf } from './section';
+import { badge } from './verdict';
+
+/** The figures with their verdicts, each a link to its section. */
+export function contents(figures: FigureData[]): HTMLElement {
+  const caption = 'Does what the paper says of its figures hold?';
+  const rows = figures.map(f => el('tr', {},
+    el('th', { scope: 'row' }, el('a', { href: `#${anchorOf(f.number)}` }, `Fig. ${f.number}`)),
+    el('td', {}, f.title),
+    el('td', {}, badge(f.verdict))));
+  return el('nav', { 'aria-label': 'Contents' }, scrollable(caption, el('table', { class: 'contents' },
+    el('caption', {}, caption), header('Figure', 'Shows', 'Claim'), el('tbody', {}, ...rows))));
+}

@@ -1,0 +1,76 @@
+import type { Fact, Value } from '../data';
+import type { Mark, Quantity } from '../linePlot';
+
+/** The page's data, as `FiguresPage.Render` receives it. */
+export interface FiguresData {
+  title: string;
+  subtitle: string;
+  conditions: Fact[];
+  /** Numbers of the figures that were not computed because the run was interrupted. */
+  missing: string[];
+  figures: FigureData[];
+}
+
+export type Verdict = 'holds' | 'holds partly' | 'does not hold';
+
+export interface FigureData {
+  /** As the paper counts: "13a". */
+  number: string;
+  title: string;
+  claim: string;
+  verdict: Verdict;
+  criteria: CriterionData[];
+  /** What our own methods do; null where there is nothing to say. */
+  beyond: string | null;
+  conditions: string;
+  /** Name of the CSV. */
+  file: string;
+  table: { columns: string[]; rows: Value[][] };
+  summary: SummaryData | null;
+  drawings: DrawingData[];
+  plots: PlotData[];
+}
+
+export interface CriterionData {
+  statement: string;
+  is_met: boolean;
+  measured: string;
+}
+
+export interface SummaryData {
+  caption: string;
+  columns: string[];
+  rows: string[][];
+}
+
+export interface DrawingData {
+  title: string;
+  description: string;
+  svg: string;
+}
+
+export interface PlotData {
+  title: string;
+  x: Quantity;
+  y: Quantity;
+  from_zero: boolean;
+  /** The vertical axis is this long both ways; null to follow the data. */
+  y_extent: number | null;
+  /** Makes it a plot of operating points with these curves of equal error; null for lines. */
+  iso_mm: number[] | null;
+  marks: Mark[];
+  traces: TraceData[];
+}
+
+export interface TraceData {
+  label: string;
+  look: string;
+  x: number[];
+  y: Value[];
+  stepped: boolean;
+  marked: boolean;
+}
+
+export function readFigures(): FiguresData {
+  return JSON.parse(document.getElementById('report-data')!.textContent!) as FiguresData;
+}

@@ -1,0 +1,22 @@
+import { type Look, LOOKS } from '../traces';
+
+/** How signals look by the names that the data give; C#'s `Looks` has the names, `PictureInk` the same for pictures. */
+const BY_NAME: Record<string, Look> = {
+  truth: LOOKS.truth,
+  hold: LOOKS.hold,
+  adaptive: { ink: '--adaptive', width: 2.5, dash: [] },
+  quadratic: { ink: '--quadratic', width: 2, dash: [9, 3] },
+  cubic: { ink: '--cubic', width: 2, dash: [8, 3, 2, 3] },
+  linear: { ink: '--linear', width: 1.5, dash: [2, 3] },
+  samples: { ink: '--linear', width: 1, dash: [] },
+};
+
+export function lookOf(name: string): Look {
+  return BY_NAME[name] ?? LOOKS.bound;
+}
+
+/** As points: what is not compensated is hollow, what is, filled. */
+export function pointsOf(name: string): Look {
+  const mark = name === 'hold' || name === 'linear' ? 'hollow' : 'filled';
+  return { ...lookOf(name), width: 1.5, dash: [], mark };
+}

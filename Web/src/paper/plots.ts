@@ -1,0 +1,38 @@
+import { operatingPlot } from '../fieldPlot';
+import type { Plot } from '../figures';
+import { linePlot } from '../linePlot';
+import { format, statistics } from '../numbers';
+import type { PlotData } from './data';
+import { lookOf, pointsOf } from './looks';
+
+const LINES = 300;
+const ONE_OF_SEVERAL = 220;
+
+/** @param figure Said before the plot's title, for who hears the plot instead of seeing it. */
+export function plotOf(plot: PlotData, figure: string, isOneOfSeveral: boolean): Plot {
+  const description = `${figure}, ${plot.title}: ${inWords(plot)}`;
+  if (plot.iso_mm) return operatingPlot(plot.traces.map(pathOf), plot.iso_mm, description);
+  return linePlot({
+    description,
+    height: isOneOfSeveral ? ONE_OF_SEVERAL : LINES,
+    x: plot.x,
+    yLabel: plot.y.unit ? `${plot.y.name} (${plot.y.unit})` : plot.y.name,
+    unit: plot.y.unit,
+    fromZero: plot.from_zero,
+    yExtent: plot.y_extent ?? undefined,
+    marks: plot.marks,
+    traces: plot.traces.map(t => ({ label: t.label, look: lookOf(t.look), t: t.x, v: t.y, stepped: t.stepped, marked: t.marked })),
+  });
+}
+
+function pathOf({ label, look, x, y }: PlotData['traces'][number]) {
+  return { label, look: pointsOf(look), points: { latency_ms: x, speed: y.map(v => v ?? 0) }, shown: true };
+}
+
+function inWords({ x, y, traces, iso_mm }: PlotData): string {
+  const over = iso_mm ? x : y;
+  return traces.map(t => {
+    const s = statistics(iso_mm ? t.x : t.y);
+    return s ? `${t.label} ${over.name} from ${format(s.min)} to ${format(s.max, over.unit)}` : `${t.label}: none`;
+  }).join('; ') + '.';
+}

@@ -1,0 +1,9 @@
+import { el } from '../dom';
+
+/** Text in which T_s, t_k and L_app are written as the paper does, with an index. */
+export function text(words: string): (Node | string)[] {
+  return words.split(/\b([TtLε]_[a-zA-Z]+)/).map(part => {
+    const [symbol, index] = part.split('_');
+    return /^[TtLε]_[a-zA-Z]+$/.test(part) ? el('span', { class: 'symbol' }, symbol, el('sub', {}, index)) : part;
+  });
+}

@@ -1,0 +1,173 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, it } from 'node:test';
+import { Browser } from './browser.mjs';
+import { figures } from './figuresSample.mjs';
+import { contrast, hasInk, luminance, settled } from './inks.mjs';
+
+const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>&lt;b&gt;"\'';
+const PLOTS = 5;
+
+let browser;
+before(async () => { browser = await Browser.start('figures'); });
+after(() => browser.stop());
+
+const texts = (page, selector) => page.locator(selector).allInnerTexts();
+
+describe('the page of figures', () => {
+  it('opens without a complaint or a request', async () => {
+    const page = await browser.open(figures());
+
+    assert.deepEqual(page.complaints, []);
+    assert.equal(await page.title(), 'The paper\u2019s figures, recomputed');
+  });
+
+  it('lists each figure with its verdict, linked to its section', async () => {
+    const page = await browser.open(figures());
+
+    assert.deepEqual(await texts(page, 'nav tbody .badge'), ['holds', 'does not hold', 'holds partly', 'holds', 'holds']);
+    const links = await page.locator('nav tbody a').evaluateAll(all => all.map(a => [a.textContent, !!document.querySelector(a.getAttribute('href'))]));
+    assert.deepEqual(links, [['Fig. 4', true], ['Fig. 8', true], ['Fig. 13a', true], ['Fig. 16', true], ['Fig. 17', true]]);
+  });
+
+  it('puts the claim of the paper beside what is measured, and says which criteria are met in words', async () => {
+    const page = await browser.open(figures());
+
+    const words = await texts(page, '#fig-13a .words');
+    assert.match(words[0], /The paper says[^]*large parts of the range of T\s*s the quadratic[^]*Schnierle & Röck 2022, Fig\. 13a/);
+    assert.match(words[0], /We measure[^]*Measured: best at 50 ms\.[^]*the cubic is better at 10 ms[^]*Beyond the paper[^]*adaptive leaves 50 %/);
+    const signs = await page.locator('#fig-13a .sign').evaluateAll(all => all.map(s => s.getAttribute('aria-label')));
+    assert.deepEqual(signs, ['met:', 'not met:']);
+  });
+
+  it('draws the plots in the colours of their signals, with units on the axes and numbers in words', async () => {
+    const page = await browser.open(figures());
+
+    assert.equal(await page.locator('.plot').count(), PLOTS);
+    const inks = [['--hold', '--quadratic'], ['--quadratic', '--adaptive'], ['--linear'],
+      ['--linear', '--quadratic', '--cubic', '--adaptive'], ['--truth', '--hold', '--quadratic']];
+    for (const [i, wanted] of inks.entries()) {
+      for (const ink of wanted) assert.ok(await hasInk(page, i, ink), `plot ${i} has no ${ink}`);
+    }
+    const labels = await page.locator('.plot').evaluateAll(all => all.map(p => p.getAttribute('aria-label')));
+    assert.match(labels[3], /^Fig\. 13a, RMS error: linear RMS error from 15 to 46\smm; quadratic/);
+    assert.match(labels[0], /hold latency from 55 to 275\sms/);
+  });
+
+  it('reads values at the cursor with the unit of the horizontal axis', async () => {
+    const page = await browser.open(figures());
+
+    await page.locator('#fig-13a .u-over').hover();
+
+    const [position] = await texts(page, '#fig-13a .position');
+    assert.match(position, /^sampling interval \d\d\.\d\sms$/);
+  });
+
+  it('zooms, moves and resets with the keyboard', async () => {
+    const page = await browser.open(figures());
+    const plot = page.locator('#fig-16 .plot');
+    const picture = () => plot.locator('canvas').evaluate(c => c.toDataURL());
+    const first = await picture();
+
+    await plot.focus();
+    await page.keyboard.press('+');
+    await settled(page);
+    const zoomed = await picture();
+    await page.keyboard.press('0');
+    await settled(page);
+
+    assert.notEqual(zoomed, first);
+    assert.equal(await picture(), first);
+  });
+
+  it('shows each drawing with its description, in the colours of the page', async () => {
+    const page = await browser.open(figures(), { colorScheme: 'dark' });
+
+    const drawings = await page.locator('#fig-17 svg[role=img]').evaluateAll(all => all.map(s => [s.getAttribute('aria-label'),
+      getComputedStyle(s.querySelector('line')).stroke, s.getBoundingClientRect().width]));
+    assert.equal(drawings.length, 3);
+    assert.equal(drawings[0][0], 'At A the uncompensated gripper is 78 mm off.');
+    assert.equal(drawings[0][1], 'rgb(217, 138, 61)');
+    assert.ok(drawings.every(d => d[2] > 150));
+  });
+
+  it('has the data of each figure in a table with a caption, and a dash where there is none', async () => {
+    const page = await browser.open(figures());
+
+    await page.locator('#fig-13a summary').click();
+
+    assert.match((await texts(page, '#fig-13a summary'))[0], /figure-13a\.csv/);
+    assert.deepEqual(await texts(page, '#fig-13a details tbody td'), ['6.40', '18.4', '–']);
+    const faults = await page.evaluate(() => [...document.querySelectorAll('table')]
+      .filter(t => !t.caption?.textContent || !t.querySelector('thead th[scope=col]') || !t.querySelector('tbody th[scope=row]')).length);
+    assert.equal(faults, 0);
+  });
+
+  it('says which figures an interrupted run did not compute', async () => {
+    const page = await browser.open({ ...figures(), missing: ['12', '18'] });
+
+    assert.deepEqual(await texts(page, '.missing'), ['Not computed, the run was interrupted: Fig. 12, Fig. 18.']);
+  });
+
+  it('opens at the section that the address names', async () => {
+    const page = await browser.open(figures(), { fragment: '#fig-17' });
+
+    const top = await page.locator('#fig-17').evaluate(s => s.getBoundingClientRect().top);
+    assert.ok(top > -5 && top < 500, `at ${top} px`);
+  });
+});
+
+describe('any window and any text', () => {
+  it('shows hostile text as text, and runs no script of a drawing', async () => {
+    const data = figures();
+    data.title = data.subtitle = HOSTILE;
+    data.conditions = [[HOSTILE, HOSTILE]];
+    Object.assign(data.figures[2], { title: HOSTILE, claim: HOSTILE, beyond: HOSTILE, conditions: HOSTILE, file: HOSTILE });
+    data.figures[2].criteria[0].measured = HOSTILE;
+    const page = await browser.open(data);
+
+    assert.deepEqual(page.complaints, []);
+    assert.equal(await page.locator('img').count(), 0);
+    assert.equal((await texts(page, 'h1'))[0], HOSTILE);
+  });
+
+  for (const width of [320, 360, 768, 1920]) {
+    it(`fits a window of ${width} px`, async () => {
+      const page = await browser.open(figures(), { viewport: { width, height: 800 } });
+
+      const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      assert.ok(content <= window, `${content} px of content`);
+    });
+  }
+
+  it('keeps ours, the paper\u2019s and the uncompensated apart without hue, and all off the page', async () => {
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await browser.open(figures(), { colorScheme });
+      const [adaptive, quadratic, cubic, linear, surface] = await luminance(page, ['--adaptive', '--quadratic', '--cubic', '--linear', '--surface']);
+      assert.ok(contrast(adaptive, quadratic) > 1.5, `${colorScheme}: adaptive and quadratic`);
+      for (const [name, ink] of Object.entries({ adaptive, quadratic, cubic, linear })) {
+        assert.ok(contrast(ink, surface) > 3, `${colorScheme}: ${name} on the page, ${contrast(ink, surface)}`);
+      }
+    }
+  });
+
+  it('writes verdicts so that they can be read', async () => {
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await browser.open(figures(), { colorScheme });
+      const [met, partly, unmet, surface] = await luminance(page, ['--met', '--partly', '--unmet', '--surface']);
+      for (const ink of [met, partly, unmet]) assert.ok(contrast(ink, surface) > 4.5, `${colorScheme}: ${contrast(ink, surface)}`);
+    }
+  });
+
+  it('prints light, with plots as wide as the page', async () => {
+    const page = await browser.open(figures(), { colorScheme: 'dark' });
+
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    await settled(page);
+    const [surface, widths] = await page.evaluate(() => [getComputedStyle(document.documentElement).getPropertyValue('--surface').trim(),
+      [...document.querySelectorAll('.plot canvas')].map(c => Math.round(c.getBoundingClientRect().width))]);
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+
+    assert.equal(surface, '#ffffff');
+    assert.ok(widths.every(w => w === 700), widths.join(', '));
+  });
+});
