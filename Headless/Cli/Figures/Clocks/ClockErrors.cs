@@ -1,0 +1,29 @@
+namespace Nowpose.Cli.Figures.Clocks;
+
+/// <summary>Errors of one estimator over all runs, at all instants from <see cref="SettledAfter"/> on.</summary>
+/// <param name="SkewPpmEarly">RMS error of the skew from 2 to 10 s, ppm.</param>
+/// <param name="SkewPpmLate">RMS error of the skew over the last quarter, ppm.</param>
+sealed record ClockErrors(double P50Us, double P95Us, double MaximumUs, double SkewPpmEarly, double SkewPpmLate)
+{
+    /// <summary>s.</summary>
+    public const double SettledAfter = 10;
+
+    const double FirstSkew = 2;
+
+    /// <param name="runs">Each with the log that it was made from.</param>
+    public static ClockErrors Of(IReadOnlyList<(ClockInstant[] Instants, SimulatedExchanges Log)> runs)
+    {
+        var settled = runs.SelectMany(r => r.Instants).Where(i => i.Seconds >= SettledAfter)
+            .Select(i => Math.Abs(i.OffsetErrorUs ?? double.PositiveInfinity)).Order().ToArray();
+        double Skew(double from, double to)
+        {
+            var squares = runs.SelectMany(r => r.Instants.Where(i => i.Seconds >= from && i.Seconds < to && i.SkewPpm != null)
+                .Select(i => Math.Pow(i.SkewPpm.Value - r.Log.SkewPpmAt(i.Seconds), 2))).ToArray();
+            return Math.Sqrt(squares.Average());
+        }
+        var end = runs[0].Instants[^1].Seconds;
+        return new ClockErrors(At(settled, 0.5), At(settled, 0.95), settled[^1], Skew(FirstSkew, SettledAfter), Skew(0.75 * end, end));
+    }
+
+    static double At(double[] sorted, double fraction) => sorted[(int)(fraction * (sorted.Length - 1))];
+}

@@ -1,0 +1,15 @@
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Figures.Clocks;
+
+/// <summary>A clock estimator by the name that the command line knows it by.</summary>
+sealed record ClockMethod(string Name, Func<IClockEstimator> Create)
+{
+    /// <summary>The paper's, with the constants of its Fig. 8: 100 exchanges, 20 hypotheses, moving average of 20.</summary>
+    public static readonly ClockMethod Paper = new("ransac", () => new RansacClockEstimator(RansacSettings.Paper));
+
+    public static IReadOnlyList<ClockMethod> All { get; } = [Paper];
+
+    /// <summary>Ours, in <see cref="All"/> after the paper's; null while there is none.</summary>
+    public static ClockMethod Ours => All.Count > 1 ? All[1] : null;
+}

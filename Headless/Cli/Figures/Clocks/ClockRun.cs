@@ -1,0 +1,28 @@
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Figures.Clocks;
+
+/// <summary>Feeds simulated exchanges to the headset's own clock synchroniser and looks at it 60 times a second.</summary>
+static class ClockRun
+{
+    /// <summary>As often as a frame is made.</summary>
+    public const double InstantsPerSecond = 60;
+
+    public static ClockInstant[] Of(ClockMethod method, SimulatedExchanges exchanges, double seconds)
+    {
+        var clock = new ClockSynchroniser(method.Create(), ClockSettings.Default);
+        var instants = new ClockInstant[(int)(seconds * InstantsPerSecond)];
+        var next = 0;
+        for (var i = 0; i < instants.Length; i++)
+        {
+            var s = i / InstantsPerSecond;
+            var now = HeadsetTime.FromSeconds(s);
+            for (; next < exchanges.All.Count && exchanges.All[next].T4 <= now; next++) clock.Add(exchanges.All[next], out _);
+            var model = clock.ModelAt(now);
+            instants[i] = model.IsKnown
+                ? new ClockInstant(s, (model.OffsetAt(now) - exchanges.TrueOffset(now)).TotalMicroseconds, model.Skew * 1e6)
+                : new ClockInstant(s, null, null);
+        }
+        return instants;
+    }
+}

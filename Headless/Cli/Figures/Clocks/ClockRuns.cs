@@ -1,0 +1,29 @@
+namespace Nowpose.Cli.Figures.Clocks;
+
+/// <summary>Every clock estimator on the same simulated logs.</summary>
+sealed class ClockRuns
+{
+    readonly ClockInstant[,][] _runs;
+
+    public ClockRuns(FigureSettings settings)
+    {
+        Seconds = settings.ClockSeconds;
+        Logs = [.. Enumerable.Range(0, settings.ClockRuns).Select(i => new SimulatedExchanges(settings.Seed * 1000 + i, Seconds))];
+        _runs = new ClockInstant[ClockMethod.All.Count, Logs.Count][];
+        Work = [.. from m in Enumerable.Range(0, ClockMethod.All.Count) from l in Enumerable.Range(0, Logs.Count)
+            select (Action)(() => _runs[m, l] = ClockRun.Of(ClockMethod.All[m], Logs[l], Seconds))];
+    }
+
+    /// <summary>Length of each log, s.</summary>
+    public double Seconds { get; }
+
+    public IReadOnlyList<SimulatedExchanges> Logs { get; }
+
+    public IReadOnlyList<Action> Work { get; }
+
+    /// <summary>What a method, by its place in <see cref="ClockMethod.All"/>, believed over the first log.</summary>
+    public IReadOnlyList<ClockInstant> First(int method) => _runs[method, 0];
+
+    /// <summary>By method, over all logs.</summary>
+    public ClockErrors Errors(int method) => ClockErrors.Of([.. Logs.Select((log, l) => (_runs[method, l], log))]);
+}

@@ -1,0 +1,77 @@
+using Nowpose.Cli.Figures.Model;
+using static Nowpose.Cli.Figures.Numbers;
+
+namespace Nowpose.Cli.Figures.Clocks;
+
+/// <summary>Fig. 8: the clock parameters converge over the exchanges.</summary>
+static class Figure08
+{
+    const double PaperBoundUs = 1000;
+    const double ShownUs = 600;
+    const double ShownPpm = 150;
+
+    /// <summary>Rows of the table per second: an exchange each.</summary>
+    const double RowsPerSecond = 5;
+
+    public static Figure Of(ClockRuns runs)
+    {
+        var errors = ClockMethod.All.Select((method, m) => (method.Name, Errors: runs.Errors(m))).ToArray();
+        var table = TableOfFirstRun(runs);
+        return new Figure("8", "Clock synchronisation")
+        {
+            Claim = "As exchanges come in, offset and skew converge and the synchronisation error stays below 1 ms; "
+                + "the round-trip time tells how good an exchange was.",
+            Criteria = Criteria(errors[0].Errors, RoundTrips.Of(runs.Logs)),
+            Beyond = errors.Length < 2 ? null
+                : $"On the same exchanges the default estimator is within {Text(errors[1].Errors.P95Us)} µs 95 % of the time, "
+                + $"{Percent(errors[1].Errors.P95Us / errors[0].Errors.P95Us)} of the paper's {Text(errors[0].Errors.P95Us)} µs.",
+            Conditions = $"Simulated good WiFi, an exchange every 200 ms, {runs.Logs.Count} runs of {Text(runs.Seconds)} s with skews of "
+                + "5 to 80 ppm that drift by ±2 ppm; plots and file show the first run. RANSAC over 100 exchanges with 20 hypotheses, "
+                + "moving average of 20.",
+            Table = table,
+            Plots = [.. PlotsOf(table)],
+            Summary = new FigureSummary($"Offset error from {Text(ClockErrors.SettledAfter)} s on, all runs",
+                ["Estimator", "Median (µs)", "P95 (µs)", "Greatest (µs)", "Skew error at the end (ppm)"],
+                [.. errors.Select(e => (IReadOnlyList<string>)
+                    [e.Name, Text(e.Errors.P50Us), Text(e.Errors.P95Us), Text(e.Errors.MaximumUs), Text(e.Errors.SkewPpmLate)])]),
+        };
+    }
+
+    /// <param name="errors">Of the paper's estimator.</param>
+    public static IReadOnlyList<Criterion> Criteria(ClockErrors errors, RoundTrips trips) =>
+    [
+        new("From 10 s on the offset is never wrong by 1 ms or more.", errors.MaximumUs < PaperBoundUs, $"at most {Text(errors.MaximumUs)} µs"),
+        new("The skew's error over the last quarter is less than half of what it is from 2 to 10 s.",
+            2 * errors.SkewPpmLate < errors.SkewPpmEarly, $"{Text(errors.SkewPpmEarly)} ppm, then {Text(errors.SkewPpmLate)} ppm"),
+        new("The quarter of the exchanges with the shortest round trips errs by less than half of what the quarter with the longest does (P95).",
+            2 * trips.ShortUs < trips.LongUs, $"{Text(trips.ShortUs / 1000)} ms against {Text(trips.LongUs / 1000)} ms"),
+    ];
+
+    static FigureTable TableOfFirstRun(ClockRuns runs)
+    {
+        var table = new FigureTable([new FigureColumn("time", "s"), new FigureColumn("round trip", "ms"), new FigureColumn("true skew", "ppm"),
+            .. ClockMethod.All.SelectMany(m => new[] { new FigureColumn($"{m.Name} offset error", "µs"), new FigureColumn($"{m.Name} skew", "ppm") })]);
+        var log = runs.Logs[0];
+        var exchange = -1;
+        for (var i = 0; i < runs.First(0).Count; i += (int)(ClockRun.InstantsPerSecond / RowsPerSecond))
+        {
+            var s = runs.First(0)[i].Seconds;
+            while (exchange + 1 < log.All.Count && log.All[exchange + 1].T4 <= HeadsetTime.FromSeconds(s)) exchange++;
+            table.Add([s, exchange < 0 ? null : log.All[exchange].RoundTripTime.TotalMilliseconds, log.SkewPpmAt(s),
+                .. ClockMethod.All.SelectMany((_, m) => new[] { runs.First(m)[i].OffsetErrorUs, runs.First(m)[i].SkewPpm })]);
+        }
+        return table;
+    }
+
+    static IEnumerable<FigurePlot> PlotsOf(FigureTable table)
+    {
+        PlotTrace Trace(string label, string look, int column) => table.Trace(label, look, 0, column);
+        IEnumerable<PlotTrace> OfMethods(int first) => ClockMethod.All.Select((m, i) => Trace(m.Name, Looks.Of(m.Name), first + 2 * i));
+        yield return new FigurePlot("Error of the offset", table.Columns[0], new FigureColumn("offset error", "µs"), [.. OfMethods(3)])
+            { YExtent = ShownUs };
+        yield return new FigurePlot("Skew", table.Columns[0], new FigureColumn("skew", "ppm"), [Trace("truth", Looks.Truth, 2), .. OfMethods(4)])
+            { YExtent = ShownPpm };
+        yield return new FigurePlot("Round-trip time", table.Columns[0], table.Columns[1], [Trace("exchange", Looks.Samples, 1)])
+            { FromZero = true };
+    }
+}

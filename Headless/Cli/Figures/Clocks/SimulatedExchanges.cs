@@ -1,0 +1,54 @@
+using Nowpose.Simulation;
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Figures.Clocks;
+
+/// <summary>Sync exchanges over good WiFi, every 200 ms as in the paper, between two clocks whose offset is known.</summary>
+/// <remarks>Seeded: skew of 5 to 80 ppm either way, and a slow drift of ±2 ppm, as quartzes have.</remarks>
+sealed class SimulatedExchanges
+{
+    const double Interval = 0.2;
+    const double Turnaround = 20e-6;
+    const double DriftPpm = 2;
+    const double DriftPeriod = 120;
+
+    /// <summary>Far from the headset's epoch, as Unix time is.</summary>
+    static readonly TimeSpan ControlEpoch = TimeSpan.FromTicks(1_700_000_000 * TimeSpan.TicksPerSecond);
+
+    readonly double _skewPpm;
+
+    public SimulatedExchanges(int seed, double seconds)
+    {
+        var random = new Random(unchecked(seed * 7919 + 17));
+        _skewPpm = (5 + 75 * random.NextDouble()) * (random.NextDouble() < 0.5 ? -1 : 1);
+        var (up, down) = (NetworkProfile.Wifi.Up(random.Next()), NetworkProfile.Wifi.Down(random.Next()));
+        var all = new List<SyncExchange>();
+        for (var next = 0.0; next < seconds;)
+        {
+            var sent = HeadsetTime.FromSeconds(next);
+            var arrived = sent + up.Next();
+            var replied = arrived + TimeSpan.FromTicks((long)(Turnaround * TimeSpan.TicksPerSecond));
+            var received = replied + down.Next();
+            all.Add(new SyncExchange(sent, Control(arrived), Control(replied), received));
+            // One at a time: the next waits for a reply that is late.
+            next = Math.Max(next + Interval, received.SinceEpoch.TotalSeconds);
+        }
+        All = all;
+    }
+
+    /// <summary>In the order in which they ended.</summary>
+    public IReadOnlyList<SyncExchange> All { get; }
+
+    /// <summary>γ₂ − 1 at a headset time, ppm.</summary>
+    public double SkewPpmAt(double seconds) => _skewPpm + DriftPpm * Math.Sin(2 * Math.PI * seconds / DriftPeriod);
+
+    /// <summary>Φ at a headset time.</summary>
+    public ClockOffset TrueOffset(HeadsetTime t)
+    {
+        var s = t.SinceEpoch.TotalSeconds;
+        var drifted = DriftPpm * DriftPeriod / (2 * Math.PI) * (1 - Math.Cos(2 * Math.PI * s / DriftPeriod));
+        return new ClockOffset(TimeSpan.FromTicks((long)Math.Round((_skewPpm * s + drifted) * 10)) - ControlEpoch);
+    }
+
+    ControlTime Control(HeadsetTime t) => TrueOffset(t).ToControl(t);
+}

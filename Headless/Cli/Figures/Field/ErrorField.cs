@@ -1,0 +1,38 @@
+using Nowpose.Studies;
+
+namespace Nowpose.Cli.Figures.Field;
+
+/// <summary>Plays constant velocities to hold and to the predictors, over the latencies that the paper names.</summary>
+sealed class ErrorField
+{
+    /// <summary>T_s of a signal that is as good as not sampled, s.</summary>
+    const double Fresh = 0.0005;
+
+    static readonly double[] SpeedsMmPerS = [100, 250, 500, 750, 1000];
+    static readonly double[] LatenciesMs = [30, 50, 75, 100, 150, 200, 250];
+
+    readonly FieldPoint[] _points = new FieldPoint[SpeedsMmPerS.Length * LatenciesMs.Length];
+
+    public ErrorField(FigureSettings settings) => Work = [.. Enumerable.Range(0, _points.Length).Select(
+        i => (Action)(() => _points[i] = Play(settings, SpeedsMmPerS[i / LatenciesMs.Length], LatenciesMs[i % LatenciesMs.Length])))];
+
+    public static IReadOnlyList<string> Predicted { get; } = ["quadratic", .. FigureSettings.OurPredictors];
+
+    public IReadOnlyList<Action> Work { get; }
+
+    /// <summary>By speed, then by latency.</summary>
+    public IReadOnlyList<FieldPoint> Points => _points;
+
+    static FieldPoint Play(FigureSettings settings, double speed, double latencyMs)
+    {
+        var motion = new AxisMotion("constant velocity", 3, t => speed * t);
+        var study = settings.Study with { Latency = latencyMs / 1000 };
+        double Mean(StudySettings with, string predictor, Func<StudyFrame, double> error) => Enumerable.Range(0, with.Phases)
+            .SelectMany(phase => PredictionStudy.Frames(motion, with, FigureSettings.Predictor(predictor), phase).Select(error)).Average();
+
+        return new FieldPoint(speed, latencyMs,
+            Mean(study with { SamplingInterval = Fresh, Phases = 1 }, "hold", f => f.Truth - f.Held),
+            Mean(study, "hold", f => f.Truth - f.Held),
+            [.. Predicted.Select(name => Mean(study, name, f => Math.Abs(f.Truth - f.Predicted)))]);
+    }
+}

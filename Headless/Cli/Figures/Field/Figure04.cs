@@ -1,0 +1,73 @@
+using Nowpose.Cli.Figures.Clocks;
+using Nowpose.Cli.Figures.Model;
+using static Nowpose.Cli.Figures.Numbers;
+
+namespace Nowpose.Cli.Figures.Field;
+
+/// <summary>Fig. 4: the error of what moves at constant velocity and is shown late.</summary>
+static class Figure04
+{
+    const double Tolerance = 0.02;
+    const double UsPerS = 1e6;
+
+    static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100, 200];
+
+    public static Figure Of(ErrorField field, ClockRuns clocks)
+    {
+        var table = TableOf(field.Points, clocks);
+        return new Figure("4", "Error over velocity and latency")
+        {
+            Claim = "At constant velocity v a latency L makes an error e = v·L: at the usual speeds up to 1000 mm/s and latencies of "
+                + "30 to 250 ms, errors that matter.",
+            Criteria = Criteria(field.Points),
+            Beyond = Beyond(clocks),
+            Conditions = "Constant velocities. With a sample every 0.5 ms the latency is L alone; with T_s of 50 ms a sample is also T_s/2 old on "
+                + "average, and lies that much further right. With prediction, what is left is v times what the clock is wrong (P95 of Fig. 8).",
+            Table = table,
+            Plots = [Plot(field.Points, clocks)],
+        };
+    }
+
+    public static IReadOnlyList<Criterion> Criteria(IReadOnlyList<FieldPoint> points)
+    {
+        var worst = points.Max(p => Math.Abs(p.FreshMm / p.FormulaMm - 1));
+        var fastest = points.Where(p => p.SpeedMmPerS == points.Max(q => q.SpeedMmPerS)).Select(p => p.FreshMm).ToArray();
+        return
+        [
+            new($"The error of hold is v·L within {Percent(Tolerance)}, at each velocity and latency.", worst <= Tolerance, $"within {Percent(worst)}"),
+            new("At 1000 mm/s and 30 ms it is 10 mm or more already.", fastest.Min() >= 10, $"{Mm(fastest.Min())}, up to {Mm(fastest.Max())} at 250 ms"),
+        ];
+    }
+
+    static string Beyond(ClockRuns clocks)
+    {
+        var left = ClockMethod.All.Select((m, i) => $"{Mm(1000 * clocks.Errors(i).P95Us / UsPerS)} with the {m.Name} clock estimator");
+        return $"Prediction removes all error of a constant velocity but for what the clocks leave: at 1000 mm/s {string.Join(", ", left)}.";
+    }
+
+    static FigureTable TableOf(IReadOnlyList<FieldPoint> points, ClockRuns clocks)
+    {
+        var table = new FigureTable([new FigureColumn("speed", "mm/s"), new FigureColumn("latency", "ms"), new FigureColumn("formula", "mm"),
+            new FigureColumn("hold fresh", "mm"), new FigureColumn("hold", "mm"), .. ErrorField.Predicted.Select(p => new FigureColumn(p, "mm")),
+            .. ClockMethod.All.Select(m => new FigureColumn($"{m.Name} clock", "mm"))]);
+        foreach (var p in points)
+            table.Add([p.SpeedMmPerS, p.LatencyMs, p.FormulaMm, p.FreshMm, p.SampledMm, .. p.PredictedMm.Select(e => (double?)e),
+                .. ClockMethod.All.Select((_, m) => (double?)(p.SpeedMmPerS * clocks.Errors(m).P95Us / UsPerS))]);
+        return table;
+    }
+
+    // A point lies where its error says that it does: at the latency e/v.
+    static FigurePlot Plot(IReadOnlyList<FieldPoint> points, ClockRuns clocks)
+    {
+        PlotTrace At(string label, string look, Func<FieldPoint, double> errorMm) =>
+            new(label, look, [.. points.Select(p => 1000 * errorMm(p) / p.SpeedMmPerS)], [.. points.Select(p => (double?)p.SpeedMmPerS)]);
+        var speeds = points.Select(p => p.SpeedMmPerS).Distinct().ToArray();
+        return new FigurePlot("Operating points", new FigureColumn("latency", "ms"), new FigureColumn("speed", "mm/s"),
+        [
+            At("hold, a sample every 50 ms", Looks.Hold, p => p.SampledMm),
+            At("hold, a sample in every frame", Looks.Linear, p => p.FreshMm),
+            .. ClockMethod.All.Select((m, i) => new PlotTrace($"predicted, {m.Name} clock", Looks.Of(m.Name),
+                [.. speeds.Select(_ => clocks.Errors(i).P95Us / 1000)], [.. speeds.Select(v => (double?)v)])),
+        ]) { IsoMm = IsoErrorsMm };
+    }
+}

@@ -1,0 +1,95 @@
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Motion;
+using Nowpose.Studies;
+using static Nowpose.Cli.Figures.Numbers;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary>Fig. 12: the 7-phase profile that Figs 13 and 14 are made with, and what becomes of it on its way.</summary>
+sealed class Figure12 : IFigureStudy
+{
+    const double MsPerS = 1000;
+    const double Velocity = 1000, Acceleration = 5000, Jerk = 50_000;
+
+    /// <summary>The second move forth of the swing, s; in it all have a history.</summary>
+    const double Start = 2.4;
+
+    /// <summary>Instants drawn a second: four to a frame, so that steps stand upright.</summary>
+    const double DrawnRateHz = 240;
+
+    /// <summary>L + T_s, s: the oldest sample that a frame shows.</summary>
+    const double Lag = 0.150;
+
+    static readonly string[] Shown = ["quadratic", .. FigureSettings.OurPredictors];
+
+    readonly StudyFrame[][] _frames = new StudyFrame[Shown.Length][];
+
+    public Figure12(FigureSettings settings) => Work = [.. Shown.Select((name, p) => (Action)(() => _frames[p] = [.. PredictionStudy.Frames(
+        Motions.PaperSwing(Start + 1.15), settings.Study with { FrameRateHz = DrawnRateHz, WarmUp = Start - 0.1 }, FigureSettings.Predictor(name), 0)]))];
+
+    public IReadOnlyList<Action> Work { get; }
+
+    public IEnumerable<Figure> Figures()
+    {
+        var table = TableOfFrames();
+        var steady = _frames[0].Where(f => Math.Abs(Motions.PaperMove.AccelerationAt(f.Time - Start)) < 1e-6
+            && Motions.PaperMove.VelocityAt(f.Time - Start - Lag) > Velocity - 1e-6).Select(f => f.Truth - f.Held).ToArray();
+        yield return new Figure("12", "The test signal")
+        {
+            Claim = "A position profile of seven phases with limited velocity, acceleration and jerk, the usual set-point of servo drives, "
+                + "is sampled every T_s and seen L later; both may be known inexactly.",
+            Criteria = Criteria(Motions.PaperMove, steady),
+            Conditions = $"500 mm with {Velocity:0} mm/s, {Acceleration:0} mm/s², {Jerk:0} mm/s³: our limits, the paper gives none. "
+                + "Drawn at 240 instants a second.",
+            Table = table,
+            Plots = [.. PlotsOf(table)],
+        };
+    }
+
+    /// <param name="lagMm">How far hold is behind at full speed.</param>
+    public static IReadOnlyList<Criterion> Criteria(SevenPhaseProfile move, IReadOnlyCollection<double> lagMm)
+    {
+        double[] ms = [.. Enumerable.Range(0, (int)(move.Duration * MsPerS)).Select(i => (i + 0.5) / MsPerS)];
+        var (v, a, j) = (ms.Max(t => Math.Abs(move.VelocityAt(t))), ms.Max(t => Math.Abs(move.AccelerationAt(t))), ms.Max(t => Math.Abs(JerkAt(move, t))));
+        var phases = 1 + ms.Skip(1).Count(t => Math.Abs(JerkAt(move, t) - JerkAt(move, t - 1 / MsPerS)) > Jerk / 2);
+        return
+        [
+            new("The profile has seven phases of constant jerk.", phases == 7, $"it has {phases}"),
+            new("Velocity, acceleration and jerk stay within their limits, within 0.1 %.",
+                v <= 1.001 * Velocity && a <= 1.001 * Acceleration && j <= 1.001 * Jerk, FormattableString.Invariant($"{v:0} mm/s, {a:0} mm/s², {j:0} mm/s³")),
+            new("At full speed hold is behind by v·L to v·(L + T_s), 100 to 150 mm.", lagMm.Min() >= 99.9 && lagMm.Max() <= 150.1,
+                $"by {Text(lagMm.Min())} to {Mm(lagMm.Max())}"),
+        ];
+    }
+
+    static double JerkAt(SevenPhaseProfile move, double t)
+    {
+        const double step = 1e-5;
+        return (move.AccelerationAt(t + step) - move.AccelerationAt(t - step)) / (2 * step);
+    }
+
+    FigureTable TableOfFrames()
+    {
+        var table = new FigureTable([new FigureColumn("time", "ms"), new FigureColumn("velocity share"), new FigureColumn("acceleration share"),
+            new FigureColumn("jerk share"), new FigureColumn("truth", "mm"), new FigureColumn("hold", "mm"), .. Shown.Select(name => new FigureColumn(name, "mm"))]);
+        for (var i = 0; i < _frames[0].Length; i++)
+        {
+            var (frame, t) = (_frames[0][i], _frames[0][i].Time - Start);
+            table.Add([MsPerS * t, Motions.PaperMove.VelocityAt(t) / Velocity, Motions.PaperMove.AccelerationAt(t) / Acceleration,
+                JerkAt(Motions.PaperMove, t) / Jerk, frame.Truth, frame.Held, .. _frames.Select(f => (double?)f[i].Predicted)]);
+        }
+        return table;
+    }
+
+    static IEnumerable<FigurePlot> PlotsOf(FigureTable table)
+    {
+        yield return new FigurePlot("Position", table.Columns[0], new FigureColumn("position", "mm"),
+        [
+            table.Trace("ground truth", Looks.Truth, 0, 4),
+            table.Trace("uncompensated", Looks.Hold, 0, 5),
+            .. Shown.Select((name, p) => table.Trace(name, Looks.Of(name), 0, 6 + p)),
+        ]);
+        yield return new FigurePlot("Derivatives, each as a share of its limit", table.Columns[0], new FigureColumn("share of the limit"),
+            [table.Trace("velocity", Looks.Truth, 0, 1), table.Trace("acceleration", Looks.Cubic, 0, 2), table.Trace("jerk", Looks.Linear, 0, 3)]);
+    }
+}

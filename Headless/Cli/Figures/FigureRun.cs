@@ -1,0 +1,40 @@
+using Nowpose.Cli.Figures.Model;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary>Does the work of all studies on all processors.</summary>
+sealed class FigureRun(IReadOnlyList<IFigureStudy> studies)
+{
+    /// <summary>Pieces of work in all.</summary>
+    public int Total { get; } = studies.Sum(s => s.Work.Count);
+
+    /// <param name="done">Called with the pieces done, from any thread.</param>
+    /// <returns>The figures in the paper's order; cancelled, those whose work was done.</returns>
+    public IReadOnlyList<Figure> Run(Action<int> done, CancellationToken cancel)
+    {
+        var left = studies.Select(s => s.Work.Count).ToArray();
+        var finished = 0;
+        var pieces = studies.SelectMany((study, i) => study.Work.Select(work => (Study: i, Work: work)));
+        try
+        {
+            Parallel.ForEach(pieces, new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = Environment.ProcessorCount }, piece =>
+            {
+                piece.Work();
+                Interlocked.Decrement(ref left[piece.Study]);
+                done(Interlocked.Increment(ref finished));
+            });
+        }
+        catch (OperationCanceledException)
+        {
+            // What is done is written all the same.
+        }
+        catch (AggregateException failures)
+        {
+            throw failures.InnerExceptions[0];
+        }
+        return [.. studies.Where((_, i) => left[i] == 0).SelectMany(s => s.Figures()).OrderBy(f => Order(f.Number))];
+    }
+
+    static int Order(string number) => 100 * int.Parse(number.TrimEnd('a', 'b', 'c', 'd'), System.Globalization.CultureInfo.InvariantCulture)
+        + (char.IsLetter(number[^1]) ? number[^1] : 0);
+}

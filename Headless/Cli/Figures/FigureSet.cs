@@ -1,0 +1,16 @@
+using Nowpose.Cli.Figures.Field;
+using Nowpose.Cli.Figures.Sweeps;
+using Nowpose.Cli.Figures.Swing;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary>All figures of the paper that can be computed.</summary>
+static class FigureSet
+{
+    /// <summary>The numbers, in order; the sweeps bring their letters.</summary>
+    public static IReadOnlyList<string> Numbers { get; } =
+        ["4", "8", "12", "13a", "13b", "13c", "13d", "14a", "14b", "14c", "14d", "16", "17", "18"];
+
+    public static IReadOnlyList<IFigureStudy> Studies(FigureSettings settings) =>
+        [.. SweepStudy.All(settings), new SwingStudy(settings), new ClockAndFieldStudy(settings), new Figure12(settings)];
+}

@@ -1,0 +1,35 @@
+using Nowpose.Prediction;
+using Nowpose.Studies;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary>How much is computed; what is computed is the same.</summary>
+sealed record FigureSettings
+{
+    public static readonly FigureSettings Full = new() { Phases = 16, ClockRuns = 16 };
+
+    public static readonly FigureSettings Quick = new() { Phases = 4, ClockRuns = 4 };
+
+    /// <summary>Runs with random phases of sampling and frames; the phase alone moves a ratio by a tenth.</summary>
+    public required int Phases { get; init; }
+
+    /// <summary>Simulated sync logs.</summary>
+    public required int ClockRuns { get; init; }
+
+    /// <summary>Length of each sync log, s.</summary>
+    public double ClockSeconds { get; init; } = 120;
+
+    /// <summary>Length of the paper's swing in the sweeps, s.</summary>
+    public double SwingSeconds { get; init; } = 12;
+
+    public int Seed { get; init; } = 1;
+
+    /// <summary>The predictors that the paper does not have, as far as there are any.</summary>
+    public static IReadOnlyList<string> OurPredictors { get; } = [.. Predictors.Names.Where(name => name == "adaptive")];
+
+    /// <summary>The paper's conditions: T_s 50 ms, L 100 ms, 60 frames a second.</summary>
+    public StudySettings Study => new() { Phases = Phases, Seed = Seed };
+
+    /// <summary>Knows neither limits nor a horizon cap, as in the paper.</summary>
+    public static IJointPredictor Predictor(string name) => Predictors.Create(name, PredictionLimits.Unlimited);
+}

@@ -1,0 +1,75 @@
+using System.Globalization;
+using System.Reflection;
+using System.Text.Json;
+using Nowpose.Cli.Figures.Model;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary>What figures.html shows: the fields are those of <c>Web/src/paper/data.ts</c>.</summary>
+static class FiguresJson
+{
+    static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
+
+    public static string Of(IReadOnlyList<Figure> figures, FigureSettings settings) => JsonSerializer.Serialize(new
+    {
+        Title = "The paper's figures, recomputed",
+        Subtitle = "Latency and sampling compensation in mixed-reality-in-the-loop simulations of production systems, "
+            + "Schnierle & Röck 2022: what it claims beside what Nowpose's own classes give.",
+        Conditions = Conditions(settings),
+        Missing = FigureSet.Numbers.Except(figures.Select(f => f.Number)),
+        Figures = figures.Select(Of),
+    }, Options);
+
+    static string[][] Conditions(FigureSettings settings) =>
+    [
+        ["Sampling interval T_s", Ms(settings.Study.SamplingInterval)],
+        ["Latency L, from t_k to the moment of light", Ms(settings.Study.Latency)],
+        ["Frames", $"{settings.Study.FrameRateHz.ToString(CultureInfo.InvariantCulture)} per second"],
+        ["Motion of Figs 12 to 14", "500 mm forth and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, the paper gives none"],
+        ["Runs", $"{settings.Phases} with random phases of sampling and frames; clock: {settings.ClockRuns} of {Numbers.Text(settings.ClockSeconds)} s"],
+        ["Seed", settings.Seed.ToString(CultureInfo.InvariantCulture)],
+        ["Errors", "RMS over all frames of all runs; ratio: over the RMS of hold, the newest sample that has arrived"],
+        ["Computed in", "virtual time, the same on every machine"],
+        ["Nowpose", Version],
+        ["Date", DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture)],
+    ];
+
+    static string Version => typeof(FiguresJson).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion.Split('+')[0];
+
+    static string Ms(double seconds) => (1000 * seconds).ToString("0.###", CultureInfo.InvariantCulture) + " ms";
+
+    static object Of(Figure figure) => new
+    {
+        figure.Number,
+        figure.Title,
+        figure.Claim,
+        Verdict = figure.Verdict.Words(),
+        Criteria = figure.Criteria.Select(c => new { c.Statement, c.IsMet, c.Measured }),
+        figure.Beyond,
+        figure.Conditions,
+        File = figure.FileName,
+        Table = new { Columns = figure.Table.Columns.Select(c => c.Label), Rows = figure.Table.Rows.Select(row => row.Select(v => Round(v, 4))) },
+        figure.Summary,
+        figure.Drawings,
+        Plots = figure.Plots.Select(Of),
+    };
+
+    static object Of(FigurePlot plot) => new
+    {
+        plot.Title,
+        X = Of(plot.X),
+        Y = Of(plot.Y),
+        plot.FromZero,
+        plot.YExtent,
+        plot.IsoMm,
+        Marks = plot.Marks.Select(m => new { m.Label, m.X }),
+        Traces = plot.Traces.Select(t => new
+        {
+            t.Label, t.Look, X = t.X.Select(x => Math.Round(x, 4)), Y = t.Y.Select(y => Round(y, 4)), t.Stepped, t.Marked,
+        }),
+    };
+
+    static object Of(FigureColumn column) => new { column.Name, column.Unit };
+
+    static double? Round(double? value, int digits) => value is double v ? Math.Round(v, digits) : null;
+}

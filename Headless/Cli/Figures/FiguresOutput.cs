@@ -1,0 +1,61 @@
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Figures.Pictures;
+using Nowpose.Web;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary>The folders a run writes to.</summary>
+sealed class FiguresOutput
+{
+    readonly string _folder;
+    readonly string _pictures;
+
+    FiguresOutput(string folder, string pictures)
+    {
+        _folder = folder;
+        _pictures = pictures;
+        PagePath = Path.Combine(folder, "figures.html");
+    }
+
+    public string PagePath { get; }
+
+    /// <summary>Those that were written.</summary>
+    public IReadOnlyList<string> PicturePaths { get; private set; } = [];
+
+    /// <summary>Makes the folders, and takes an earlier run's files away so that nobody takes them for this one's.</summary>
+    /// <param name="pictures">Null for none.</param>
+    /// <exception cref="InputException">One cannot be written to; better known before the run than minutes later.</exception>
+    public static FiguresOutput At(string folder, string pictures)
+    {
+        var output = new FiguresOutput(Writable("--out", folder, "figures.html"), pictures == null ? null : Writable("--pictures", pictures, ".nowpose"));
+        foreach (var number in FigureSet.Numbers) File.Delete(Path.Combine(output._folder, $"figure-{number}.csv"));
+        return output;
+    }
+
+    public void Write(IReadOnlyList<Figure> figures, FigureSettings settings)
+    {
+        foreach (var figure in figures)
+        {
+            using var file = File.CreateText(Path.Combine(_folder, figure.FileName));
+            figure.Table.WriteCsv(file);
+        }
+        File.WriteAllText(PagePath, FiguresPage.Render(FiguresJson.Of(figures, settings)));
+        if (_pictures != null) PicturePaths = DocumentPictures.Write(_pictures, figures);
+    }
+
+    static string Writable(string option, string folder, string trial)
+    {
+        try
+        {
+            var full = Directory.CreateDirectory(folder).FullName;
+            var path = Path.Combine(full, trial);
+            File.WriteAllText(path, "");
+            File.Delete(path);
+            return full;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new InputException($"{option}: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
+        }
+    }
+}

@@ -1,0 +1,51 @@
+using System.CommandLine;
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Gateway.Options;
+using Spectre.Console;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary><c>figures</c>: the paper's figures, recomputed: data as CSV and one HTML page.</summary>
+static class FiguresVerb
+{
+    public static Command Create()
+    {
+        var output = new Option<string>("--out")
+        {
+            Description = "Folder for figures.html and one CSV per figure",
+            DefaultValueFactory = _ => "nowpose-figures",
+        };
+        var quick = new Option<bool>("--quick") { Description = "A quarter of the runs: under 30 s instead of 3 minutes, numbers a little rougher" };
+        var pictures = new Option<string>("--pictures") { Description = "Folder for the pictures of the documentation, as SVG" };
+        var verb = new Command("figures", "The paper's figures, recomputed: data as CSV and one HTML page, with what the paper claims beside what we find.")
+        {
+            output, quick, pictures,
+        };
+        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        verb.SetAction((parsed, cancel) => Task.Run(
+            () => Run(parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full, parsed.GetValue(output), parsed.GetValue(pictures), cancel),
+            CancellationToken.None));
+        return verb;
+    }
+
+    /// <param name="pictures">Null for none.</param>
+    internal static int Run(FigureSettings settings, string folder, string pictures, CancellationToken cancel)
+    {
+        var output = FiguresOutput.At(folder, pictures);
+        var run = new FigureRun(FigureSet.Studies(settings));
+        var figures = FiguresProgress.Run(run.Total, done => run.Run(done, cancel));
+        output.Write(figures, settings);
+        Print(figures, output);
+        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+    }
+
+    static void Print(IReadOnlyList<Figure> figures, FiguresOutput output)
+    {
+        var table = new Table().AddColumns("figure", "claim of the paper", "file");
+        foreach (var figure in figures)
+            table.AddRow(Markup.Escape($"{figure.Number}  {figure.Title}"), figure.Verdict.Words(), figure.FileName);
+        ResultConsole.Create().Write(table);
+        Console.Out.WriteLine(output.PagePath);
+        foreach (var picture in output.PicturePaths) Console.Out.WriteLine(picture);
+    }
+}

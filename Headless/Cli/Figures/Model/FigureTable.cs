@@ -1,0 +1,38 @@
+using System.Globalization;
+
+namespace Nowpose.Cli.Figures.Model;
+
+/// <summary>A figure's data, row by row.</summary>
+sealed class FigureTable(params FigureColumn[] columns)
+{
+    readonly List<double?[]> _rows = [];
+
+    public IReadOnlyList<FigureColumn> Columns { get; } = columns;
+
+    public IReadOnlyList<IReadOnlyList<double?>> Rows => _rows;
+
+    /// <param name="values">One per column; null where there is none, never NaN.</param>
+    public void Add(params double?[] values)
+    {
+        if (values.Length != Columns.Count) throw new ArgumentException($"{values.Length} values for {Columns.Count} columns", nameof(values));
+        if (Array.FindIndex(values, v => v is double x && !double.IsFinite(x)) is >= 0 and var bad)
+            throw new ArgumentException($"column {Columns[bad].Header}, row {_rows.Count + 1}: {values[bad]} is not a finite number", nameof(values));
+        _rows.Add(values);
+    }
+
+    /// <summary>Two of the columns as a line of a plot; rows without x are left out.</summary>
+    public PlotTrace Trace(string label, string look, int x, int y)
+    {
+        var rows = _rows.Where(row => row[x] != null).ToArray();
+        return new PlotTrace(label, look, [.. rows.Select(row => row[x].Value)], [.. rows.Select(row => row[y])]);
+    }
+
+    /// <summary>Header with units, then one line a row; numbers with a point and at most six decimals.</summary>
+    public void WriteCsv(TextWriter writer)
+    {
+        writer.Write(string.Join(',', Columns.Select(c => c.Header)) + "\n");
+        foreach (var row in _rows) writer.Write(string.Join(',', row.Select(Text)) + "\n");
+    }
+
+    static string Text(double? value) => value?.ToString("0.######", CultureInfo.InvariantCulture) ?? "";
+}

@@ -1,0 +1,23 @@
+namespace Nowpose.Cli.Figures.Model;
+
+/// <summary>Names of how signals look, the same in all figures: each has a colour, width and dash in the page's <c>looks.ts</c>.</summary>
+static class Looks
+{
+    public const string Truth = "truth";
+    public const string Hold = "hold";
+    public const string Adaptive = "adaptive";
+    public const string Quadratic = "quadratic";
+    public const string Linear = "linear";
+    public const string Cubic = "cubic";
+    public const string Samples = "samples";
+
+    /// <summary>That of a predictor or clock estimator by its name: ours, the paper's, and the others.</summary>
+    public static string Of(string method) => method switch
+    {
+        "default" => Adaptive,
+        "ransac" => Quadratic,
+        "quadratic-h3" => Linear,
+        "quadratic-h4" => Cubic,
+        _ => method,
+    };
+}

@@ -1,0 +1,13 @@
+namespace Nowpose.Cli.Figures.Model;
+
+/// <summary>One line or path of a plot.</summary>
+/// <param name="Look">How it looks; see <see cref="Looks"/>.</param>
+/// <param name="Y">As many as x; null leaves a gap.</param>
+sealed record PlotTrace(string Label, string Look, IReadOnlyList<double> X, IReadOnlyList<double?> Y)
+{
+    /// <summary>Holds each value until the next.</summary>
+    public bool Stepped { get; init; }
+
+    /// <summary>Marks each point.</summary>
+    public bool Marked { get; init; }
+}

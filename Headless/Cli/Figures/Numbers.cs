@@ -1,0 +1,19 @@
+using System.Globalization;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary>Numbers within sentences: few digits, with a point.</summary>
+static class Numbers
+{
+    /// <summary>Three significant digits, two below 1.</summary>
+    public static string Text(double value)
+    {
+        var size = Math.Abs(value);
+        var format = size >= 99.5 ? "0" : size >= 9.95 ? "0.#" : size >= 0.1 || size == 0 ? "0.##" : "0.####";
+        return value.ToString(format, CultureInfo.InvariantCulture);
+    }
+
+    public static string Mm(double value) => Text(value) + " mm";
+
+    public static string Percent(double share) => (100 * share).ToString("0.#", CultureInfo.InvariantCulture) + " %";
+}

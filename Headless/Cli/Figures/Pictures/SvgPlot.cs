@@ -1,0 +1,92 @@
+using System.Globalization;
+using System.Text;
+using Nowpose.Cli.Figures.Model;
+
+namespace Nowpose.Cli.Figures.Pictures;
+
+/// <summary>A plot of lines as a small SVG file: light colours, no script, the same in every viewer.</summary>
+sealed class SvgPlot(FigurePlot plot, int width = 420, int height = 280)
+{
+    const int Left = 52, Right = 12, Top = 34, Bottom = 42;
+    const string Font = "font-family=\"system-ui, sans-serif\"";
+
+    readonly StringBuilder _svg = new();
+    readonly double _x0 = plot.Traces.Min(t => t.X[0]);
+    readonly double _x1 = plot.Traces.Max(t => t.X[^1]);
+    readonly double _y0 = -plot.YExtent ?? (plot.FromZero ? 0 : Ticks.Floor(plot.Traces.Min(t => t.Y.Min()!.Value), Span(plot)));
+    readonly double _y1 = plot.YExtent ?? Ticks.Ceiling(plot.Traces.Max(t => t.Y.Max()!.Value), Span(plot));
+
+    public string Draw()
+    {
+        _svg.Clear();
+        Append($"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\" ");
+        Append($"aria-label=\"{plot.Title}: {string.Join(", ", plot.Traces.Select(t => t.Label))}\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n");
+        Axes();
+        // What runs out of the plot ends at its edge.
+        Append($"<clipPath id=\"plot\"><rect x=\"{Left}\" y=\"{Top}\" width=\"{width - Left - Right}\" height=\"{height - Top - Bottom + 3}\"/></clipPath>\n");
+        foreach (var trace in plot.Traces) Line(trace);
+        foreach (var mark in plot.Marks) Mark(mark);
+        Legend();
+        return _svg.Append("</svg>\n").ToString();
+    }
+
+    static double Span(FigurePlot plot) =>
+        plot.Traces.Max(t => t.Y.Max()!.Value) - (plot.FromZero ? 0 : plot.Traces.Min(t => t.Y.Min()!.Value));
+
+    double X(double value) => Left + (value - _x0) / (_x1 - _x0) * (width - Left - Right);
+
+    double Y(double value) => height - Bottom - (value - _y0) / (_y1 - _y0) * (height - Top - Bottom);
+
+    void Axes()
+    {
+        foreach (var y in Ticks.Of(_y0, _y1))
+        {
+            Append($"<path d=\"M{Left} {Y(y):0.#}H{width - Right}\" stroke=\"#e3e7ec\"/>");
+            Text(Left - 6, Y(y) + 4, "end", Number(y));
+        }
+        foreach (var x in Ticks.Of(_x0, _x1)) Text(X(x), height - Bottom + 16, "middle", Number(x));
+        Append($"<path d=\"M{Left} {height - Bottom}H{width - Right}\" stroke=\"#55616f\"/>\n");
+        Text((Left + width - Right) / 2.0, height - 8, "middle", plot.X.Label);
+        Append($"<text transform=\"translate(13 {(Top + height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\" fill=\"#55616f\" {Font} font-size=\"12\">{plot.Y.Label}</text>\n");
+    }
+
+    void Line(PlotTrace trace)
+    {
+        var ink = PictureInk.Of(trace.Look);
+        var path = new StringBuilder();
+        for (var i = 0; i < trace.X.Count; i++)
+        {
+            if (trace.Y[i] is not double y) continue;
+            if (trace.Stepped && path.Length > 0) path.Append(CultureInfo.InvariantCulture, $"H{X(trace.X[i]):0.#}");
+            path.Append(path.Length == 0 ? 'M' : 'L').Append(CultureInfo.InvariantCulture, $"{X(trace.X[i]):0.#} {Y(y):0.#}");
+        }
+        Append($"<path d=\"{path}\" fill=\"none\" clip-path=\"url(#plot)\" {ink.Stroke}/>\n");
+        if (!trace.Marked) return;
+        for (var i = 0; i < trace.X.Count; i++)
+            if (trace.Y[i] is double y) Append($"<circle cx=\"{X(trace.X[i]):0.#}\" cy=\"{Y(y):0.#}\" r=\"2.5\" fill=\"{ink.Colour}\"/>");
+    }
+
+    void Mark(PlotMark mark)
+    {
+        Append($"<path d=\"M{X(mark.X):0.#} {Top}V{height - Bottom}\" stroke=\"#55616f\" stroke-dasharray=\"2 3\"/>");
+        Text(X(mark.X) + 4, height - Bottom - 6, "start", mark.Label);
+    }
+
+    void Legend()
+    {
+        double x = Left;
+        foreach (var trace in plot.Traces)
+        {
+            Append($"<path d=\"M{x:0.#} 17h24\" {PictureInk.Of(trace.Look).Stroke}/>");
+            Text(x + 29, 21, "start", trace.Label, "#16202c");
+            x += 29 + 7.1 * trace.Label.Length + 12;
+        }
+    }
+
+    void Text(double x, double y, string anchor, string text, string colour = "#55616f") =>
+        Append($"<text x=\"{x:0.#}\" y=\"{y:0.#}\" text-anchor=\"{anchor}\" fill=\"{colour}\" {Font} font-size=\"12\">{text}</text>\n");
+
+    static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture).Replace('-', '−');
+
+    void Append(FormattableString text) => _svg.Append(FormattableString.Invariant(text));
+}

@@ -1,0 +1,88 @@
+using Nowpose.Cli.Figures.Model;
+using static Nowpose.Cli.Figures.Numbers;
+
+namespace Nowpose.Cli.Figures.Swing;
+
+/// <summary>Fig. 16: the way of the end effector on its circle, true, late and compensated.</summary>
+static class Figure16
+{
+    const double MsPerS = 1000;
+
+    /// <summary>After the first move, s: the signals come to rest.</summary>
+    const double Shown = 0.5;
+
+    public static Figure Of(SwingRuns runs)
+    {
+        var (swing, paper) = (runs.Swing, runs.Standard[0]);
+        var table = TableOf(runs);
+        var moments = SwingMoment.Of(swing, paper.Shown);
+        return new Figure("16", "Swing of the first axis: true, uncompensated, compensated")
+        {
+            Claim = "The compensated signal follows the true one, where the uncompensated one trails; only the curved phases of the profile are hard to predict.",
+            Criteria = Criteria(NearerShare(runs), SteadyRms(runs, 0), CurvedRms(runs, 0)),
+            Beyond = runs.Standard.Count < 2 ? null
+                : $"adaptive errs by {Mm(CurvedRms(runs, 1))} where the velocity changes within what a section spans and {Mm(SteadyRms(runs, 1))} where it does not, "
+                + $"the quadratic by {Mm(CurvedRms(runs, 0))} and {Mm(SteadyRms(runs, 0))}.",
+            Conditions = ConditionsOf(swing),
+            Table = table,
+            Plots = [PlotOf(table, [.. moments.Select(m => new PlotMark(m.Name, ShownMs(paper.Shown[m.Index].Time)))])],
+            Summary = Reductions(runs, _ => true, "Tool error over the whole swing, all runs"),
+        };
+    }
+
+    public static string ConditionsOf(YoubotSwing swing) =>
+        $"youBot, first axis forth and back by a quarter turn, arm out: the tool goes along a circle of {Text(1000 * swing.Radius)} mm radius at up to "
+        + $"{Text(swing.ToolSpeedAt(YoubotSwing.Start + swing.MoveSeconds / 2))} mm/s. Stroke and limits are ours, the paper gives none. "
+        + "It starts from rest: nothing has repeated yet. The plots show the first move of the first run, the numbers are of all.";
+
+    /// <param name="nearerShare">Of the frames in motion: how many are shown nearer to the truth with compensation.</param>
+    /// <param name="steadyMm">RMS error of the compensated signal at constant velocity.</param>
+    /// <param name="curvedMm">The same where the velocity changes.</param>
+    public static IReadOnlyList<Criterion> Criteria(double nearerShare, double steadyMm, double curvedMm) =>
+    [
+        new("In 90 % or more of the frames in motion the compensated signal is nearer to the truth.", nearerShare >= 0.9, $"in {Percent(nearerShare)}"),
+        new("Its error is at least 1.5 times as large where the velocity changes within the 250 ms that a section spans as where it does not (RMS).", curvedMm >= 1.5 * steadyMm,
+            $"{Mm(curvedMm)} against {Mm(steadyMm)}"),
+    ];
+
+    /// <summary>RMS errors of hold and of each predictor under both scenarios.</summary>
+    /// <param name="when">Which frames count, by their time.</param>
+    public static FigureSummary Reductions(SwingRuns runs, Func<double, bool> when, string caption)
+    {
+        IEnumerable<IReadOnlyList<string>> Rows(SwingScenario scenario, IReadOnlyList<SwingFrames> frames) => frames.Select(f =>
+        {
+            var (held, predicted) = (f.HoldRmsMm(runs.Swing, when), f.RmsMm(runs.Swing, when));
+            return (IReadOnlyList<string>)[$"{f.Predictor}, {scenario.Name}", Text(held), Text(predicted), Percent(1 - predicted / held)];
+        });
+        return new FigureSummary(caption, ["Method and conditions", "Hold RMS (mm)", "RMS (mm)", "Error removed"],
+            [.. Rows(SwingScenario.Standard, runs.Standard), .. Rows(SwingScenario.Realisation, runs.Realisation)]);
+    }
+
+    static double NearerShare(SwingRuns runs) => runs.Standard[0].Phases.SelectMany(p => p).Where(f => runs.Swing.ToolSpeedAt(f.Time) > 0)
+        .Average(f => Math.Abs(f.Predicted - f.Truth) < Math.Abs(f.Held - f.Truth) ? 1.0 : 0);
+
+    static double SteadyRms(SwingRuns runs, int predictor) => runs.Standard[predictor].RmsMm(runs.Swing, runs.Swing.IsSteadyAt);
+
+    static double CurvedRms(SwingRuns runs, int predictor) => runs.Standard[predictor].RmsMm(runs.Swing, runs.Swing.IsCurvedAt);
+
+    static double ShownMs(double time) => Math.Round(MsPerS * (time - YoubotSwing.Start), 2);
+
+    static FigureTable TableOf(SwingRuns runs)
+    {
+        var (swing, shown) = (runs.Swing, runs.Standard[0].Shown);
+        var table = new FigureTable([new FigureColumn("time", "ms"), new FigureColumn("truth", "mm"), new FigureColumn("hold", "mm"),
+            .. SwingRuns.Predicted.Select(name => new FigureColumn(name, "mm"))]);
+        for (var i = 0; i < shown.Length && shown[i].Time < YoubotSwing.Start + swing.MoveSeconds + Shown; i++)
+            table.Add([ShownMs(shown[i].Time), swing.WayMm(shown[i].Truth), swing.WayMm(shown[i].Held),
+                .. runs.Standard.Select(s => (double?)swing.WayMm(s.Shown[i].Predicted))]);
+        return table;
+    }
+
+    static FigurePlot PlotOf(FigureTable table, PlotMark[] marks) =>
+        new("Way on the circle", table.Columns[0], new FigureColumn("way on the circle", "mm"),
+        [
+            table.Trace("ground truth", Looks.Truth, 0, 1),
+            table.Trace("uncompensated", Looks.Hold, 0, 2) with { Stepped = true },
+            .. SwingRuns.Predicted.Select((name, p) => table.Trace(name, Looks.Of(name), 0, 3 + p)),
+        ]) { Marks = marks };
+}

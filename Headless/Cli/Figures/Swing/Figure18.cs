@@ -1,0 +1,77 @@
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Studies;
+using static Nowpose.Cli.Figures.Numbers;
+
+namespace Nowpose.Cli.Figures.Swing;
+
+/// <summary>Fig. 18: where compensation takes the operating points of the swing in the field of Fig. 4.</summary>
+static class Figure18
+{
+    /// <summary>As long as in the paper, s.</summary>
+    const double Length = 1.5;
+
+    /// <summary>Below this share of the greatest speed a latency e/v is the quotient of two small numbers.</summary>
+    const double SlowestShare = 0.05;
+
+    static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100];
+
+    public static Figure Of(SwingRuns runs)
+    {
+        var table = TableOf(runs);
+        bool Within(double t) => t >= YoubotSwing.Start && t < YoubotSwing.Start + Length;
+        var (held, predicted) = (runs.Standard[0].HoldRmsMm(runs.Swing, Within), runs.Standard[0].RmsMm(runs.Swing, Within));
+        return new Figure("18", "Operating points without and with compensation")
+        {
+            Claim = "Compensation makes the effective latency smaller, not the robot slower: the operating points move to smaller errors, about 80 % smaller for t < 1500 ms.",
+            Criteria = Criteria(predicted / held, Median(table, 3), Median(table, 5)),
+            Beyond = runs.Standard.Count < 2 ? null
+                : $"adaptive removes {Percent(1 - runs.Standard[1].RmsMm(runs.Swing, Within) / held)}, the quadratic {Percent(1 - predicted / held)}; "
+                + $"its median effective latency is {Text(Median(table, 7))} ms.",
+            Conditions = "The first 1500 ms of Fig. 16. A point lies at the latency e/v that its error e and its velocity v stand for; "
+                + "points slower than 5 % of the greatest velocity are left out.",
+            Table = table,
+            Plots = [PlotOf(table)],
+            Summary = Figure16.Reductions(runs, Within, "Tool error for t < 1500 ms, all runs"),
+        };
+    }
+
+    /// <param name="ratio">RMS error compensated over uncompensated.</param>
+    /// <param name="heldMs">Median effective latency uncompensated.</param>
+    /// <param name="predictedMs">Compensated.</param>
+    public static IReadOnlyList<Criterion> Criteria(double ratio, double heldMs, double predictedMs) =>
+    [
+        new("75 % or more of the error goes (RMS; the paper has about 80 %).", ratio <= 0.25, $"{Percent(1 - ratio)} goes"),
+        new("The median effective latency is less than a third of what it is without compensation.", 3 * predictedMs < heldMs,
+            $"{Text(heldMs)} ms without, {Text(predictedMs)} ms with"),
+    ];
+
+    static FigureTable TableOf(SwingRuns runs)
+    {
+        var (swing, shown) = (runs.Swing, runs.Standard[0].Shown);
+        var table = new FigureTable([new FigureColumn("time", "ms"), new FigureColumn("speed", "mm/s"),
+            new FigureColumn("hold error", "mm"), new FigureColumn("hold latency", "ms"),
+            .. SwingRuns.Predicted.SelectMany(name => new[] { new FigureColumn($"{name} error", "mm"), new FigureColumn($"{name} latency", "ms") })]);
+        var fastest = swing.ToolSpeedAt(YoubotSwing.Start + swing.MoveSeconds / 2);
+        for (var i = 0; i < shown.Length; i++)
+        {
+            var (t, speed) = (shown[i].Time, swing.ToolSpeedAt(shown[i].Time));
+            if (t < YoubotSwing.Start || t >= YoubotSwing.Start + Length || speed < SlowestShare * fastest) continue;
+            double?[] Both(double shownAngle, StudyFrame frame)
+            {
+                var gap = swing.GapMm(shownAngle, frame.Truth);
+                return [gap, 1000 * gap / speed];
+            }
+            table.Add([1000 * (t - YoubotSwing.Start), speed, .. Both(shown[i].Held, shown[i]),
+                .. runs.Standard.SelectMany(s => Both(s.Shown[i].Predicted, s.Shown[i]))]);
+        }
+        return table;
+    }
+
+    static double Median(FigureTable table, int column) => Quantile.Of(table.Rows.Select(row => row[column].Value), 0.5);
+
+    static FigurePlot PlotOf(FigureTable table) => new("Operating points", new FigureColumn("latency", "ms"), table.Columns[1],
+    [
+        table.Trace("uncompensated", Looks.Hold, 3, 1),
+        .. SwingRuns.Predicted.Select((name, p) => table.Trace(name, Looks.Of(name), 5 + 2 * p, 1)),
+    ]) { IsoMm = IsoErrorsMm };
+}

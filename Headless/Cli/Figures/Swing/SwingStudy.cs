@@ -1,0 +1,13 @@
+using Nowpose.Cli.Figures.Model;
+
+namespace Nowpose.Cli.Figures.Swing;
+
+/// <summary>Figs 16 to 18: the paper's proof of concept, a gripper on a swinging robot.</summary>
+sealed class SwingStudy(FigureSettings settings) : IFigureStudy
+{
+    readonly SwingRuns _runs = new(settings);
+
+    public IReadOnlyList<Action> Work => _runs.Work;
+
+    public IEnumerable<Figure> Figures() => [Figure16.Of(_runs), Figure17.Of(_runs), Figure18.Of(_runs)];
+}

@@ -1,0 +1,107 @@
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using Nowpose.Cli.Figures;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Figures;
+
+/// <summary>The verb end to end, with as little work as there can be: time decides nothing here.</summary>
+public partial class FiguresVerbTests
+{
+    static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4 };
+
+    string _folder;
+
+    [SetUp]
+    public void MakeFolder() => _folder = Directory.CreateTempSubdirectory("nowpose-figures-").FullName;
+
+    [TearDown]
+    public void RemoveFolder() => Directory.Delete(_folder, recursive: true);
+
+    [Test]
+    public void Run_Whole_WritesEachFigureAndThePage()
+    {
+        var status = FiguresVerb.Run(Least, _folder, pictures: null, CancellationToken.None);
+
+        Assert.That(status, Is.EqualTo(0));
+        foreach (var number in FigureSet.Numbers)
+        {
+            var lines = File.ReadAllLines(Path.Combine(_folder, $"figure-{number}.csv"));
+            Assert.That(lines, Has.Length.GreaterThan(2), number);
+            Assert.That(lines[0], Does.Match("^[A-Za-z0-9_]+(,[A-Za-z0-9_]+)+$"), number);
+            foreach (var line in lines.Skip(1)) Assert.That(line, Does.Match(Row()), number);
+            Assert.That(lines.Select(line => line.Count(c => c == ',')).Distinct().Count(), Is.EqualTo(1), number);
+        }
+        var page = File.ReadAllText(Path.Combine(_folder, "figures.html"));
+        Assert.That(page, Does.Contain("recomputed").And.Not.Contain("__REPORT_DATA__"));
+        Assert.That(page.Contains("\"missing\":[]", StringComparison.Ordinal) || !Nowpose.Web.FiguresPage.HasPlots);
+    }
+
+    [Test]
+    public void Run_Twice_GivesTheSameNumbers()
+    {
+        FiguresVerb.Run(Least, _folder, pictures: null, CancellationToken.None);
+        var first = FigureSet.Numbers.Select(n => File.ReadAllText(Path.Combine(_folder, $"figure-{n}.csv"))).ToArray();
+
+        FiguresVerb.Run(Least, _folder, pictures: null, CancellationToken.None);
+
+        Assert.That(FigureSet.Numbers.Select(n => File.ReadAllText(Path.Combine(_folder, $"figure-{n}.csv"))), Is.EqualTo(first));
+    }
+
+    [Test]
+    public void Run_Pictures_AreSvgWithoutStylesOfAPage()
+    {
+        var pictures = Path.Combine(_folder, "images");
+
+        FiguresVerb.Run(Least, _folder, pictures, CancellationToken.None);
+
+        var files = Directory.GetFiles(pictures);
+        Assert.That(files.Select(Path.GetFileName), Does.Contain("swing.svg").And.Contain("error-over-stamp-error.svg"));
+        foreach (var file in files)
+        {
+            var svg = File.ReadAllText(file);
+            Assert.That(XDocument.Parse(svg).Root!.Name.LocalName, Is.EqualTo("svg"));
+            Assert.That(svg, Does.Not.Contain("var(--").And.Not.Contain("NaN"));
+            Assert.That(svg.Length, Is.LessThan(60_000), file);
+        }
+    }
+
+    [Test]
+    public void Run_Interrupted_WritesWhatThereIsAndExits130()
+    {
+        File.WriteAllText(Path.Combine(_folder, "figure-4.csv"), "of an earlier run");
+        using var cancelled = new CancellationTokenSource();
+        cancelled.Cancel();
+
+        var status = FiguresVerb.Run(Least, _folder, pictures: null, cancelled.Token);
+
+        Assert.That(status, Is.EqualTo(130));
+        Assert.That(File.Exists(Path.Combine(_folder, "figures.html")), Is.True);
+        Assert.That(Directory.GetFiles(_folder, "*.csv"), Is.Empty);
+    }
+
+    [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
+    [TestCase("--pictures", "/dev/null/x", "--pictures: /dev/null/x: cannot be written to")]
+    [TestCase("--phases", "3", "'--phases' is not known")]
+    public async Task Figures_BadOption_IsOneLineAndExit2(string option, string value, string named)
+    {
+        var arguments = option == "--out" ? new[] { "figures", option, value } : ["figures", "--out", _folder, option, value];
+
+        var run = await CliRun.OfAsync(arguments);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);
+        Assert.That(run.Errors, Does.Contain(named));
+    }
+
+    [Test]
+    public async Task Figures_Help_NamesItsOptions()
+    {
+        var run = await CliRun.OfAsync("figures", "--help");
+
+        Assert.That(run.Output, Does.Contain("--out").And.Contain("--quick").And.Contain("--pictures"));
+    }
+
+    [GeneratedRegex(@"^-?\d+(\.\d{1,6})?(,(-?\d+(\.\d{1,6})?)?)+$")]
+    private static partial Regex Row();
+}

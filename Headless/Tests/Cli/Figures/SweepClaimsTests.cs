@@ -1,0 +1,89 @@
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Figures.Sweeps;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Figures;
+
+/// <summary>The verdicts follow from the numbers: made-up ones turn them.</summary>
+public class SweepClaimsTests
+{
+    static readonly double[] Intervals = [20, 50, 100];
+
+    static SweepData Polynomials(double[] values, double[] linear, double[] quadratic, double[] cubic) => new(values, new Dictionary<string, double[]>
+    {
+        ["hold"] = [.. values.Select(_ => 100.0)], ["linear"] = linear, ["quadratic"] = quadratic, ["cubic"] = cubic,
+    });
+
+    static SweepData Histories(double[] values, double[] h2, double[] h3, double[] h4) => new(values, new Dictionary<string, double[]>
+    {
+        ["hold"] = [.. values.Select(_ => 100.0)], ["quadratic"] = h2, ["quadratic-h3"] = h3, ["quadratic-h4"] = h4,
+    });
+
+    [TestCase(new double[] { 9, 9, 20 }, "holds")]
+    [TestCase(new double[] { 4, 9, 20 }, "holds partly")]
+    [TestCase(new double[] { 4, 6, 7 }, "does not hold")]
+    public void Figure13a_Cubic_TurnsTheVerdict(double[] cubic, string verdict)
+    {
+        var criteria = Figure13.A.Criteria(Polynomials(Intervals, [8, 8, 11], [5, 7, 9], cubic));
+
+        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+    }
+
+    [Test]
+    public void Figure13a_CubicBetterWhenFast_IsSaid()
+    {
+        var criteria = Figure13.A.Criteria(Polynomials(Intervals, [8, 8, 11], [5, 7, 9], [4, 9, 20]));
+
+        Assert.That(criteria[1].Measured, Is.EqualTo("the cubic is better at 20 ms"));
+        Assert.That(criteria[2].Measured, Is.EqualTo("cubic × 5, quadratic × 1.8"));
+    }
+
+    [TestCase(new double[] { 8, 8, 8 }, "holds")]
+    [TestCase(new double[] { 8, 8, 4 }, "does not hold")]
+    public void Figure13b_LineBestSomewhere_TurnsTheVerdict(double[] linear, string verdict)
+    {
+        var criteria = Figure13.B.Criteria(Polynomials([0, 100, 250], linear, [5, 5, 5], [4, 6, 9]));
+
+        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+    }
+
+    [TestCase(new double[] { 9, 9, 9, 9, 9 }, "holds")]
+    [TestCase(new double[] { 9, 9, 9, 9, 4 }, "holds partly")]
+    [TestCase(new double[] { 9, 9, 9, 4, 4 }, "does not hold")]
+    public void Figure13c_LineBestAtLargeErrors_HoldsPartly(double[] linear, string verdict)
+    {
+        var criteria = Figure13.C.Criteria(Polynomials([-50, -20, 0, 20, 50], linear, [5, 5, 5, 5, 5], [6, 6, 6, 6, 6]));
+
+        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+    }
+
+    [TestCase(new double[] { 5, 8, 14 }, new double[] { 5, 20, 40 }, "holds")]
+    [TestCase(new double[] { 5, 6, 14 }, new double[] { 5, 20, 40 }, "holds partly")]
+    [TestCase(new double[] { 5, 6, 6 }, new double[] { 5, 6, 6 }, "does not hold")]
+    public void Figure13d_StampErrors_TurnTheVerdict(double[] quadratic, double[] cubic, string verdict)
+    {
+        var criteria = Figure13.D.Criteria(Polynomials([0, 5, 10], [8, 8, 9], quadratic, cubic));
+
+        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+    }
+
+    [TestCase(new double[] { 6, 6 }, new double[] { 7, 7 }, "holds")]
+    [TestCase(new double[] { 6, 4 }, new double[] { 7, 7 }, "holds partly")]
+    [TestCase(new double[] { 6, 4 }, new double[] { 5, 5 }, "does not hold")]
+    public void Figure14a_LongerHistories_MustBeWorseEverywhere(double[] h3, double[] h4, string verdict)
+    {
+        var criteria = Figure14.A.Criteria(Histories([10, 20], [5, 5], h3, h4));
+
+        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+    }
+
+    [TestCase(new double[] { 5, 20 }, new double[] { 6, 10 }, new double[] { 7, 9 }, "holds")]
+    [TestCase(new double[] { 5, 20 }, new double[] { 6, 8 }, new double[] { 7, 9 }, "holds partly")]
+    [TestCase(new double[] { 5, 8 }, new double[] { 6, 9 }, new double[] { 7, 10 }, "does not hold")]
+    public void Figure14d_StampErrors_TurnTheVerdict(double[] h2, double[] h3, double[] h4, string verdict)
+    {
+        var criteria = Figure14.D.Criteria(Histories([0, 10], h2, h3, h4));
+
+        Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
+    }
+}

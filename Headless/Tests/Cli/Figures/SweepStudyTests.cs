@@ -1,0 +1,98 @@
+using Nowpose.Cli.Figures;
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Figures.Sweeps;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Figures;
+
+/// <summary>The figures' data against an independent simulation in Python, 8 phases or more.</summary>
+public class SweepStudyTests
+{
+    const double Tolerance = 0.02;
+
+    static readonly FigureSettings Settings = new() { Phases = 8, ClockRuns = 1, Seed = 23 };
+    static readonly Dictionary<string, Figure> Figures = [];
+
+    [OneTimeSetUp]
+    public static void Compute()
+    {
+        var studies = SweepStudy.All(Settings).ToArray();
+        Parallel.ForEach(studies.SelectMany(s => s.Work), work => work());
+        foreach (var figure in studies.SelectMany(s => s.Figures())) Figures[figure.Number] = figure;
+    }
+
+    [TestCase("13a", 10, .247, .101, .067)]
+    [TestCase("13a", 20, .280, .136, .105)]
+    [TestCase("13a", 30, .311, .172, .155)]
+    [TestCase("13a", 50, .374, .255, .271)]
+    [TestCase("13a", 70, .436, .345, .419)]
+    [TestCase("13a", 100, .521, .477, .646)]
+    [TestCase("13b", 0, .190, .084, .065)]
+    [TestCase("13b", 50, .280, .157, .144)]
+    [TestCase("13b", 75, .333, .210, .209)]
+    [TestCase("13b", 150, .465, .368, .447)]
+    [TestCase("13b", 250, .632, .621, .938)]
+    [TestCase("13c", -50, .488, .392, .399)]
+    [TestCase("13c", -20, .375, .214, .224)]
+    [TestCase("13c", 20, .437, .410, .440)]
+    [TestCase("13c", 50, .604, .709, .784)]
+    [TestCase("13d", 2, .379, .290, .487)]
+    [TestCase("13d", 5, .391, .431, 1.07)]
+    public void Figure13_Ratios_AreThoseOfAnIndependentSimulation(string number, double at, double linear, double quadratic, double cubic)
+    {
+        Assert.That(Ratio(number, at, "linear"), Is.EqualTo(linear).Within(Tolerance), Seed);
+        Assert.That(Ratio(number, at, "quadratic"), Is.EqualTo(quadratic).Within(Tolerance), Seed);
+        Assert.That(Ratio(number, at, "cubic"), Is.EqualTo(cubic).Within(Tolerance * Math.Max(1, 2 * cubic)), Seed);
+    }
+
+    [TestCase("14a", 10, .113, .126)]
+    [TestCase("14a", 50, .328, .404)]
+    [TestCase("14a", 100, .604, .743)]
+    [TestCase("14b", 0, .145, .225)]
+    [TestCase("14b", 250, .702, .779)]
+    [TestCase("14c", -50, .399, .413)]
+    [TestCase("14c", 20, .487, .567)]
+    [TestCase("14d", 5, .378, .424)]
+    [TestCase("14d", 10, .499, .475)]
+    public void Figure14_Ratios_AreThoseOfAnIndependentSimulation(string number, double at, double h3, double h4)
+    {
+        Assert.That(Ratio(number, at, "quadratic-h3"), Is.EqualTo(h3).Within(Tolerance), Seed);
+        Assert.That(Ratio(number, at, "quadratic-h4"), Is.EqualTo(h4).Within(Tolerance), Seed);
+    }
+
+    [TestCase("13a", "holds partly")]
+    [TestCase("13b", "holds")]
+    [TestCase("13c", "holds partly")]
+    [TestCase("13d", "holds")]
+    [TestCase("14a", "holds")]
+    [TestCase("14b", "holds")]
+    [TestCase("14c", "holds")]
+    [TestCase("14d", "holds")]
+    public void Verdict_Figure_IsWhatTheNumbersSay(string number, string verdict)
+    {
+        Assert.That(Figures[number].Verdict.Words(), Is.EqualTo(verdict), Seed);
+    }
+
+    [Test]
+    public void Figure14d_Crossovers_AreAtFourAndEightMilliseconds()
+    {
+        var data = new SweepData(
+            [.. Column("14d", "stamp error (ms)")],
+            new[] { "hold", "quadratic", "quadratic-h3", "quadratic-h4" }.ToDictionary(p => p, p => Column("14d", $"{p} RMS (mm)")));
+
+        Assert.That(data.Crossover("quadratic-h3", "quadratic"), Is.InRange(3.0, 5.0), Seed);
+        Assert.That(data.Crossover("quadratic-h4", "quadratic-h3"), Is.InRange(7.0, 10.0), Seed);
+    }
+
+    static string Seed => $"seed {Settings.Seed}";
+
+    static double Ratio(string number, double at, string predictor) =>
+        Column(number, $"{predictor} ratio")[Array.IndexOf(Column(number, Figures[number].Table.Columns[0].Label), at)];
+
+    static double[] Column(string number, string label)
+    {
+        var table = Figures[number].Table;
+        var column = table.Columns.Select(c => c.Label).ToList().IndexOf(label);
+        return [.. table.Rows.Select(row => row[column].Value)];
+    }
+}

@@ -1,0 +1,108 @@
+using System.Xml.Linq;
+using Nowpose.Cli.Figures;
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Figures.Swing;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Figures;
+
+public class SwingFigureTests
+{
+    static readonly FigureSettings Settings = new() { Phases = 8, ClockRuns = 1, Seed = 31 };
+    static SwingRuns s_runs;
+
+    [OneTimeSetUp]
+    public static void Compute()
+    {
+        s_runs = new SwingRuns(Settings);
+        Parallel.ForEach(s_runs.Work, work => work());
+    }
+
+    [Test]
+    public void Swing_Speed_IsTheDerivativeOfTheWay()
+    {
+        var swing = s_runs.Swing;
+        foreach (var t in new[] { 0.65, 0.8, 1.2, 1.7, 1.95 })
+        {
+            var slope = (swing.WayMm(swing.Motion.At(t + 1e-4)) - swing.WayMm(swing.Motion.At(t - 1e-4))) / 2e-4;
+            Assert.That(swing.ToolSpeedAt(t), Is.EqualTo(slope).Within(0.1), $"at {t} s");
+        }
+    }
+
+    [Test]
+    public void Swing_Gap_IsTheDistanceOfTheTools()
+    {
+        var swing = s_runs.Swing;
+        var tool = swing.Robot.IndexOfLink(swing.Robot.ToolLink.Name);
+        var (a, b) = (swing.LinksAt(2.5)[tool], swing.LinksAt(2.9)[tool]);
+
+        var distance = 1000 * Math.Sqrt(Math.Pow(a.X - b.X, 2) + Math.Pow(a.Y - b.Y, 2) + Math.Pow(a.Z - b.Z, 2));
+
+        Assert.That(swing.GapMm(2.5, 2.9), Is.EqualTo(distance).Within(1e-6));
+        Assert.That(distance, Is.GreaterThan(150));
+    }
+
+    [Test]
+    public void Realisation_Quadratic_RemovesAboutEightyPercentAsInThePaper()
+    {
+        var quadratic = s_runs.Realisation[0];
+
+        var left = quadratic.RmsMm(s_runs.Swing, _ => true) / quadratic.HoldRmsMm(s_runs.Swing, _ => true);
+
+        Assert.That(1 - left, Is.InRange(0.75, 0.85), $"seed {Settings.Seed}");
+    }
+
+    [Test]
+    public void Figures16To18_Claims_Hold()
+    {
+        foreach (var figure in new[] { Figure16.Of(s_runs), Figure17.Of(s_runs), Figure18.Of(s_runs) })
+            Assert.That(figure.Verdict, Is.EqualTo(Verdict.Holds), $"{figure.Number}: {string.Join("; ", figure.Criteria.Select(c => c.Measured))}");
+    }
+
+    [Test]
+    public void Figure17_Drawings_AreThreeMomentsOfEachPredictor()
+    {
+        var figure = Figure17.Of(s_runs);
+
+        Assert.That(figure.Drawings, Has.Count.EqualTo(3 * SwingRuns.Predicted.Count));
+        foreach (var drawing in figure.Drawings)
+        {
+            var svg = XDocument.Parse(drawing.Svg).Root;
+            Assert.That(svg.Descendants().Count(e => e.Name.LocalName == "line"), Is.GreaterThan(20), "three arms");
+            Assert.That(drawing.Svg, Does.Contain("uncompensated: ").And.Contain("var(--truth)").And.Contain("var(--hold)"));
+        }
+    }
+
+    [Test]
+    public void Figure17_GapsDrawn_AreThoseOfTheTable()
+    {
+        var figure = Figure17.Of(s_runs);
+
+        for (var i = 0; i < 3; i++)
+            Assert.That(figure.Drawings[i].Svg, Does.Contain($"uncompensated: {Numbers.Mm(figure.Table.Rows[i][2].Value)} off")
+                .And.Contain($"compensated: {Numbers.Mm(figure.Table.Rows[i][3].Value)} off"));
+    }
+
+    [TestCase(0.2, 126, 10, "holds")]
+    [TestCase(0.3, 126, 10, "holds partly")]
+    [TestCase(0.3, 126, 60, "does not hold")]
+    public void Figure18_Numbers_TurnTheVerdict(double ratio, double heldMs, double predictedMs, string verdict)
+    {
+        Assert.That(Criterion.Judge(Figure18.Criteria(ratio, heldMs, predictedMs)).Words(), Is.EqualTo(verdict));
+    }
+
+    [TestCase(0.95, 2, 9, "holds")]
+    [TestCase(0.95, 9, 9, "holds partly")]
+    [TestCase(0.8, 9, 9, "does not hold")]
+    public void Figure16_Numbers_TurnTheVerdict(double nearer, double steady, double curved, string verdict)
+    {
+        Assert.That(Criterion.Judge(Figure16.Criteria(nearer, steady, curved)).Words(), Is.EqualTo(verdict));
+    }
+
+    [Test]
+    public void Figure17_GapNotHalved_IsNotMet()
+    {
+        Assert.That(Figure17.Criterion("A", 20, 9).IsMet, Is.True);
+        Assert.That(Figure17.Criterion("A", 20, 11).IsMet, Is.False);
+    }
+}
