@@ -59,6 +59,26 @@ public sealed class MotionRecording
         Blend(Row(after - 1), Row(after), (secondsSinceStart - before) / (_times[after] - before), positions);
     }
 
+    /// <summary>Times of the rows relative to <see cref="Start"/>, s.</summary>
+    public IReadOnlyList<double> Times => _times;
+
+    /// <summary>A joint as it was recorded, one position per row.</summary>
+    /// <param name="joint">Index into <see cref="Names"/>.</param>
+    public double[] PositionsOf(int joint) => [.. Enumerable.Range(0, _times.Length).Select(row => _positions[row * _names.Length + joint])];
+
+    /// <summary>The rows from one time to another, both included, as a recording of its own.</summary>
+    /// <returns>Null where fewer than two rows lie there.</returns>
+    public MotionRecording Between(double from, double to)
+    {
+        var first = Array.FindIndex(_times, t => t >= from);
+        var last = Array.FindLastIndex(_times, t => t <= to);
+        if (first < 0 || last <= first) return null;
+        var times = _times[first..(last + 1)];
+        return new MotionRecording(
+            _names, Start + times[0], [.. times.Select(t => t - times[0])],
+            _positions[(first * _names.Length)..((last + 1) * _names.Length)]);
+    }
+
     int FirstRowAfter(double seconds)
     {
         var found = Array.BinarySearch(_times, seconds);

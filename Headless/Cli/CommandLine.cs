@@ -11,8 +11,8 @@ public static class CommandLine
     public static Task<int> RunAsync(string[] args) => Invocation.RunAsync(
         Invocation.Root(
             "nowpose", "Shows a moving robot where it is, not where it was. Without a verb: demo.",
-            Demo.DemoVerb.Create(), Replay.ReplayVerb.Create(), Sync.SyncVerb.Create(), Kinematics.KinematicsVerb.Create(),
-            Figures.FiguresVerb.Create()),
+            Demo.DemoVerb.Create(), Replay.ReplayVerb.Create(), Sync.SyncVerb.Create(), Recommend.RecommendVerb.Create(),
+            Kinematics.KinematicsVerb.Create(), Figures.FiguresVerb.Create()),
         WithVerb(args));
 
     static string[] WithVerb(string[] args)

@@ -2,15 +2,20 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Options that contradict a recorded session, which has its own sampling, latency and frames.</summary>
+/// <summary>Options that contradict another, or a recorded session, which has its own sampling, latency and frames.</summary>
 static class RecordingOptions
 {
     /// <exception cref="InputException">One of them was given.</exception>
-    public static void RequireUnset(ParseResult parsed, string path, params Option[] options)
+    public static void RequireUnsetForSession(ParseResult parsed, string path, params Option[] options) =>
+        RequireUnset(parsed, $"a recorded session has its own; leave it out for {path}", options);
+
+    /// <param name="why">Stands behind the option's name.</param>
+    /// <exception cref="InputException">One of them was given.</exception>
+    public static void RequireUnset(ParseResult parsed, string why, params Option[] options)
     {
         foreach (var option in options)
             if (IsGiven(parsed, option))
-                throw new InputException($"{option.Name}: a recorded session has its own; leave it out for {path}");
+                throw new InputException($"{option.Name}: {why}");
     }
 
     public static bool IsGiven(ParseResult parsed, Option option) => parsed.GetResult(option) is { Implicit: false };

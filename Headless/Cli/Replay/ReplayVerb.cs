@@ -36,7 +36,7 @@ static class ReplayVerb
         verb.SetAction((parsed, cancellation) =>
         {
             var path = parsed.GetRequiredValue(file);
-            if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnset(parsed, path, sampling, latency, fps, jitter, loss);
+            if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, fps, jitter, loss);
             var settings = new ReplaySettings
             {
                 SamplingInterval = parsed.GetValue(sampling) / MsPerSecond,

@@ -1,0 +1,22 @@
+using Nowpose.Prediction;
+
+namespace Nowpose.Cli.Recommend;
+
+/// <summary>What is tried: every predictor that settings offer, and every degree with other histories.</summary>
+static class Candidates
+{
+    const int LongestHistory = 6;
+
+    static readonly string[] Degrees = ["linear", "quadratic", "cubic"];
+
+    /// <summary>First the two that others are compared with, so that a run that is cut short says something.</summary>
+    public static IReadOnlyList<string> Names { get; } =
+        [.. new[] { Predictors.Default, "hold" }.Concat(Predictors.Names).Concat(Histories()).Distinct()];
+
+    static IEnumerable<string> Histories()
+    {
+        for (var degree = 1; degree <= Degrees.Length; degree++)
+            for (var history = degree + 1; history <= LongestHistory; history++)
+                yield return FormattableString.Invariant($"{Degrees[degree - 1]}-h{history}");
+    }
+}

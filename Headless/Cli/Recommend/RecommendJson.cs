@@ -1,0 +1,80 @@
+using System.Text.Json;
+
+namespace Nowpose.Cli.Recommend;
+
+/// <summary>The same as JSON, numbers with all the digits they have.</summary>
+static class RecommendJson
+{
+    public static string Of(string path, RecordingTraits traits, IReadOnlyList<Verdict> verdicts) => JsonText.Of(isIndented: true, json =>
+    {
+        json.WriteStartObject();
+        json.WriteString("file", path);
+        Write(json, traits);
+        json.WriteStartArray("conditions");
+        foreach (var verdict in verdicts) Write(json, verdict);
+        json.WriteEndArray();
+        json.WriteEndObject();
+    });
+
+    static void Write(Utf8JsonWriter json, RecordingTraits traits)
+    {
+        json.WriteNumber("seconds", traits.Duration);
+        json.WriteStartObject("interval_ms");
+        json.WriteNumber("median", 1e3 * traits.Interval);
+        json.WriteNumber("p5", 1e3 * traits.IntervalP5);
+        json.WriteNumber("p95", 1e3 * traits.IntervalP95);
+        json.WriteEndObject();
+        json.WriteNumber("repeated", traits.Repeats);
+        json.WriteStartObject("rounding");
+        foreach (var (name, step) in traits.RoundingSteps) json.WriteNumber(name, step);
+        json.WriteEndObject();
+        json.WriteStartArray("warnings");
+        foreach (var warning in traits.Warnings()) json.WriteStringValue(warning);
+        json.WriteEndArray();
+    }
+
+    static void Write(Utf8JsonWriter json, Verdict verdict)
+    {
+        json.WriteStartObject();
+        WriteNumber(json, "sampling_ms", verdict.Subject.SamplingMs);
+        WriteNumber(json, "latency_ms", verdict.Subject.LatencyMs);
+        json.WriteString("recommended", verdict.Recommended.Predictor);
+        json.WriteString("reason", verdict.Reason);
+        WriteNumber(json, "reduction", verdict.Recommended.Reduction);
+        WriteNumber(json, "gain_over_default", verdict.Recommended.GainOver(verdict.Default));
+        json.WriteStartArray("candidates");
+        foreach (var trial in verdict.Trials) Write(json, verdict, trial);
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    static void Write(Utf8JsonWriter json, Verdict verdict, Trial trial)
+    {
+        json.WriteStartObject();
+        json.WriteString("predictor", trial.Predictor);
+        json.WriteNumber("rms", trial.Rms);
+        json.WriteNumber("rms_hold", trial.RmsHold);
+        WriteNumber(json, "reduction", trial.Reduction);
+        WriteNumber(json, "gain_over_default", trial.GainOver(verdict.Default));
+        json.WriteBoolean("tie", verdict.IsTie(trial));
+        json.WriteStartArray("halves");
+        foreach (var half in Enum.GetValues<Half>())
+        {
+            json.WriteStartObject();
+            json.WriteNumber("frames", trial.On(half).Frames);
+            json.WriteNumber("rms", trial.On(half).Rms);
+            json.WriteNumber("rms_hold", trial.On(half).RmsHold);
+            WriteNumber(json, "reduction", trial.On(half).Reduction);
+            WriteNumber(json, "gain_over_default", trial.GainOver(verdict.Default, half));
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    static void WriteNumber(Utf8JsonWriter json, string name, double? value)
+    {
+        if (value is double number) json.WriteNumber(name, number);
+        else json.WriteNull(name);
+    }
+}

@@ -1,0 +1,48 @@
+using System.Globalization;
+using Spectre.Console;
+
+namespace Nowpose.Cli.Recommend;
+
+/// <summary>What to use, for reading: every candidate with both halves, then the settings.</summary>
+static class RecommendTable
+{
+    public static void Write(IAnsiConsole console, string path, RecordingTraits traits, IReadOnlyList<Verdict> verdicts)
+    {
+        console.WriteLine(Text(
+            $"{Path.GetFileName(path)}: {traits.Duration:0.0} s, a sample every {1e3 * traits.Interval:0.0} ms (P5 {1e3 * traits.IntervalP5:0.0}, P95 {1e3 * traits.IntervalP95:0.0}), {100 * traits.Repeats:0.0} % repeated"));
+        foreach (var (name, step) in traits.RoundingSteps) console.WriteLine(Text($"{name} is rounded to {step:G4}"));
+        foreach (var warning in traits.Warnings()) console.WriteLine("note: " + warning);
+        foreach (var verdict in verdicts) Write(console, verdict);
+    }
+
+    static void Write(IAnsiConsole console, Verdict verdict)
+    {
+        var table = new Table().Title(Markup.Escape(Condition(verdict.Subject)));
+        table.AddColumn("predictor");
+        foreach (var heading in new[] { "RMS", "reduction", "first half", "second half", "against default" })
+            table.AddColumn(new TableColumn(heading).RightAligned());
+        table.AddColumn("");
+        foreach (var trial in verdict.Trials)
+            table.AddRow(
+                trial.Predictor, trial.Rms.ToString("G4", CultureInfo.InvariantCulture), Percent(trial.Reduction), Percent(trial.First.Reduction),
+                Percent(trial.Second.Reduction), trial == verdict.Default ? "" : Percent(trial.GainOver(verdict.Default), "+0.0;-0.0;0.0"),
+                Mark(verdict, trial));
+        table.Caption("reduction: how much less it errs than showing the newest sample");
+        console.Write(table);
+        console.WriteLine($"Use predictor {verdict.Recommended.Predictor}: {verdict.Reason}.");
+        var reduction = Percent(verdict.Recommended.Reduction, "0");
+        console.WriteLine($"It takes {reduction} of the error away ({Percent(verdict.Recommended.First.Reduction, "0")} and "
+            + $"{Percent(verdict.Recommended.Second.Reduction, "0")} in the halves).");
+    }
+
+    static string Condition(ISubject subject) => subject.SamplingMs is double sampling
+        ? Text($"a sample every {sampling:0.###} ms, {subject.LatencyMs:0.###} ms late") : "samples, latencies and frames as recorded";
+
+    static string Mark(Verdict verdict, Trial trial) => trial == verdict.Recommended ? "use this"
+        : verdict.IsTie(trial) ? "tie" : trial == verdict.Default ? "default" : "";
+
+    static string Percent(double? share, string format = "0.0") =>
+        share is double value ? (100 * value).ToString(format, CultureInfo.InvariantCulture) + " %" : "–";
+
+    static string Text(FormattableString text) => FormattableString.Invariant(text);
+}

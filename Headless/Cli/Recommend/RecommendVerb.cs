@@ -1,0 +1,65 @@
+using System.CommandLine;
+using Nowpose.Cli.Replay;
+using Nowpose.Cli.Sessions;
+using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Recordings;
+
+namespace Nowpose.Cli.Recommend;
+
+/// <summary><c>recommend FILE</c>: which predictor suits a recording of one's own.</summary>
+static class RecommendVerb
+{
+    static readonly (double SamplingMs, double LatencyMs)[] Grid = [(20, 100), (50, 100), (100, 150)];
+
+    public static Command Create()
+    {
+        var file = new Argument<string>("FILE")
+        {
+            Description = "A motion (.csv or .csv.gz), as for replay; or a recorded session (.jsonl or .jsonl.gz), tried with its own samples, "
+                + "latencies and frames.",
+        };
+        var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s of a motion.", 50.0, 0.1, 10000, "ms");
+        var latency = NumberOption.Create("--latency-ms", "Latency L of a motion, from a sample to its arrival.", 100.0, 0, 10000, "ms");
+        var grid = new Option<bool>("--grid") { Description = "Try a motion at 20/100, 50/100 and 100/150 ms (T_s/L) instead." };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of tables." };
+        var verb = new Command(
+            "recommend", "Try every predictor, and polynomials of other histories, on both halves of a recording, and say which to use.")
+        {
+            file, sampling, latency, grid, json,
+        };
+        verb.SetAction((parsed, cancel) =>
+        {
+            var path = parsed.GetRequiredValue(file);
+            if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, grid);
+            else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, "--grid has its own; leave one of them out", sampling, latency);
+            (double, double)[] conditions = parsed.GetValue(grid) ? Grid : [(parsed.GetValue(sampling), parsed.GetValue(latency))];
+            // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+            return Task.Run(() => Run(path, conditions, parsed.GetValue(json), cancel), CancellationToken.None);
+        });
+        return verb;
+    }
+
+    static int Run(string path, (double SamplingMs, double LatencyMs)[] conditions, bool json, CancellationToken cancel)
+    {
+        var recording = SessionFileReader.IsSession(path) ? OfSession(path) : OfMotion(path, conditions);
+        var contest = new Contest(recording.Subjects);
+        RecommendProgress.Run(contest.Runs, report => contest.Run(report, cancel));
+        var verdicts = contest.Verdicts();
+        if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, verdicts));
+        else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, verdicts);
+        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+    }
+
+    static (RecordingTraits Traits, ISubject[] Subjects) OfMotion(string path, (double SamplingMs, double LatencyMs)[] conditions)
+    {
+        var motion = MotionRecording.Read(path);
+        var joints = motion.Names.Select((name, joint) => new JointSeries(name, motion.Times, motion.PositionsOf(joint)));
+        return (new RecordingTraits([.. joints]), [.. conditions.Select(c => new MotionSubject(path, motion, c.SamplingMs, c.LatencyMs))]);
+    }
+
+    static (RecordingTraits Traits, ISubject[] Subjects) OfSession(string path)
+    {
+        var session = RecordedSession.Read(path);
+        return (new RecordingTraits(SessionSeries.Of(session)), [new SessionSubject(path, session)]);
+    }
+}

@@ -1,0 +1,46 @@
+using Nowpose.Cli.Replay;
+
+namespace Nowpose.Cli.Recommend;
+
+/// <summary>A recorded session, with its own samples, arrivals and frames.</summary>
+sealed class SessionSubject : ISubject
+{
+    readonly string _path;
+    readonly RecordedSession _session;
+    readonly SessionTruth _truth;
+    readonly int _middle;
+
+    public SessionSubject(string path, RecordedSession session)
+    {
+        _path = path;
+        _session = session;
+        _truth = new SessionTruth(session);
+        _middle = MiddleOf(session);
+    }
+
+    public double? SamplingMs => null;
+
+    public double? LatencyMs => null;
+
+    public ReplayResult Try(string predictor, Half half, CancellationToken cancellation)
+    {
+        var replay = new SessionReplay(_path, _session, _truth, new ReplaySettings { Predictor = predictor });
+        return half == Half.First ? replay.Run(0, _middle, cancellation) : replay.Run(_middle, _session.Events.Count, cancellation);
+    }
+
+    static int MiddleOf(RecordedSession session)
+    {
+        var last = new double?[session.Header.Joints.Count];
+        var ways = new double[session.Events.Count];
+        for (var i = 0; i < ways.Length; i++)
+        {
+            if (!session.Events[i].IsSample) continue;
+            foreach (var value in session.ValuesOf(session.Events[i]))
+            {
+                ways[i] += Math.Abs(value.Position - last[value.Joint] ?? 0);
+                last[value.Joint] = value.Position;
+            }
+        }
+        return Halving.MiddleOf(ways);
+    }
+}

@@ -1,0 +1,31 @@
+using Nowpose.Cli.Replay;
+
+namespace Nowpose.Cli.Recommend;
+
+/// <summary>How one candidate did on both halves; errors in the unit of the recording's axes.</summary>
+sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
+{
+    /// <summary>Over both halves, each frame for one.</summary>
+    public double Rms => Pooled(result => result.Rms);
+
+    /// <summary>The same of the newest sample, held.</summary>
+    public double RmsHold => Pooled(result => result.RmsHold);
+
+    /// <summary>1 − rms ÷ rms_hold; null where nothing moved.</summary>
+    public double? Reduction => Share(Rms, RmsHold);
+
+    /// <summary>By how much less it errs than another, over both halves: 0.1 is a tenth less. Null where the other makes no error.</summary>
+    public double? GainOver(Trial other) => Share(Rms, other.Rms);
+
+    /// <summary>The same on one half.</summary>
+    public double? GainOver(Trial other, Half half) => Share(On(half).Rms, other.On(half).Rms);
+
+    public bool IsBetterThan(Trial other, Half half) => On(half).Rms < other.On(half).Rms;
+
+    public ReplayResult On(Half half) => half == Half.First ? First : Second;
+
+    double Pooled(Func<ReplayResult, double> rms) => Math.Sqrt(
+        (First.Frames * rms(First) * rms(First) + Second.Frames * rms(Second) * rms(Second)) / (First.Frames + Second.Frames));
+
+    static double? Share(double rms, double of) => of > 0 ? 1 - rms / of : null;
+}

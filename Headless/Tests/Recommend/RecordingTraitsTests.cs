@@ -1,0 +1,87 @@
+using Nowpose.Cli.Recommend;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Recommend;
+
+public class RecordingTraitsTests
+{
+    const int Seed = 11;
+
+    // 12 s of a swing at 100 Hz.
+    static RecordingTraits Traits(Func<double, double> position, Func<int, double> time = null, int count = 1201)
+    {
+        var times = Enumerable.Range(0, count).Select(i => time?.Invoke(i) ?? i * 0.01).ToArray();
+        return new RecordingTraits([new JointSeries("a", times, [.. times.Select(position)])]);
+    }
+
+    [Test]
+    public void Traits_OfACleanSwing_GiveNothingToSay()
+    {
+        var traits = Traits(Math.Sin);
+
+        Assert.That(traits.Duration, Is.EqualTo(12).Within(1e-9));
+        Assert.That(traits.Interval, Is.EqualTo(0.01).Within(1e-9));
+        Assert.That(traits.Repeats, Is.EqualTo(0));
+        Assert.That(traits.RoundingSteps, Is.Empty);
+        Assert.That(traits.Warnings(), Is.Empty);
+    }
+
+    [Test]
+    public void Warnings_OfAShortRecording_NameItsLength()
+    {
+        Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Does.StartWith("5.0 s are short"));
+    }
+
+    [Test]
+    public void Warnings_OfAStandstill_SaySo()
+    {
+        Assert.That(Traits(t => 1 + 1e-6 * Math.Sin(t)).Warnings().Single(), Does.StartWith("nothing moves"));
+    }
+
+    [Test]
+    public void Warnings_OfUnevenStamps_GiveTheirSpread()
+    {
+        var random = new Random(Seed);
+
+        var traits = Traits(Math.Sin, i => i * 0.01 + 0.004 * random.NextDouble());
+
+        Assert.That(traits.Warnings().Single(), Does.Match(@"stamps lie (6|7)\.\d to 1(2|3)\.\d ms apart"), $"seed {Seed}");
+    }
+
+    [Test]
+    public void Repeats_OfAMachineSlowerThanItsRecording_AreCounted()
+    {
+        // Each fifth sample is the one before once more.
+        var traits = Traits(t => Math.Sin(Math.Round(t * 100) % 5 == 4 ? Math.Round(t * 100 - 1) / 100 : Math.Round(t * 100) / 100));
+
+        Assert.That(traits.Repeats, Is.EqualTo(0.2).Within(0.01));
+        Assert.That(traits.Warnings().Single(), Does.Contain("% of a moving joint's samples repeat"));
+    }
+
+    [TestCase(1e-4)]
+    [TestCase(0.0005)]
+    public void RoundingStep_OfRoundedValues_IsFound(double step)
+    {
+        var traits = Traits(t => Math.Round(Math.Sin(t) / step) * step);
+
+        Assert.That(traits.RoundingSteps.Single().Step, Is.EqualTo(step).Within(1e-9));
+    }
+
+    [Test]
+    public void Halving_MotionThatEndsInARest_IsWhereHalfTheWayIsDone()
+    {
+        double[] ways = [.. Enumerable.Repeat(1.0, 40), .. Enumerable.Repeat(0.0, 40)];
+
+        Assert.That(Halving.MiddleOf(ways), Is.EqualTo(20));
+        Assert.That(Halving.MiddleOf([.. ways.Reverse()]), Is.EqualTo(60));
+    }
+
+    [Test]
+    public void Halving_JumpOrStandstill_LeavesEnoughOnEitherSide()
+    {
+        double[] jump = [1.0, .. Enumerable.Repeat(0.0, 99)];
+
+        Assert.That(Halving.MiddleOf(jump), Is.EqualTo(20));
+        Assert.That(Halving.MiddleOf(new double[100]), Is.EqualTo(50));
+    }
+}
