@@ -6,9 +6,9 @@ namespace Nowpose.Cli.Figures;
 /// <summary>How much is computed; what is computed is the same.</summary>
 sealed record FigureSettings
 {
-    public static readonly FigureSettings Full = new() { Phases = 16, ClockRuns = 16 };
+    public static readonly FigureSettings Full = new() { Phases = 32, ClockRuns = 32, ClockSeconds = 300 };
 
-    public static readonly FigureSettings Quick = new() { Phases = 4, ClockRuns = 4 };
+    public static readonly FigureSettings Quick = new() { Phases = 8, ClockRuns = 8 };
 
     /// <summary>Runs with random phases of sampling and frames; the phase alone moves a ratio by a tenth.</summary>
     public required int Phases { get; init; }
@@ -22,10 +22,16 @@ sealed record FigureSettings
     /// <summary>Length of the paper's swing in the sweeps, s.</summary>
     public double SwingSeconds { get; init; } = 12;
 
+    /// <summary>Length of the random moves in the sweeps, s.</summary>
+    public double RandomSeconds { get; init; } = 30;
+
     public int Seed { get; init; } = 1;
 
-    /// <summary>The predictors that the paper does not have, as far as there are any.</summary>
-    public static IReadOnlyList<string> OurPredictors { get; } = [.. Predictors.Names.Where(name => name == "adaptive")];
+    /// <summary>The predictors that the paper does not have.</summary>
+    public static IReadOnlyList<string> OurPredictors { get; } = ["adaptive"];
+
+    /// <summary>Those of <see cref="OurPredictors"/> that are put beside the paper's in the sweeps.</summary>
+    public IReadOnlyList<string> Ours { get; init; } = OurPredictors;
 
     /// <summary>The paper's conditions: T_s 50 ms, L 100 ms, 60 frames a second.</summary>
     public StudySettings Study => new() { Phases = Phases, Seed = Seed };

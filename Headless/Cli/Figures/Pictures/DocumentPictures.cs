@@ -5,24 +5,27 @@ namespace Nowpose.Cli.Figures.Pictures;
 /// <summary>The pictures of the documentation, drawn from the figures' data.</summary>
 static class DocumentPictures
 {
-    static readonly (string File, string Figure, string[] Traces)[] Pictures =
+    const int Narrow = 420, Wide = 620;
+
+    static readonly (string File, string Figure, int Plot, int Width, string[] Traces)[] Pictures =
     [
-        ("error-over-sampling-interval.svg", "13a", ["quadratic", "adaptive"]),
-        ("error-over-stamp-error.svg", "13d", ["quadratic", "adaptive"]),
-        ("swing.svg", "16", ["ground truth", "uncompensated", "quadratic", "adaptive"]),
-        ("clock-error.svg", "8", ["ransac", "default"]),
+        ("error-over-sampling-interval.svg", "13a", 0, Narrow, ["quadratic", "adaptive"]),
+        ("error-over-stamp-error.svg", "13d", 0, Narrow, ["quadratic", "adaptive"]),
+        ("swing.svg", "16", 0, Wide, ["ground truth", "uncompensated", "quadratic", "adaptive"]),
+        ("swing-error.svg", "16", 1, Wide, ["uncompensated", "quadratic", "adaptive"]),
+        ("clock-error.svg", "8", 0, Wide, ["ransac", "default"]),
     ];
 
     /// <returns>The files written: those whose figure was computed.</returns>
     public static IReadOnlyList<string> Write(string folder, IReadOnlyList<Figure> figures)
     {
         var paths = new List<string>();
-        foreach (var (file, number, traces) in Pictures)
+        foreach (var (file, number, index, width, traces) in Pictures)
         {
             if (figures.FirstOrDefault(f => f.Number == number) is not Figure figure) continue;
-            var plot = figure.Plots[0] with { Traces = [.. figure.Plots[0].Traces.Where(t => traces.Contains(t.Label))] };
+            var plot = figure.Plots[index] with { Traces = [.. figure.Plots[index].Traces.Where(t => traces.Contains(t.Label))] };
             paths.Add(Path.Combine(folder, file));
-            File.WriteAllText(paths[^1], new SvgPlot(plot).Draw());
+            File.WriteAllText(paths[^1], new SvgPlot(plot, width).Draw());
         }
         return paths;
     }

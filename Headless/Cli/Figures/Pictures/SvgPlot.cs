@@ -5,8 +5,10 @@ using Nowpose.Cli.Figures.Model;
 namespace Nowpose.Cli.Figures.Pictures;
 
 /// <summary>A plot of lines as a small SVG file: light colours, no script, the same in every viewer.</summary>
-sealed class SvgPlot(FigurePlot plot, int width = 420, int height = 280)
+/// <param name="width">Of the picture, px.</param>
+sealed class SvgPlot(FigurePlot plot, int width)
 {
+    const int Height = 280;
     const int Left = 52, Right = 12, Top = 34, Bottom = 42;
     const string Font = "font-family=\"system-ui, sans-serif\"";
 
@@ -19,11 +21,11 @@ sealed class SvgPlot(FigurePlot plot, int width = 420, int height = 280)
     public string Draw()
     {
         _svg.Clear();
-        Append($"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\" ");
-        Append($"aria-label=\"{plot.Title}: {string.Join(", ", plot.Traces.Select(t => t.Label))}\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n");
+        Append($"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{Height}\" viewBox=\"0 0 {width} {Height}\" role=\"img\" ");
+        Append($"aria-label=\"{plot.Title}: {string.Join(", ", plot.Traces.Select(t => t.Label))}\">\n<rect width=\"{width}\" height=\"{Height}\" fill=\"#fff\"/>\n");
         Axes();
         // What runs out of the plot ends at its edge.
-        Append($"<clipPath id=\"plot\"><rect x=\"{Left}\" y=\"{Top}\" width=\"{width - Left - Right}\" height=\"{height - Top - Bottom + 3}\"/></clipPath>\n");
+        Append($"<clipPath id=\"plot\"><rect x=\"{Left}\" y=\"{Top}\" width=\"{width - Left - Right}\" height=\"{Height - Top - Bottom + 3}\"/></clipPath>\n");
         foreach (var trace in plot.Traces) Line(trace);
         foreach (var mark in plot.Marks) Mark(mark);
         Legend();
@@ -35,7 +37,7 @@ sealed class SvgPlot(FigurePlot plot, int width = 420, int height = 280)
 
     double X(double value) => Left + (value - _x0) / (_x1 - _x0) * (width - Left - Right);
 
-    double Y(double value) => height - Bottom - (value - _y0) / (_y1 - _y0) * (height - Top - Bottom);
+    double Y(double value) => Height - Bottom - (value - _y0) / (_y1 - _y0) * (Height - Top - Bottom);
 
     void Axes()
     {
@@ -44,10 +46,10 @@ sealed class SvgPlot(FigurePlot plot, int width = 420, int height = 280)
             Append($"<path d=\"M{Left} {Y(y):0.#}H{width - Right}\" stroke=\"#e3e7ec\"/>");
             Text(Left - 6, Y(y) + 4, "end", Number(y));
         }
-        foreach (var x in Ticks.Of(_x0, _x1)) Text(X(x), height - Bottom + 16, "middle", Number(x));
-        Append($"<path d=\"M{Left} {height - Bottom}H{width - Right}\" stroke=\"#55616f\"/>\n");
-        Text((Left + width - Right) / 2.0, height - 8, "middle", plot.X.Label);
-        Append($"<text transform=\"translate(13 {(Top + height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\" fill=\"#55616f\" {Font} font-size=\"12\">{plot.Y.Label}</text>\n");
+        foreach (var x in Ticks.Of(_x0, _x1)) Text(X(x), Height - Bottom + 16, "middle", Number(x));
+        Append($"<path d=\"M{Left} {Height - Bottom}H{width - Right}\" stroke=\"#55616f\"/>\n");
+        Text((Left + width - Right) / 2.0, Height - 8, "middle", plot.X.Label);
+        Append($"<text transform=\"translate(13 {(Top + Height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\" fill=\"#55616f\" {Font} font-size=\"12\">{plot.Y.Label}</text>\n");
     }
 
     void Line(PlotTrace trace)
@@ -68,8 +70,8 @@ sealed class SvgPlot(FigurePlot plot, int width = 420, int height = 280)
 
     void Mark(PlotMark mark)
     {
-        Append($"<path d=\"M{X(mark.X):0.#} {Top}V{height - Bottom}\" stroke=\"#55616f\" stroke-dasharray=\"2 3\"/>");
-        Text(X(mark.X) + 4, height - Bottom - 6, "start", mark.Label);
+        Append($"<path d=\"M{X(mark.X):0.#} {Top}V{Height - Bottom}\" stroke=\"#55616f\" stroke-dasharray=\"2 3\"/>");
+        Text(X(mark.X) + 4, Height - Bottom - 6, "start", mark.Label);
     }
 
     void Legend()

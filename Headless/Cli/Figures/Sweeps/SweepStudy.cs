@@ -1,63 +1,95 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>One sweep, and the figures of the paper that show it.</summary>
-sealed class SweepStudy(PredictionSweep sweep, params SweepClaims[] claims) : IFigureStudy
+/// <summary>One condition swept, and the figures of the paper that show it.</summary>
+sealed class SweepStudy : IFigureStudy
 {
+    /// <summary>What is called random in the columns: moves of which none comes back.</summary>
+    const int RandomMovesSeed = 1301;
+
+    static readonly string[] OfThePaper = ["linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4"];
+
+    readonly IReadOnlyList<string> _ours;
+    readonly SweepAxis _axis;
+    readonly SweepClaims[] _claims;
+    readonly PredictionSweep _swing;
+    readonly PredictionSweep _random;
+
+    public SweepStudy(FigureSettings settings, SweepAxis axis, params SweepClaims[] claims)
+    {
+        _ours = settings.Ours;
+        _axis = axis;
+        _claims = claims;
+        _swing = new PredictionSweep(axis, settings, Motions.PaperSwing(settings.SwingSeconds), [.. OfThePaper, .. _ours]);
+        _random = new PredictionSweep(axis, settings, Motions.FastMoves(RandomMovesSeed, settings.RandomSeconds),
+            ["quadratic", .. _ours]);
+        Work = [.. _swing.Work, .. _random.Work];
+    }
+
     public static IEnumerable<SweepStudy> All(FigureSettings settings) =>
     [
-        new(new PredictionSweep(SweepAxis.SamplingInterval, settings), Figure13.A, Figure14.A),
-        new(new PredictionSweep(SweepAxis.Latency, settings), Figure13.B, Figure14.B),
-        new(new PredictionSweep(SweepAxis.LatencyError, settings), Figure13.C, Figure14.C),
-        new(new PredictionSweep(SweepAxis.StampError, settings), Figure13.D, Figure14.D),
+        new(settings, SweepAxis.SamplingInterval, Figure13.A, Figure14.A),
+        new(settings, SweepAxis.Latency, Figure13.B, Figure14.B),
+        new(settings, SweepAxis.LatencyError, Figure13.C, Figure14.C),
+        new(settings, SweepAxis.StampError, Figure13.D, Figure14.D),
     ];
 
-    public IReadOnlyList<Action> Work => sweep.Work;
+    public IReadOnlyList<Action> Work { get; }
 
     public IEnumerable<Figure> Figures()
     {
-        var data = sweep.Data();
-        return claims.Select(each => FigureOf(each, data));
+        var (swing, random) = (_swing.Data(), _random.Data());
+        return _claims.Select(claims => FigureOf(claims, swing, random));
     }
 
-    Figure FigureOf(SweepClaims claims, SweepData data)
+    Figure FigureOf(SweepClaims claims, SweepData swing, SweepData random)
     {
-        string[] shown = [.. claims.Compared, .. FigureSettings.OurPredictors.Where(data.Has)];
+        string[] shown = [.. claims.Compared, .. _ours];
         return new Figure(claims.Number, claims.Title)
         {
             Claim = claims.Claim,
-            Criteria = claims.Criteria(data),
-            Beyond = Beyond(data),
-            Conditions = $"Varied: {sweep.Axis.Column.Label}. Everything else as stated for all figures.",
-            Table = TableOf(shown, data),
-            Plots = [new FigurePlot("RMS error", sweep.Axis.Column, new FigureColumn("RMS error", "mm"),
-                [.. shown.Select(name => new PlotTrace(name, Looks.Of(name), data.Values, [.. data.RmsMm(name)]) { Marked = true })]) { FromZero = true }],
+            Criteria = claims.Criteria(swing),
+            Beyond = _ours.Count == 0 ? null : Beyond(claims, swing, random),
+            Conditions = $"Varied: {_axis.Column.Label}. Everything else as stated for all figures. "
+                + "Random moves: 7-phase, strokes and limits drawn anew for each, up to 1500 mm/s.",
+            Table = TableOf(shown, swing, random),
+            Plots = [new FigurePlot("RMS error", _axis.Column, new FigureColumn("RMS error", "mm"),
+                [.. shown.Select(name => new PlotTrace(name, Looks.Of(name), swing.Values, [.. swing.RmsMm(name)]) { Marked = true })]) { FromZero = true }],
         };
     }
 
-    FigureTable TableOf(string[] shown, SweepData data)
+    FigureTable TableOf(string[] shown, SweepData swing, SweepData random)
     {
         string[] all = ["hold", .. shown];
+        string[] ratios = ["quadratic", .. _ours];
         var table = new FigureTable([
-            sweep.Axis.Column,
+            _axis.Column,
             .. all.Select(name => new FigureColumn($"{name} RMS", "mm")),
-            .. shown.Select(name => new FigureColumn($"{name} ratio"))]);
-        for (var i = 0; i < data.Values.Count; i++)
+            .. shown.Select(name => new FigureColumn($"{name} ratio")),
+            .. ratios.Select(name => new FigureColumn($"{name} ratio on random moves"))]);
+        for (var i = 0; i < swing.Values.Count; i++)
         {
             var row = i;
-            table.Add([data.Values[row], .. all.Select(name => (double?)data.RmsMm(name)[row]), .. shown.Select(name => (double?)data.Ratio(name, row))]);
+            table.Add([swing.Values[row], .. all.Select(name => (double?)swing.RmsMm(name)[row]), .. shown.Select(name => (double?)swing.Ratio(name, row)),
+                .. ratios.Select(name => (double?)random.Ratio(name, row))]);
         }
         return table;
     }
 
-    static string Beyond(SweepData data) => data.Has("adaptive") ? "adaptive leaves " + Share(data, "quadratic") + " of the quadratic's error. " + Note : null;
-
-    const string Note = "The swing comes back every 2.4 s, which adaptive may recognise and the polynomials cannot.";
-
-    static string Share(SweepData data, string of)
+    static string Beyond(SweepClaims claims, SweepData swing, SweepData random)
     {
-        var shares = Enumerable.Range(0, data.Values.Count).Select(i => data.RmsMm("adaptive")[i] / data.RmsMm(of)[i]).ToArray();
-        return $"{Numbers.Percent(shares.Min())} to {Numbers.Percent(shares.Max())}";
+        var ofBest = Shares(swing, i => claims.Compared.Min(name => swing.RmsMm(name)[i]));
+        var ofQuadratic = Shares(swing, i => swing.RmsMm("quadratic")[i]);
+        var onRandom = Shares(random, i => random.RmsMm("quadratic")[i]);
+        return $"adaptive leaves {ofQuadratic} of the quadratic's error, and {ofBest} of the error of whichever of the three is best at each value. "
+            + $"The swing comes back every 2.4 s, which adaptive may recognise; on fast random moves that do not it leaves {onRandom} of the quadratic's.";
+    }
+
+    static string Shares(SweepData data, Func<int, double> of)
+    {
+        var shares = Enumerable.Range(0, data.Values.Count).Select(i => data.RmsMm("adaptive")[i] / of(i)).ToArray();
+        return $"{Numbers.Text(Math.Round(100 * shares.Min()))} to {Numbers.Percent(Math.Round(shares.Max(), 2))}";
     }
 }

@@ -25,15 +25,15 @@ static class Figure16
                 + $"the quadratic by {Mm(CurvedRms(runs, 0))} and {Mm(SteadyRms(runs, 0))}.",
             Conditions = ConditionsOf(swing),
             Table = table,
-            Plots = [PlotOf(table, [.. moments.Select(m => new PlotMark(m.Name, ShownMs(paper.Shown[m.Index].Time)))])],
+            Plots = [.. PlotsOf(table).Select(plot => plot with { Marks = [.. moments.Select(m => new PlotMark(m.Name, Ms(paper.Shown[m.Index].Time)))] })],
             Summary = Reductions(runs, _ => true, "Tool error over the whole swing, all runs"),
         };
     }
 
     public static string ConditionsOf(YoubotSwing swing) =>
         $"youBot, first axis forth and back by a quarter turn, arm out: the tool goes along a circle of {Text(1000 * swing.Radius)} mm radius at up to "
-        + $"{Text(swing.ToolSpeedAt(YoubotSwing.Start + swing.MoveSeconds / 2))} mm/s. Stroke and limits are ours, the paper gives none. "
-        + "It starts from rest: nothing has repeated yet. The plots show the first move of the first run, the numbers are of all.";
+        + $"{Text(swing.FullSpeed)} mm/s. Stroke and limits are ours, the paper gives none. Four shorter moves go before, and nothing repeats. "
+        + "The plots show the move forth of the first run, the numbers are of all.";
 
     /// <param name="nearerShare">Of the frames in motion: how many are shown nearer to the truth with compensation.</param>
     /// <param name="steadyMm">RMS error of the compensated signal at constant velocity.</param>
@@ -45,44 +45,45 @@ static class Figure16
             $"{Mm(curvedMm)} against {Mm(steadyMm)}"),
     ];
 
-    /// <summary>RMS errors of hold and of each predictor under both scenarios.</summary>
+    /// <summary>RMS errors of hold and of each predictor under each scenario.</summary>
     /// <param name="when">Which frames count, by their time.</param>
     public static FigureSummary Reductions(SwingRuns runs, Func<double, bool> when, string caption)
     {
-        IEnumerable<IReadOnlyList<string>> Rows(SwingScenario scenario, IReadOnlyList<SwingFrames> frames) => frames.Select(f =>
-        {
-            var (held, predicted) = (f.HoldRmsMm(runs.Swing, when), f.RmsMm(runs.Swing, when));
-            return (IReadOnlyList<string>)[$"{f.Predictor}, {scenario.Name}", Text(held), Text(predicted), Percent(1 - predicted / held)];
-        });
+        var rows = runs.All.Select(f => (Frames: f, Held: f.HoldRmsMm(when), Predicted: f.RmsMm(when)));
         return new FigureSummary(caption, ["Method and conditions", "Hold RMS (mm)", "RMS (mm)", "Error removed"],
-            [.. Rows(SwingScenario.Standard, runs.Standard), .. Rows(SwingScenario.Realisation, runs.Realisation)]);
+            [.. rows.Select(r => (IReadOnlyList<string>)
+                [$"{r.Frames.Predictor}, {r.Frames.Scenario.Name}", Text(r.Held), Text(r.Predicted), Percent(1 - r.Predicted / r.Held)])]);
     }
 
     static double NearerShare(SwingRuns runs) => runs.Standard[0].Phases.SelectMany(p => p).Where(f => runs.Swing.ToolSpeedAt(f.Time) > 0)
         .Average(f => Math.Abs(f.Predicted - f.Truth) < Math.Abs(f.Held - f.Truth) ? 1.0 : 0);
 
-    static double SteadyRms(SwingRuns runs, int predictor) => runs.Standard[predictor].RmsMm(runs.Swing, runs.Swing.IsSteadyAt);
+    static double SteadyRms(SwingRuns runs, int predictor) => runs.Standard[predictor].RmsMm(runs.Swing.IsSteadyAt);
 
-    static double CurvedRms(SwingRuns runs, int predictor) => runs.Standard[predictor].RmsMm(runs.Swing, runs.Swing.IsCurvedAt);
+    static double CurvedRms(SwingRuns runs, int predictor) => runs.Standard[predictor].RmsMm(runs.Swing.IsCurvedAt);
 
-    static double ShownMs(double time) => Math.Round(MsPerS * (time - YoubotSwing.Start), 2);
+    static double Ms(double time) => Math.Round(MsPerS * time, 2);
 
     static FigureTable TableOf(SwingRuns runs)
     {
         var (swing, shown) = (runs.Swing, runs.Standard[0].Shown);
         var table = new FigureTable([new FigureColumn("time", "ms"), new FigureColumn("truth", "mm"), new FigureColumn("hold", "mm"),
             .. SwingRuns.Predicted.Select(name => new FigureColumn(name, "mm"))]);
-        for (var i = 0; i < shown.Length && shown[i].Time < YoubotSwing.Start + swing.MoveSeconds + Shown; i++)
-            table.Add([ShownMs(shown[i].Time), swing.WayMm(shown[i].Truth), swing.WayMm(shown[i].Held),
+        for (var i = 0; i < shown.Length && shown[i].Time < swing.MoveSeconds + Shown; i++)
+            table.Add([Ms(shown[i].Time), swing.WayMm(shown[i].Truth), swing.WayMm(shown[i].Held),
                 .. runs.Standard.Select(s => (double?)swing.WayMm(s.Shown[i].Predicted))]);
         return table;
     }
 
-    static FigurePlot PlotOf(FigureTable table, PlotMark[] marks) =>
-        new("Way on the circle", table.Columns[0], new FigureColumn("way on the circle", "mm"),
-        [
-            table.Trace("ground truth", Looks.Truth, 0, 1),
-            table.Trace("uncompensated", Looks.Hold, 0, 2) with { Stepped = true },
-            .. SwingRuns.Predicted.Select((name, p) => table.Trace(name, Looks.Of(name), 0, 3 + p)),
-        ]) { Marks = marks };
+    static IEnumerable<FigurePlot> PlotsOf(FigureTable table)
+    {
+        IEnumerable<PlotTrace> Compensated(Func<PlotTrace, PlotTrace> shown) =>
+            SwingRuns.Predicted.Select((name, p) => shown(table.Trace(name, Looks.Of(name), 0, 3 + p)));
+        var (truth, hold) = (table.Trace("ground truth", Looks.Truth, 0, 1), table.Trace("uncompensated", Looks.Hold, 0, 2));
+        PlotTrace Error(PlotTrace shown) => shown with { Y = [.. shown.Y.Zip(truth.Y, (y, t) => y - t)] };
+
+        yield return new FigurePlot("Way on the circle", table.Columns[0], new FigureColumn("way on the circle", "mm"),
+            [truth, hold with { Stepped = true }, .. Compensated(trace => trace)]);
+        yield return new FigurePlot("Error", table.Columns[0], new FigureColumn("error", "mm"), [Error(hold), .. Compensated(Error)]);
+    }
 }

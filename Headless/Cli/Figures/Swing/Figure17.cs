@@ -16,7 +16,7 @@ static class Figure17
         foreach (var (moment, held, predicted) in gaps)
         {
             var frame = runs.Standard[0].Shown[moment.Index];
-            table.Add([1000 * (frame.Time - YoubotSwing.Start), frame.Truth * 180 / Math.PI, held, .. predicted.Select(g => (double?)g)]);
+            table.Add([1000 * frame.Time, frame.Truth * 180 / Math.PI, held, .. predicted.Select(g => (double?)g)]);
         }
         return new Figure("17", "The arm at three moments")
         {

@@ -18,20 +18,19 @@ static class Figure18
     public static Figure Of(SwingRuns runs)
     {
         var table = TableOf(runs);
-        bool Within(double t) => t >= YoubotSwing.Start && t < YoubotSwing.Start + Length;
-        var (held, predicted) = (runs.Standard[0].HoldRmsMm(runs.Swing, Within), runs.Standard[0].RmsMm(runs.Swing, Within));
+        var (held, predicted) = (runs.Standard[0].HoldRmsMm(IsWithin), runs.Standard[0].RmsMm(IsWithin));
         return new Figure("18", "Operating points without and with compensation")
         {
             Claim = "Compensation makes the effective latency smaller, not the robot slower: the operating points move to smaller errors, about 80 % smaller for t < 1500 ms.",
             Criteria = Criteria(predicted / held, Median(table, 3), Median(table, 5)),
             Beyond = runs.Standard.Count < 2 ? null
-                : $"adaptive removes {Percent(1 - runs.Standard[1].RmsMm(runs.Swing, Within) / held)}, the quadratic {Percent(1 - predicted / held)}; "
+                : $"adaptive removes {Percent(1 - runs.Standard[1].RmsMm(IsWithin) / held)}, the quadratic {Percent(1 - predicted / held)}; "
                 + $"its median effective latency is {Text(Median(table, 7))} ms.",
             Conditions = "The first 1500 ms of Fig. 16. A point lies at the latency e/v that its error e and its velocity v stand for; "
                 + "points slower than 5 % of the greatest velocity are left out.",
             Table = table,
             Plots = [PlotOf(table)],
-            Summary = Figure16.Reductions(runs, Within, "Tool error for t < 1500 ms, all runs"),
+            Summary = Figure16.Reductions(runs, IsWithin, "Tool error for t < 1500 ms, all runs"),
         };
     }
 
@@ -51,21 +50,22 @@ static class Figure18
         var table = new FigureTable([new FigureColumn("time", "ms"), new FigureColumn("speed", "mm/s"),
             new FigureColumn("hold error", "mm"), new FigureColumn("hold latency", "ms"),
             .. SwingRuns.Predicted.SelectMany(name => new[] { new FigureColumn($"{name} error", "mm"), new FigureColumn($"{name} latency", "ms") })]);
-        var fastest = swing.ToolSpeedAt(YoubotSwing.Start + swing.MoveSeconds / 2);
         for (var i = 0; i < shown.Length; i++)
         {
             var (t, speed) = (shown[i].Time, swing.ToolSpeedAt(shown[i].Time));
-            if (t < YoubotSwing.Start || t >= YoubotSwing.Start + Length || speed < SlowestShare * fastest) continue;
+            if (!IsWithin(t) || speed < SlowestShare * swing.FullSpeed) continue;
             double?[] Both(double shownAngle, StudyFrame frame)
             {
                 var gap = swing.GapMm(shownAngle, frame.Truth);
                 return [gap, 1000 * gap / speed];
             }
-            table.Add([1000 * (t - YoubotSwing.Start), speed, .. Both(shown[i].Held, shown[i]),
+            table.Add([1000 * t, speed, .. Both(shown[i].Held, shown[i]),
                 .. runs.Standard.SelectMany(s => Both(s.Shown[i].Predicted, s.Shown[i]))]);
         }
         return table;
     }
+
+    static bool IsWithin(double t) => t >= 0 && t < Length;
 
     static double Median(FigureTable table, int column) => Quantile.Of(table.Rows.Select(row => row[column].Value), 0.5);
 

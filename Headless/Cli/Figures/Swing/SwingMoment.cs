@@ -9,13 +9,13 @@ sealed record SwingMoment(string Name, string Words, int Index)
     /// <summary>A where full speed is reached, B half-way, C where half of the speed is left.</summary>
     public static IReadOnlyList<SwingMoment> Of(YoubotSwing swing, IReadOnlyList<StudyFrame> frames)
     {
-        var full = swing.ToolSpeedAt(YoubotSwing.Start + swing.MoveSeconds / 2);
-        var move = Enumerable.Range(0, frames.Count).Where(i => frames[i].Time < YoubotSwing.Start + swing.MoveSeconds).ToArray();
+        var full = swing.FullSpeed;
+        var move = Enumerable.Range(0, frames.Count).Where(i => frames[i].Time >= 0 && frames[i].Time < swing.MoveSeconds).ToArray();
         int First(Func<double, bool> when) => move.First(i => when(frames[i].Time));
         return
         [
             new("A", "full speed is reached", First(t => swing.ToolSpeedAt(t) >= 0.999 * full)),
-            new("B", "half-way", First(t => t >= YoubotSwing.Start + swing.MoveSeconds / 2)),
+            new("B", "half-way", First(t => t >= swing.MoveSeconds / 2)),
             new("C", "half of the speed is left", move.Last(i => swing.ToolSpeedAt(frames[i].Time) >= full / 2)),
         ];
     }

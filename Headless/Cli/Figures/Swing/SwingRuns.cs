@@ -2,37 +2,42 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>The swing under both scenarios by every predictor of interest.</summary>
+/// <summary>The swing under each scenario by every predictor of interest.</summary>
 sealed class SwingRuns
 {
-    static readonly SwingScenario[] Scenarios = [SwingScenario.Standard, SwingScenario.Realisation];
+    /// <summary>Frames shown before the swing starts, s.</summary>
+    const double Before = 0.2;
 
-    readonly StudyFrame[,][][] _frames;
+    static readonly SwingScenario[] Scenarios = [SwingScenario.Standard, SwingScenario.Realisation, SwingScenario.Cold];
 
-    public SwingRuns(FigureSettings settings)
-    {
-        _frames = new StudyFrame[Scenarios.Length, Predicted.Count][][];
-        Work = [.. from s in Enumerable.Range(0, Scenarios.Length) from p in Enumerable.Range(0, Predicted.Count)
-            select (Action)(() => _frames[s, p] = Play(Scenarios[s].Study(settings), Predicted[p]))];
-    }
+    readonly SwingFrames[,] _frames = new SwingFrames[Scenarios.Length, Predicted.Count];
+
+    public SwingRuns(FigureSettings settings) => Work = [.. from s in Enumerable.Range(0, Scenarios.Length)
+        from p in Enumerable.Range(0, Predicted.Count)
+        select (Action)(() => _frames[s, p] = Play(Scenarios[s], settings.Study, Predicted[p]))];
 
     /// <summary>The paper's predictor first, then ours.</summary>
     public static IReadOnlyList<string> Predicted { get; } = ["quadratic", .. FigureSettings.OurPredictors];
 
-    public YoubotSwing Swing { get; } = new();
+    public YoubotSwing Swing { get; } = new(isCold: false);
 
     public IReadOnlyList<Action> Work { get; }
 
     /// <summary>Under the conditions of all figures, by predictor.</summary>
-    public IReadOnlyList<SwingFrames> Standard => Of(0);
+    public IReadOnlyList<SwingFrames> Standard => [.. Predicted.Select((_, p) => _frames[0, p])];
 
     /// <summary>Under the conditions of the paper's realisation, by predictor.</summary>
-    public IReadOnlyList<SwingFrames> Realisation => Of(1);
+    public IReadOnlyList<SwingFrames> Realisation => [.. Predicted.Select((_, p) => _frames[1, p])];
 
-    SwingFrames[] Of(int scenario) => [.. Predicted.Select((name, p) => new SwingFrames(name, _frames[scenario, p]))];
+    /// <summary>By scenario, then by predictor.</summary>
+    public IEnumerable<SwingFrames> All => _frames.Cast<SwingFrames>();
 
-    StudyFrame[][] Play(StudySettings study, string predictor) => [.. Enumerable.Range(0, study.Phases)
-        .Select(phase => PredictionStudy.Frames(Swing.Motion, study, FigureSettings.Predictor(predictor), phase)
-            // Before the first sample there is nothing to show.
-            .SkipWhile(frame => frame.NewestSample < 0).ToArray())];
+    SwingFrames Play(SwingScenario scenario, StudySettings study, string predictor)
+    {
+        var swing = scenario.IsCold ? new YoubotSwing(isCold: true) : Swing;
+        var conditions = scenario.With(study) with { WarmUp = swing.Start - Before };
+        return new SwingFrames(predictor, scenario, swing, [.. Enumerable.Range(0, study.Phases).Select(phase => PredictionStudy
+            .Frames(swing.Motion, conditions, FigureSettings.Predictor(predictor), phase)
+            .Select(frame => frame with { Time = frame.Time - swing.Start }).ToArray())]);
+    }
 }

@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Cli.Figures;
 /// <summary>The verb end to end, with as little work as there can be: time decides nothing here.</summary>
 public partial class FiguresVerbTests
 {
-    static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4 };
+    static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4, RandomSeconds = 4 };
 
     string _folder;
 

@@ -22,11 +22,19 @@ public class SwingFigureTests
     public void Swing_Speed_IsTheDerivativeOfTheWay()
     {
         var swing = s_runs.Swing;
-        foreach (var t in new[] { 0.65, 0.8, 1.2, 1.7, 1.95 })
+        foreach (var t in new[] { 0.05, 0.2, 0.6, 1.1, 1.35 })
         {
-            var slope = (swing.WayMm(swing.Motion.At(t + 1e-4)) - swing.WayMm(swing.Motion.At(t - 1e-4))) / 2e-4;
+            var slope = (swing.WayMm(swing.Motion.At(swing.Start + t + 1e-4)) - swing.WayMm(swing.Motion.At(swing.Start + t - 1e-4))) / 2e-4;
             Assert.That(swing.ToolSpeedAt(t), Is.EqualTo(slope).Within(0.1), $"at {t} s");
         }
+    }
+
+    [Test]
+    public void Swing_Moves_FollowEachOtherWithoutAJump([Values] bool isCold)
+    {
+        var motion = new YoubotSwing(isCold).Motion;
+        for (var t = 0.0; t < motion.Seconds; t += 0.001)
+            Assert.That(Math.Abs(motion.At(t + 0.001) - motion.At(t)), Is.LessThan(0.0015), $"at {t} s");
     }
 
     [Test]
@@ -47,7 +55,7 @@ public class SwingFigureTests
     {
         var quadratic = s_runs.Realisation[0];
 
-        var left = quadratic.RmsMm(s_runs.Swing, _ => true) / quadratic.HoldRmsMm(s_runs.Swing, _ => true);
+        var left = quadratic.RmsMm(_ => true) / quadratic.HoldRmsMm(_ => true);
 
         Assert.That(1 - left, Is.InRange(0.75, 0.85), $"seed {Settings.Seed}");
     }
