@@ -52,6 +52,7 @@ static class DemoReport
 
     static string[][] Facts(DemoResult r) =>
     [
+        ["Reduction as the headset measured it", $"{Number(100 * r.Hindcast.Reduction)} ± {Number(100 * r.Hindcast.ReductionUncertainty)} %"],
         ["Application latency, median and P95", $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
         ["Error of the moment of light, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
         ["Clock offset error, median and P95", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],

@@ -3,7 +3,8 @@ namespace Nowpose.Cli.Demo;
 /// <summary>What a demo run measured, in the words of result.json. Null stands for "nothing was measured".</summary>
 sealed record DemoResult(
     double Seconds, int Frames, long Samples, long Dropped, string Network,
-    DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame)
+    DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame,
+    DemoResult.Hindcasts Hindcast)
 {
     /// <summary>Milliseconds; <see cref="Visu"/> is the simulated headset's true one.</summary>
     public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
@@ -14,6 +15,9 @@ sealed record DemoResult(
     public sealed record ToolErrors(
         double? HoldRms, double? HoldMax, double? Rms, double? P95, double? Max,
         double? Reduction, double? ReductionFirstCycle, double? ReductionRepeated);
+
+    /// <summary>What the runtime itself measured, without the truth; its uncertainty is half of the 95 % confidence interval.</summary>
+    public sealed record Hindcasts(double? Reduction, double? ReductionUncertainty, double? RmsMm, double? HoldRmsMm);
 
     public sealed record FrameCost(double? CpuUsP50, double? CpuUsP99, double? AllocatedBytesPerFrame);
 }

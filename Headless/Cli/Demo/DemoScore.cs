@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Demo;
 sealed class DemoScore
 {
     /// <summary>Frames before it are not scored even if the clock converged: buffers fill and code is compiled.</summary>
-    static readonly TimeSpan WarmUp = TimeSpan.FromSeconds(3);
+    public static readonly TimeSpan WarmUp = TimeSpan.FromSeconds(3);
 
     readonly DemoRun _run;
     readonly TimeSpan? _converged;
@@ -29,7 +29,7 @@ sealed class DemoScore
         var statistics = _run.Statistics;
         return new DemoResult(
             Round(_run.Frames.Rows.Count / (double)DemoFrameLoop.FramesPerSecond), _run.Frames.Rows.Count, statistics.Samples, statistics.Dropped,
-            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame());
+            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast());
     }
 
     TimeSpan? FirstSynchronised()
@@ -90,6 +90,12 @@ sealed class DemoScore
         return new DemoResult.FrameCost(
             Percentile(warm.Select(row => row.CpuUs), 0.5), Percentile(warm.Select(row => row.CpuUs), 0.99),
             warm.Count == 0 ? null : warm.Average(row => (double)row.AllocatedBytes));
+    }
+
+    DemoResult.Hindcasts Hindcast()
+    {
+        var error = _run.Statistics.ToolErrorOfRun;
+        return new DemoResult.Hindcasts(error?.Reduction, error?.ReductionUncertainty, error?.Rms, error?.HoldRms);
     }
 
     static double? Reduction(IEnumerable<DemoError> errors)

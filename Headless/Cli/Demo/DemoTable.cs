@@ -34,6 +34,8 @@ static class DemoTable
     {
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
+        var hindcast = result.Hindcast;
+        Row("as the headset measured it", $"{Percent(hindcast.Reduction)} ± {Percent(hindcast.ReductionUncertainty)}, {Mm(hindcast.HoldRmsMm)} to {Mm(hindcast.RmsMm)} RMS");
         Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
         Row("visualisation latency", Ms(result.LatencyMs.Visu));
         Row("error of the moment of light", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");

@@ -28,6 +28,8 @@ public class DemoVerbTests
         Assert.That(result.GetProperty("tool_error_mm").GetProperty("hold_rms").GetDouble(), Is.GreaterThan(5));
         Assert.That(result.GetProperty("latency_ms").GetProperty("total_error_p95").GetDouble(), Is.LessThan(6));
         Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.InRange(60, 130));
+        var hindcast = result.GetProperty("hindcast").GetProperty("reduction").GetDouble();
+        Assert.That(hindcast, Is.EqualTo(result.GetProperty("tool_error_mm").GetProperty("reduction").GetDouble()).Within(0.03), "measured without the truth");
         Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(600));
         Assert.That(result.GetProperty("network").GetString(), Is.EqualTo("wifi"));
         Assert.That(File.ReadAllText(Path.Combine(_folder, "report.html")), Does.Contain("Nowpose demo: youbot"));
@@ -42,7 +44,7 @@ public class DemoVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         var result = Result();
-        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame"));
+        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast"));
         Assert.That(Names(result.GetProperty("latency_ms")), Is.EqualTo("app_p50 app_p95 visu total_error_p95"));
         Assert.That(
             Names(result.GetProperty("clock")),
@@ -51,6 +53,7 @@ public class DemoVerbTests
             Names(result.GetProperty("tool_error_mm")),
             Is.EqualTo("hold_rms hold_max rms p95 max reduction reduction_first_cycle reduction_repeated"));
         Assert.That(Names(result.GetProperty("frame")), Is.EqualTo("cpu_us_p50 cpu_us_p99 allocated_bytes_per_frame"));
+        Assert.That(Names(result.GetProperty("hindcast")), Is.EqualTo("reduction reduction_uncertainty rms_mm hold_rms_mm"));
         var repeated = result.GetProperty("tool_error_mm").GetProperty("reduction_repeated");
         Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "no third cycle in six seconds");
         await AssertReplayable();

@@ -21,6 +21,8 @@ namespace Nowpose.Session
         /// <summary>So many messages may wait for the next frame; beyond, the oldest go. Ten seconds at 100 Hz.</summary>
         const int QueueLength = 1000;
 
+        const double MillimetresPerMetre = 1000;
+
         readonly SessionSettings _settings;
         readonly IHeadsetClock _clock;
         readonly Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> _newLink;
@@ -158,7 +160,7 @@ namespace Nowpose.Session
                 while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
                 var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;
                 _frame.Update(start, light, IsTrusted(clock), _monitor.State);
-                _hindcast.Shown(_frame);
+                _hindcast.Shown(_frame, clock.ErrorBound);
                 Ticked?.Invoke(_frame);
                 return _frame;
             }
@@ -200,6 +202,12 @@ namespace Nowpose.Session
 
         /// <summary>A message that never came so far as to be queued. Any thread.</summary>
         public void Dropped(DropReason reason) => Drops.Count(reason);
+
+        /// <summary>Begins a new run for <see cref="SessionStatistics.ToolErrorOfRun"/>, with the next frame. Any thread.</summary>
+        public void RestartErrorRun()
+        {
+            lock (_gate) _hindcast.RestartRun();
+        }
 
         /// <summary>A snapshot for panels and reports; allocates. Any thread.</summary>
         /// <param name="now">Headset time for the clock's offset and bound.</param>
@@ -263,9 +271,10 @@ namespace Nowpose.Session
 
         void FillError(SessionStatistics into)
         {
-            into.ErrorMm = _hindcast.ErrorMm;
-            into.HoldErrorMm = _hindcast.HoldErrorMm;
-            into.ErrorReduction = _hindcast.Reduction;
+            into.ToolError = _hindcast.Tool?.Times(MillimetresPerMetre);
+            into.ToolErrorOfRun = _hindcast.ToolOfRun?.Times(MillimetresPerMetre);
+            var joints = into.PlacesForJointErrors(_hindcast.JointCount);
+            for (var i = 0; i < joints.Length; i++) joints[i] = _hindcast.JointAt(i);
         }
 
         // Stamps from before a step belong to another time line, and stamps from before the first exchange were never

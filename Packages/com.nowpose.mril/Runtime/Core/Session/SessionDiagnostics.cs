@@ -36,10 +36,31 @@ namespace Nowpose.Session
             AddNumber("error_mm_hold", statistics.HoldErrorMm);
             AddNumber("error_mm", statistics.ErrorMm);
             AddNumber("reduction", statistics.ErrorReduction);
+            AddErrors(statistics, (key, value) => { if (value.HasValue) Add(key, Fine(value.Value)); });
             Add("samples", statistics.Samples.ToString(CultureInfo.InvariantCulture));
             Add("dropped", statistics.Dropped.ToString(CultureInfo.InvariantCulture));
             return new DiagnosticsMessage(now, headsetName, values);
         }
+
+        static void AddErrors(SessionStatistics statistics, Action<string, double?> add)
+        {
+            var tool = statistics.ToolError;
+            add("error_mm_p95", tool?.P95);
+            add("error_mm_hold_p95", tool?.HoldP95);
+            add("error_mm_truth", tool?.TruthUncertainty);
+            add("error_mm_clock", tool?.ClockUncertainty);
+            add("reduction_uncertainty", tool?.ReductionUncertainty);
+            foreach (var joint in statistics.JointErrors)
+            {
+                add("error/" + joint.Joint, joint.Error?.Rms);
+                add("error_p95/" + joint.Joint, joint.Error?.P95);
+                add("error_hold/" + joint.Joint, joint.Error?.HoldRms);
+                add("reduction/" + joint.Joint, joint.Error?.Reduction);
+            }
+        }
+
+        // Radians, metres and parts of one.
+        static string Fine(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 
         static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
     }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Nowpose.Latency;
 using Nowpose.Network;
 
@@ -7,6 +8,8 @@ namespace Nowpose.Session
     /// <summary>How a session does, at one moment. Null stands for "not known yet"; <see cref="CompensationSession.Fill"/> overwrites it all.</summary>
     public sealed class SessionStatistics
     {
+        JointError[] _jointErrors = Array.Empty<JointError>();
+
         public ClockModel Clock { get; internal set; }
 
         /// <summary>Φ at the moment of the snapshot.</summary>
@@ -45,19 +48,25 @@ namespace Nowpose.Session
         public RangeDoubt RangeDoubt { get; internal set; }
 
         /// <summary>
-        /// RMS distance of the displayed tool from where the samples that came later say it was, over the newest ten seconds,
-        /// mm. What those samples cannot see is not in it: an error of the clock's offset or of the visualisation latency.
+        /// Distance of the displayed tool from where the samples that came later say it was, over the newest ten seconds, mm. What
+        /// those samples cannot see is not in it: an error of the clock's offset or of the visualisation latency.
         /// </summary>
-        public double? ErrorMm { get; internal set; }
+        public DisplayedError? ToolError { get; internal set; }
 
-        /// <summary>The same distance for a headset without compensation, that shows the newest sample; mm.</summary>
-        public double? HoldErrorMm { get; internal set; }
+        /// <summary>The same since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm.</summary>
+        public DisplayedError? ToolErrorOfRun { get; internal set; }
 
-        /// <summary>
-        /// 1 − <see cref="ErrorMm"/> ÷ <see cref="HoldErrorMm"/>: 0.8 when a fifth of the error is left, negative when it has
-        /// grown. Null also while the robot rests, for then there is no error to reduce.
-        /// </summary>
-        public double? ErrorReduction { get; internal set; }
+        /// <summary>The joints that the tool hangs on, from the base on, over the newest ten seconds; rad or m.</summary>
+        public IReadOnlyList<JointError> JointErrors => _jointErrors;
+
+        /// <summary>RMS of <see cref="ToolError"/>, mm.</summary>
+        public double? ErrorMm => ToolError?.Rms;
+
+        /// <summary>RMS for a headset without compensation, that shows the newest sample; mm.</summary>
+        public double? HoldErrorMm => ToolError?.HoldRms;
+
+        /// <summary>Reduction of <see cref="ToolError"/>; null also while the robot rests.</summary>
+        public double? ErrorReduction => ToolError?.Reduction;
 
         public PoseState Pose { get; internal set; }
         public RobotDescriptionMatch RobotDescriptionMatch { get; internal set; }
@@ -71,5 +80,11 @@ namespace Nowpose.Session
         public LinkStatus SyncLink { get; internal set; } = LinkStatus.Idle;
         public LinkStatus SampleLink { get; internal set; } = LinkStatus.Idle;
         public TransportSecurity Security { get; internal set; }
+
+        internal JointError[] PlacesForJointErrors(int count)
+        {
+            if (_jointErrors.Length != count) _jointErrors = new JointError[count];
+            return _jointErrors;
+        }
     }
 }

@@ -10,6 +10,7 @@ namespace Nowpose.Unity
         Horizon,
         RenderTime,
         Range,
+        Reduction,
         Error,
         Connection,
         Robot,

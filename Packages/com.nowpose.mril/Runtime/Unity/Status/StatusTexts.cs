@@ -17,7 +17,7 @@ namespace Nowpose.Unity
 
         static readonly string[] Labels =
         {
-            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Gateway", "Robot", "",
+            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Error left", "Gateway", "Robot", "",
         };
 
         static readonly string[] Poses = WordsOfPoses();
@@ -26,7 +26,9 @@ namespace Nowpose.Unity
         static readonly NumberTexts Bounds = new NumberTexts("± ", " ms", (2, 1, 0));
         static readonly NumberTexts Percentiles = new NumberTexts("95 % below ", " ms", (0, 0, 0));
         static readonly NumberTexts Percents = new NumberTexts("", " %", (0, 0, 0));
-        static readonly NumberTexts Rests = new NumberTexts("", " mm left", (1, 1, 0));
+        static readonly NumberTexts PercentBounds = new NumberTexts("± ", " %", (0, 0, 0));
+        static readonly NumberTexts Millimetres = new NumberTexts("", " mm", (1, 1, 0));
+        static readonly NumberTexts MillimetrePercentiles = new NumberTexts("95 % below ", " mm", (1, 1, 0));
 
         readonly string[] _values = new string[Rows];
         readonly string[] _notes = new string[Rows];
@@ -74,7 +76,14 @@ namespace Nowpose.Unity
             Set(StatusRow.VisualisationLatency, Milliseconds.Of(statistics.VisualisationLatency), "as set");
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), DoubtOf(statistics.RangeDoubt));
-            Set(StatusRow.Error, Percents.Of(statistics.ErrorReduction * 100), statistics.ErrorMm.HasValue ? Rests.Of(statistics.ErrorMm) : "");
+            UpdateError(statistics.ToolError);
+        }
+
+        void UpdateError(DisplayedError? error)
+        {
+            var uncertainty = error?.ReductionUncertainty;
+            Set(StatusRow.Reduction, Percents.Of(error?.Reduction * 100), uncertainty.HasValue ? PercentBounds.Of(uncertainty * 100) : "");
+            Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : "");
         }
 
         // Reading an address costs garbage.

@@ -57,6 +57,7 @@ namespace Nowpose.Prediction.Stacking
         double[] _weights;
         int _connected;
         double _horizon;
+        double _asked;
         double _interval;
         double _greatestSquare;
         double _start;
@@ -89,7 +90,9 @@ namespace Nowpose.Prediction.Stacking
         {
             if (_history.Count == 0) return default;
             var ahead = time - _history.NewestTime;
-            _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
+            // Whoever asks once more about a moment that was shown shows nothing new.
+            if (time > _asked) _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
+            _asked = time;
             var kind = _connected < 2 || ahead > _limits.HorizonCap ? PredictionKind.Held
                 : ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var position = Hold + ForecastGrid.Read(_table, 0, Math.Min(ahead, _limits.HorizonCap));
@@ -109,6 +112,7 @@ namespace Nowpose.Prediction.Stacking
             Array.Clear(_table, 0, _table.Length);
             _weights = _prior;
             _horizon = FirstHorizon;
+            _asked = double.NegativeInfinity;
             _interval = FirstInterval;
             _greatestSquare = 1e-12;
             _start = 0;

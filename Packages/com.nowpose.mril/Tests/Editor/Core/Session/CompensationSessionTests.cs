@@ -79,9 +79,11 @@ namespace Nowpose.Tests
 
             var fresh = new SessionStatistics();
             Assert.That(known, Is.Not.Null);
-            foreach (var property in typeof(SessionStatistics).GetProperties().Where(p => p.Name != "VisualisationLatency" && p.Name != "RangeDoubt"))
+            var others = new[] { "VisualisationLatency", "RangeDoubt", "JointErrors" };
+            foreach (var property in typeof(SessionStatistics).GetProperties().Where(p => !others.Contains(p.Name)))
                 Assert.That(property.GetValue(statistics), Is.EqualTo(property.GetValue(fresh)), property.Name);
             Assert.That(statistics.RangeDoubt, Is.EqualTo(RangeDoubt.NoLimit));
+            Assert.That(statistics.JointErrors.Select(j => j.Error), Is.All.Null);
         }
 
         [Test]

@@ -56,6 +56,7 @@ namespace Nowpose.Tests
             Assert.That(Row(StatusRow.ApplicationLatency), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Horizon), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.RenderTime), Is.EqualTo("–|nothing measures"));
+            Assert.That(Row(StatusRow.Reduction), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Error), Is.EqualTo("–|"));
             Assert.That(Row(StatusRow.Connection), Does.StartWith("not connected|"));
             Assert.That(Row(StatusRow.Robot), Is.EqualTo("–|"));
@@ -115,17 +116,30 @@ namespace Nowpose.Tests
             Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeDoubt", doubt)), Is.EqualTo(expected));
         }
 
-        [TestCase(0.874, 3.24, "87 %|3.2 mm left")]
-        [TestCase(-0.12, 30.0, "−12 %|30.0 mm left")]
-        public void Update_Error_IsTheReductionAndWhatIsLeft(double reduction, double mm, string expected)
+        static DisplayedError Error(double rms, double p95, double? reduction, double? uncertainty) =>
+            new DisplayedError(600, rms, p95, 30, 60, reduction, uncertainty, 0.2, 0.1);
+
+        [TestCase(0.874, 0.021, "87 %|± 2 %")]
+        [TestCase(-0.12, 0.3, "−12 %|± 30 %")]
+        [TestCase(0.874, null, "87 %|")]
+        public void Update_Reduction_HasItsUncertaintyOnceItIsKnown(double reduction, double? uncertainty, string expected)
         {
-            Assert.That(Row(StatusRow.Error, ("ErrorReduction", (double?)reduction), ("ErrorMm", (double?)mm)), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Reduction, ("ToolError", (DisplayedError?)Error(3, 8, reduction, uncertainty))), Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void Update_Error_IsWhatIsLeft()
+        {
+            Assert.That(Row(StatusRow.Error, ("ToolError", (DisplayedError?)Error(3.24, 8.17, 0.9, 0.01))), Is.EqualTo("3.2 mm|95 % below 8.2 mm"));
         }
 
         [Test]
         public void Update_RobotAtRest_HasAnErrorButNoReduction()
         {
-            Assert.That(Row(StatusRow.Error, ("ErrorMm", (double?)0.0)), Is.EqualTo("–|0.0 mm left"));
+            var statistics = Statistics(("ToolError", (DisplayedError?)Error(0, 0, null, null)));
+
+            Assert.That(Row(StatusRow.Reduction, statistics), Is.EqualTo("–|"));
+            Assert.That(Row(StatusRow.Error, statistics), Is.EqualTo("0.0 mm|95 % below 0.0 mm"));
         }
 
         static readonly LinkStatus Failed = LinkStatus.Waiting("clock sync: refused");

@@ -11,52 +11,56 @@ namespace Nowpose.Session
 
         readonly int _jointCount;
         readonly Frame[] _frames = new Frame[Capacity];
-        readonly double[] _truths;
+        readonly JointValues[] _joints;
         int _first, _count;
 
         /// <param name="jointCount">So many joints have to tell the truth about each frame.</param>
         public ShownFrames(int jointCount)
         {
             _jointCount = jointCount;
-            _truths = new double[Capacity * jointCount];
+            _joints = new JointValues[Capacity * jointCount];
         }
 
         /// <param name="displayed">The tool's pose as displayed.</param>
         /// <param name="held">The tool's pose by the newest samples alone.</param>
-        public void Add(ControlTime at, in RigidTransform displayed, in RigidTransform held)
+        /// <param name="clockError">Bound of the clock's error, s.</param>
+        /// <returns>Places for the joints' displayed and held positions.</returns>
+        public Span<JointValues> Add(ControlTime at, in RigidTransform displayed, in RigidTransform held, double clockError)
         {
             if (_count == Capacity) RemoveFirst();
-            _frames[(_first + _count++) % Capacity] = new Frame
+            var index = (_first + _count++) % Capacity;
+            _frames[index] = new Frame
             {
-                At = at, Missing = _jointCount,
+                At = at, Missing = _jointCount, ClockError = clockError,
                 X = displayed.X, Y = displayed.Y, Z = displayed.Z, HeldX = held.X, HeldY = held.Y, HeldZ = held.Z,
             };
+            return _joints.AsSpan(index * _jointCount, _jointCount);
         }
 
-        /// <summary>A joint moved from one sample to the next: the truth about it for the frames between, taken on the straight line.</summary>
+        /// <summary>The truth about a joint for the frames within a span.</summary>
         /// <param name="isKnown">False when the way between the samples is too long to know anything.</param>
-        public void Tell(int joint, ControlTime start, double startPosition, ControlTime end, double endPosition, bool isKnown)
+        public void Tell(int joint, in TruthSpan span, bool isKnown)
         {
-            var length = (double)(end - start).Ticks;
             for (var i = 0; i < _count; i++)
             {
                 var index = (_first + i) % Capacity;
                 ref var frame = ref _frames[index];
-                if (frame.At <= start || frame.At > end) continue;
+                if (frame.At <= span.Start || frame.At > span.End) continue;
                 frame.IsLost |= !isKnown;
                 frame.Missing--;
-                _truths[index * _jointCount + joint] = startPosition + (endPosition - startPosition) * ((frame.At - start).Ticks / length);
+                ref var values = ref _joints[index * _jointCount + joint];
+                values.Truth = span.At(frame.At, out values.Doubt);
             }
         }
 
         /// <summary>The oldest frame that waits, if all joints have told the truth about it; it waits no longer.</summary>
-        /// <param name="truth">One position per joint.</param>
-        public bool TryTakeFirst(out Frame frame, Span<double> truth)
+        /// <param name="joints">As long as there are joints.</param>
+        public bool TryTakeFirst(out Frame frame, Span<JointValues> joints)
         {
             while (_count > 0 && _frames[_first].Missing == 0)
             {
                 frame = _frames[_first];
-                _truths.AsSpan(_first * _jointCount, _jointCount).CopyTo(truth);
+                _joints.AsSpan(_first * _jointCount, _jointCount).CopyTo(joints);
                 RemoveFirst();
                 if (!frame.IsLost) return true;
             }
@@ -77,7 +81,13 @@ namespace Nowpose.Session
             public ControlTime At;
             public int Missing;
             public bool IsLost;
+            public double ClockError;
             public double X, Y, Z, HeldX, HeldY, HeldZ;
+        }
+
+        public struct JointValues
+        {
+            public double Displayed, Held, Truth, Doubt;
         }
     }
 }

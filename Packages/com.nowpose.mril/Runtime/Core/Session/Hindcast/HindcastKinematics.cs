@@ -1,0 +1,46 @@
+using System;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Session
+{
+    /// <summary>Where the tool is by joints that a frame did not show. Allocates nothing once made.</summary>
+    sealed class HindcastKinematics
+    {
+        readonly RobotModel _robot;
+        readonly ForwardKinematics _kinematics;
+        readonly int _toolLink;
+        readonly int[] _joints;
+        readonly bool[] _given;
+        readonly double[] _positions;
+        readonly RigidTransform[] _linkPoses;
+
+        /// <param name="joints">Indices of the joints whose truth will be told.</param>
+        public HindcastKinematics(RobotModel robot, int[] joints)
+        {
+            _robot = robot;
+            _kinematics = new ForwardKinematics(robot);
+            _toolLink = robot.IndexOfLink(robot.ToolLink.Name);
+            _joints = joints;
+            _given = new bool[robot.MovingJoints.Count];
+            for (var i = 0; i < _given.Length; i++) _given[i] = robot.MovingJoints[i].Mimic == null;
+            _positions = new double[robot.MovingJoints.Count];
+            _linkPoses = new RigidTransform[robot.Links.Count];
+        }
+
+        /// <param name="positions">Of all moving joints.</param>
+        public RigidTransform ToolOf(ReadOnlySpan<double> positions)
+        {
+            _kinematics.Compute(positions, _linkPoses);
+            return _linkPoses[_toolLink];
+        }
+
+        /// <summary>By the truth about each joint.</summary>
+        /// <param name="isDoubted">With what each may be off.</param>
+        public RigidTransform ToolOf(ReadOnlySpan<ShownFrames.JointValues> truth, bool isDoubted)
+        {
+            for (var i = 0; i < _joints.Length; i++) _positions[_joints[i]] = truth[i].Truth + (isDoubted ? truth[i].Doubt : 0);
+            _robot.CompleteMimics(_positions, _given);
+            return ToolOf(_positions);
+        }
+    }
+}

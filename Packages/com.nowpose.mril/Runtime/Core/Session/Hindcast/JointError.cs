@@ -1,0 +1,18 @@
+namespace Nowpose.Session
+{
+    /// <summary>The error of one joint between base and tool.</summary>
+    public readonly struct JointError
+    {
+        internal JointError(string joint, DisplayedError? error)
+        {
+            Joint = joint;
+            Error = error;
+        }
+
+        /// <summary>Its name in the URDF.</summary>
+        public string Joint { get; }
+
+        /// <summary>In rad, or m for a prismatic joint; null while unknown.</summary>
+        public DisplayedError? Error { get; }
+    }
+}

@@ -1,0 +1,17 @@
+namespace Nowpose.Session
+{
+    /// <summary>Where a joint was; <c>default</c> is "not known".</summary>
+    readonly struct TruthSample
+    {
+        public TruthSample(ControlTime at, double position)
+        {
+            IsKnown = true;
+            At = at;
+            Position = position;
+        }
+
+        public bool IsKnown { get; }
+        public ControlTime At { get; }
+        public double Position { get; }
+    }
+}

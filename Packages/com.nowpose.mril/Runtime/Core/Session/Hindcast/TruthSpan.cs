@@ -1,0 +1,46 @@
+namespace Nowpose.Session
+{
+    /// <summary>The way of a joint between two neighbouring samples: the cubic through them, the one before and the one after.</summary>
+    readonly struct TruthSpan
+    {
+        readonly double _length, _before;
+        readonly double _startPosition, _secant, _bend, _twist, _doubt;
+
+        /// <param name="before">The sample before the span's; one that is not known leaves a parabola.</param>
+        /// <param name="start">With which the span begins.</param>
+        /// <param name="end">With which it ends, later.</param>
+        /// <param name="after">The one after it; as <paramref name="before"/>, and without both a straight line is left.</param>
+        public TruthSpan(in TruthSample before, in TruthSample start, in TruthSample end, in TruthSample after)
+        {
+            Start = start.At;
+            End = end.At;
+            _length = ClockTicks.Seconds(end.At - start.At);
+            _before = before.IsKnown ? ClockTicks.Seconds(before.At - start.At) : 0;
+            var afterTime = after.IsKnown ? ClockTicks.Seconds(after.At - start.At) : 0;
+            _startPosition = start.Position;
+            _secant = (end.Position - start.Position) / _length;
+            // Newton's divided differences.
+            var left = before.IsKnown ? (_secant - (before.Position - start.Position) / _before) / (_length - _before) : 0;
+            var right = after.IsKnown ? ((after.Position - end.Position) / (afterTime - _length) - _secant) / afterTime : 0;
+            _bend = before.IsKnown ? left : right;
+            _twist = before.IsKnown && after.IsKnown ? (right - left) / (afterTime - _before) : 0;
+            _doubt = before.IsKnown && after.IsKnown ? 0.5 * (right - left) : _bend;
+        }
+
+        public ControlTime Start { get; }
+        public ControlTime End { get; }
+
+        /// <summary>Position at a time of the span.</summary>
+        /// <param name="doubt">
+        /// Half of how far the parabolas through the span and either neighbour lie apart: about what the cubic errs by where the
+        /// motion has a kink, and more than that where it is smooth.
+        /// </param>
+        public double At(ControlTime time, out double doubt)
+        {
+            var x = ClockTicks.Seconds(time - Start);
+            var inside = x * (x - _length);
+            doubt = _doubt * inside;
+            return _startPosition + _secant * x + (_bend + _twist * (x - _before)) * inside;
+        }
+    }
+}
