@@ -6,6 +6,9 @@ namespace Nowpose.Cli.Figures;
 /// <summary>How much is computed; what is computed is the same.</summary>
 sealed record FigureSettings
 {
+    /// <summary>The predictors that the paper does not have. Before the settings below, which are made with it.</summary>
+    public static IReadOnlyList<string> OurPredictors { get; } = ["adaptive"];
+
     public static readonly FigureSettings Full = new() { Phases = 32, ClockRuns = 32, ClockSeconds = 300 };
 
     public static readonly FigureSettings Quick = new() { Phases = 8, ClockRuns = 8 };
@@ -26,9 +29,6 @@ sealed record FigureSettings
     public double RandomSeconds { get; init; } = 30;
 
     public int Seed { get; init; } = 1;
-
-    /// <summary>The predictors that the paper does not have.</summary>
-    public static IReadOnlyList<string> OurPredictors { get; } = ["adaptive"];
 
     /// <summary>Those of <see cref="OurPredictors"/> that are put beside the paper's in the sweeps.</summary>
     public IReadOnlyList<string> Ours { get; init; } = OurPredictors;

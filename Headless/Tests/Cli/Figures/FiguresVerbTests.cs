@@ -95,6 +95,17 @@ public partial class FiguresVerbTests
     }
 
     [Test]
+    public void Studies_OfTheVerb_CoverEachFigureWithOurPredictors()
+    {
+        foreach (var settings in new[] { FigureSettings.Full, FigureSettings.Quick })
+        {
+            Assert.That(settings.Ours, Is.EqualTo(new[] { "adaptive" }));
+            Assert.That(settings.Phases, Is.GreaterThanOrEqualTo(8));
+            Assert.That(new FigureRun(FigureSet.Studies(settings)).Total, Is.GreaterThan(300));
+        }
+    }
+
+    [Test]
     public async Task Figures_Help_NamesItsOptions()
     {
         var run = await CliRun.OfAsync("figures", "--help");
