@@ -27,5 +27,7 @@ public class Application
         set => Host.RunInBackground = value;
     }
 
+    public static string persistentDataPath => Host.PersistentDataPath;
+
     static Host Host => World.Current.Host;
 }

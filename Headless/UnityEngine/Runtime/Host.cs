@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 
 namespace UnityEngine;
 
@@ -11,6 +12,9 @@ sealed class Host
 
     internal bool RunInBackground { get; set; } = true;
     internal bool Focused { get; set; } = true;
+
+    /// <summary>Where the application may keep files; nobody makes it before something is kept.</summary>
+    internal string PersistentDataPath { get; } = Path.Combine(Path.GetTempPath(), "Nowpose Player");
 
     internal int SubscriberCount => Count(LogReceived);
 

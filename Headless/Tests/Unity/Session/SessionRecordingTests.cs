@@ -1,0 +1,178 @@
+using Nowpose.Cli.Replay;
+using Nowpose.Gateway.Robots;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Headless.Tests.Unity.Session;
+
+public sealed class SessionRecordingTests
+{
+    PlayedCell _cell;
+    MrilSession _session;
+    SessionRecording _recording;
+    string _folder;
+
+    [SetUp]
+    public void SetUp()
+    {
+        _folder = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+        _cell = new PlayedCell();
+    }
+
+    [TearDown]
+    public async Task TearDown()
+    {
+        _cell.Dispose();
+        await Written();
+        if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
+    }
+
+    void Play(string robot = "youbot", bool recordOnEnable = true, double megabytes = 500)
+    {
+        _session = _cell.NewSession(robot);
+        _recording = _session.gameObject.AddComponent<SessionRecording>()
+            .With("_folder", _folder).With("_recordOnEnable", recordOnEnable).With("_maximumMegabytes", megabytes);
+        _session.gameObject.SetActive(true);
+    }
+
+    string[] Files => Directory.Exists(_folder) ? [.. Directory.GetFiles(_folder).Order()] : [];
+
+    // The files are closed by threads that no frame waits for.
+    Task Written() => Soon.BecomesAsync(() => Files.All(IsClosed), "the files are closed");
+
+    static bool IsClosed(string file)
+    {
+        var lines = File.ReadAllLines(file);
+        return lines.Length > 0 && lines[^1].Contains("\"end\"", StringComparison.Ordinal);
+    }
+
+    [Test]
+    public async Task Enabled_WhileItPlays_WritesWhatIsReplayed()
+    {
+        var frames = 0;
+        Play();
+        _cell.Run(3, _session, () => frames++);
+        Assert.That(_recording.IsRecording);
+
+        _recording.StopRecording();
+        await Written();
+
+        Assert.That(_recording.IsRecording, Is.False);
+        Assert.That(Files, Is.EqualTo(new[] { _recording.Path }));
+        Assert.That(System.IO.Path.GetFileName(_recording.Path), Does.Match(@"^nowpose-\d{8}T\d{9}Z\.jsonl$"));
+        var session = RecordedSession.Read(_recording.Path);
+        Assert.That(session.Frames, Is.EqualTo(frames));
+        var result = new SessionReplay(_recording.Path, session, new SessionTruth(session), new ReplaySettings()).Run();
+        Assert.That(result.Frames, Is.GreaterThan(100));
+    }
+
+    [Test]
+    public void Frames_WhileRecording_AllocateNothing()
+    {
+        Play();
+        _cell.Run(3, _session);
+        _recording.enabled = false;
+        _cell.Run(1, _session);
+        _cell.Allocated = 0;
+        _cell.Run(3, _session);
+        var without = _cell.Allocated;
+
+        _recording.enabled = true;
+        _cell.Run(1, _session);
+        _cell.Allocated = 0;
+        _cell.Run(3, _session);
+
+        Assert.That(_recording.IsRecording);
+        Assert.That(_cell.Allocated, Is.EqualTo(without));
+    }
+
+    [Test]
+    public void NotOnEnable_WritesNothingUntilItIsAskedTo()
+    {
+        Play(recordOnEnable: false);
+        _cell.Run(0.5, _session);
+        Assert.That(Files, Is.Empty);
+        Assert.That(_recording.Path, Is.Null);
+
+        _recording.StartRecording();
+        _cell.Run(0.5, _session);
+
+        Assert.That(_recording.IsRecording);
+    }
+
+    [Test]
+    public async Task Pause_OfTheApplication_EndsTheFileAndBeginsAnother()
+    {
+        Play();
+        _cell.Run(1, _session);
+        var first = _recording.Path;
+
+        _cell.Player.Pause(true);
+        _cell.Run(0.1, _session);
+        Assert.That(_recording.IsRecording, Is.False);
+        _cell.Player.Pause(false);
+        _cell.Run(1, _session);
+        _recording.enabled = false;
+        await Written();
+
+        Assert.That(Files, Is.EqualTo(new[] { first, _recording.Path }));
+    }
+
+    [Test]
+    public void Robot_Unknown_IsWaitedFor()
+    {
+        Play(robot: null);
+        _cell.Run(0.5, _session);
+        Assert.That(_recording.IsRecording, Is.False);
+
+        _session.Session.Described(RobotFiles.LoadText("ur5"));
+        _cell.Run(0.5, _session);
+
+        Assert.That(_recording.IsRecording);
+    }
+
+    [Test]
+    public async Task File_ThatCannotBeMade_IsSaidOnceAndTheSessionGoesOn()
+    {
+        File.WriteAllText(_folder, "a file where the folder should be");
+        try
+        {
+            Play();
+            _cell.Run(0.1, _session);
+            await Soon.BecomesAsync(() => !_recording.IsRecording, "the recording has failed");
+            _cell.Run(3, _session);
+
+            Assert.That(_cell.Messages.Count(m => m.Contains("has stopped", StringComparison.Ordinal)), Is.EqualTo(1));
+            Assert.That(_recording.Problem, Does.Contain("has stopped").And.Contain(_recording.Path));
+            Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current).Or.EqualTo(Nowpose.Session.PoseState.Unsynchronised));
+            Assert.That(_session.Frame.DisplayTime, Is.Not.Null);
+        }
+        finally
+        {
+            File.Delete(_folder);
+        }
+    }
+
+    [Test]
+    public void Size_OutOfRange_IsSaidOnce()
+    {
+        Play(megabytes: -1);
+
+        _cell.Run(0.5, _session);
+
+        Assert.That(_cell.Messages.Count(m => m.Contains("greatest size of the recording", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_recording.Problem, Does.Contain("-1 MB"));
+    }
+
+    [Test]
+    public void Session_Missing_IsSaid()
+    {
+        var alone = new GameObject("Alone").AddComponent<SessionRecording>();
+
+        _cell.Run(0.1, null);
+
+        Assert.That(_cell.Messages, Has.Some.Contains("'Alone' has no session above it"));
+        Assert.That(alone.IsRecording, Is.False);
+    }
+}
