@@ -10,9 +10,13 @@ namespace Nowpose.Prediction
         /// <param name="upper">Greatest position, rad or m.</param>
         /// <param name="horizonCap">Seconds, 0 or more; infinity for none.</param>
         /// <param name="maximumGap">Seconds, positive; infinity for none.</param>
+        /// <param name="velocity">Greatest speed, per second, positive; infinity where it is not known.</param>
+        /// <param name="acceleration">Greatest acceleration, per second squared, positive; infinity where it is not known.</param>
+        /// <param name="jerk">Greatest jerk, per second cubed, positive; infinity where it is not known.</param>
         /// <exception cref="ArgumentException">A value is outside its range, or lower is above upper.</exception>
         public PredictionLimits(double lower = double.NegativeInfinity, double upper = double.PositiveInfinity,
-            double horizonCap = 0.3, double maximumGap = 0.5)
+            double horizonCap = 0.3, double maximumGap = 0.5, double velocity = double.PositiveInfinity,
+            double acceleration = double.PositiveInfinity, double jerk = double.PositiveInfinity)
         {
             if (!(lower <= upper) || double.IsPositiveInfinity(lower) || double.IsNegativeInfinity(upper))
                 throw new ArgumentException("position limits " + lower + " to " + upper + ": lower must not exceed upper");
@@ -21,10 +25,17 @@ namespace Nowpose.Prediction
             if (!(maximumGap > 0))
                 throw new ArgumentOutOfRangeException(nameof(maximumGap), maximumGap, "seconds, more than 0");
 
+            RequirePositive(velocity, nameof(velocity), "per second");
+            RequirePositive(acceleration, nameof(acceleration), "per second squared");
+            RequirePositive(jerk, nameof(jerk), "per second cubed");
+
             Lower = lower;
             Upper = upper;
             HorizonCap = horizonCap;
             MaximumGap = maximumGap;
+            Velocity = velocity;
+            Acceleration = acceleration;
+            Jerk = jerk;
         }
 
         /// <summary>Neither joint limits nor horizon cap nor gap rule: the bare polynomial, for studies.</summary>
@@ -49,6 +60,20 @@ namespace Nowpose.Prediction
         /// </summary>
         public double MaximumGap { get; }
 
+        /// <summary>Greatest speed, rad/s or m/s; no prediction moves faster.</summary>
+        public double Velocity { get; }
+
+        /// <summary>Greatest acceleration, rad/s² or m/s²; no prediction's speed changes faster.</summary>
+        public double Acceleration { get; }
+
+        /// <summary>Greatest jerk, rad/s³ or m/s³.</summary>
+        public double Jerk { get; }
+
         internal double Clamp(double position) => position < Lower ? Lower : position > Upper ? Upper : position;
+
+        static void RequirePositive(double value, string name, string unit)
+        {
+            if (!(value > 0)) throw new ArgumentOutOfRangeException(name, value, unit + ", more than 0");
+        }
     }
 }

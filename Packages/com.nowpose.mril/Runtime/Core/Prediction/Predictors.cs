@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Prediction.Gating;
+using Nowpose.Prediction.Repetition;
 using Nowpose.Prediction.Stacking;
 using Nowpose.Prediction.Stamps;
 
@@ -31,12 +33,17 @@ namespace Nowpose.Prediction
                 case "cubic": return new PolynomialPredictor(3, 3, limits);
                 case "quadratic-h3": return new PolynomialPredictor(2, 3, limits);
                 case "quadratic-h4": return new PolynomialPredictor(2, 4, limits);
-                case "adaptive": return new DejitteredPredictor(new StackedPredictor(limits));
+                case "adaptive": return Adaptive(limits);
                 default:
                     if (PolynomialName.TryRead(name, out var degree, out var history)) return new PolynomialPredictor(degree, history, limits);
                     throw new InputException("predictor '" + name + "' is unknown; there are " + string.Join(", ", Names)
                         + ", and linear, quadratic and cubic with -h and a history, as linear-h4");
             }
         }
+
+        // Stamps are put right first; between samples the joint is where they say; ahead of them a cycle that repeats
+        // speaks while it does, else what the mixture has learned.
+        static DejitteredPredictor Adaptive(PredictionLimits limits) => new DejitteredPredictor(new InterpolatingPredictor(
+            new GatedPredictor(new TemplatePredictor(limits), new StackedPredictor(limits)), limits));
     }
 }

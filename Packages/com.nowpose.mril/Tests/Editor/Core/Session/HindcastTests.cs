@@ -241,7 +241,8 @@ namespace Nowpose.Tests
         {
             var clock = new SetClock();
             var session = new CompensationSession(
-                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40)),
+                    new PredictionSettings("linear")),
                 TestRobot.Model, clock);
             for (var frame = 0; frame < 1200; frame++)
             {

@@ -4,6 +4,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Network;
+using Nowpose.Prediction;
 using Nowpose.Session;
 using Nowpose.Simulation;
 
@@ -23,14 +24,14 @@ namespace Nowpose.Tests
         readonly double _fps;
         long _frames;
 
-        public VirtualCellRun(VirtualCellSettings settings, int seed = 1, double fps = 60)
+        public VirtualCellRun(VirtualCellSettings settings, int seed = 1, double fps = 60, string predictor = Predictors.Default)
         {
             _fps = fps;
             Clock = new VirtualClock(Start, TimeSpan.FromSeconds(1000), 37e-6);
             Cell = new VirtualCell(new PickAndPlaceMotion(Robot), Clock, settings, seed, Start);
             Session = new CompensationSession(
-                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation)), Robot,
-                new StopwatchHeadsetClock());
+                new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor)),
+                Robot, new StopwatchHeadsetClock());
             Session.SampleTaken += (arrival, _) => Taken.Add(arrival);
         }
 

@@ -1,0 +1,35 @@
+namespace Nowpose.Prediction.Gating
+{
+    /// <summary>How two predictors did lately, in mean squares that forget.</summary>
+    sealed class ForecastRecord
+    {
+        /// <summary>What the record keeps per score.</summary>
+        const double Keeping = 0.85;
+
+        /// <summary>The mean square must be below this share of the other's.</summary>
+        const double ClearlyBetter = 0.3;
+
+        readonly int _fewestScores;
+        double _candidateSquare;
+        double _fallbackSquare;
+        int _scores;
+
+        public ForecastRecord(int fewestScores) => _fewestScores = fewestScores;
+
+        /// <summary>Whether the candidate was clearly better, often enough to believe it.</summary>
+        public bool FavoursCandidate => _scores > _fewestScores && _candidateSquare < ClearlyBetter * _fallbackSquare;
+
+        public void Add(double candidateError, double fallbackError)
+        {
+            _candidateSquare = Keeping * _candidateSquare + (1 - Keeping) * candidateError * candidateError;
+            _fallbackSquare = Keeping * _fallbackSquare + (1 - Keeping) * fallbackError * fallbackError;
+            _scores++;
+        }
+
+        public void Reset()
+        {
+            _candidateSquare = _fallbackSquare = 0;
+            _scores = 0;
+        }
+    }
+}

@@ -1,0 +1,128 @@
+using System;
+
+namespace Nowpose.Prediction.Gating
+{
+    /// <summary>Lets a predictor that is right only now and then speak only while it is, by its own record, clearly better.</summary>
+    /// <remarks>
+    /// Both forecast the sample one horizon ahead; when it comes, both are scored, forecasts made at rest and in motion
+    /// apart: when a motion will start is another question than how it goes on. Allocates nothing once made.
+    /// </remarks>
+    public sealed class GatedPredictor : IJointPredictor
+    {
+        /// <summary>Squares below this share of the greatest lately are nothing: all are right about rest.</summary>
+        const double LeastShareOfSquare = 1e-4;
+
+        /// <summary>A newest way below this share of the greatest lately is rest.</summary>
+        const double RestShare = 1e-3;
+
+        const double Forgetting = 0.998;
+        const double HorizonLearning = 0.02;
+        const double LeastHorizon = 0.01;
+        const double GreatestHorizon = 0.45;
+        const double FirstHorizon = 0.125;
+        const double IntervalLearning = 0.1;
+        const double FirstInterval = 0.05;
+        const double LongestInterval = 0.3;
+
+        readonly IJointPredictor _candidate;
+        readonly IJointPredictor _fallback;
+        readonly PendingForecasts _pending = new PendingForecasts();
+        readonly ForecastRecord _moving = new ForecastRecord(10);
+        readonly ForecastRecord _resting = new ForecastRecord(4);
+        double _horizon;
+        double _interval;
+        double _greatestSquare;
+        double _greatestWay;
+        bool _isAtRest;
+
+        /// <param name="candidate">Says <see cref="PredictionKind.None"/> when it has nothing to say.</param>
+        /// <param name="fallback">Speaks otherwise, and whenever in doubt.</param>
+        public GatedPredictor(IJointPredictor candidate, IJointPredictor fallback)
+        {
+            _candidate = candidate ?? throw new ArgumentNullException(nameof(candidate));
+            _fallback = fallback ?? throw new ArgumentNullException(nameof(fallback));
+            Reset();
+        }
+
+        /// <inheritdoc/>
+        public double Hold => _fallback.Hold;
+
+        /// <inheritdoc/>
+        public double NewestTime => _fallback.NewestTime;
+
+        /// <summary>Whether the candidate speaks where it has something to say.</summary>
+        public bool IsOpen => Record(_isAtRest).FavoursCandidate;
+
+        /// <inheritdoc/>
+        public SampleOutcome Add(in JointSample sample)
+        {
+            var timeBefore = NewestTime;
+            var positionBefore = Hold;
+            var outcome = _fallback.Add(sample);
+            _candidate.Add(sample);
+            if (outcome != SampleOutcome.Accepted) return outcome;
+            if (!double.IsNegativeInfinity(timeBefore)) Score(timeBefore, positionBefore);
+            Forecast();
+            return outcome;
+        }
+
+        /// <inheritdoc/>
+        public JointPrediction At(double time)
+        {
+            var fallback = _fallback.At(time);
+            if (fallback.Kind == PredictionKind.None) return fallback;
+            var ahead = time - NewestTime;
+            if (ahead > 0) _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
+            if (!IsOpen) return fallback;
+            var candidate = _candidate.At(time);
+            return candidate.Kind == PredictionKind.None ? fallback : candidate;
+        }
+
+        /// <inheritdoc/>
+        public void Reset()
+        {
+            _candidate.Reset();
+            _fallback.Reset();
+            _pending.Clear();
+            _moving.Reset();
+            _resting.Reset();
+            _horizon = FirstHorizon;
+            _interval = FirstInterval;
+            _greatestSquare = _greatestWay = 0;
+            _isAtRest = true;
+        }
+
+        ForecastRecord Record(bool isAtRest) => isAtRest ? _resting : _moving;
+
+        void Score(double timeBefore, double positionBefore)
+        {
+            var interval = NewestTime - timeBefore;
+            _interval += IntervalLearning * (Math.Min(interval, LongestInterval) - _interval);
+            var way = Math.Abs(Hold - positionBefore);
+            _greatestWay = Math.Max(Forgetting * _greatestWay, way);
+            _isAtRest = way <= RestShare * _greatestWay;
+            while (_pending.TryTakeDue(NewestTime, out var forecast))
+            {
+                // A forecast for a time between two samples is judged by the line between them; mostly it is at the sample.
+                var truth = Hold - (Hold - positionBefore) * Math.Min((NewestTime - forecast.Time) / interval, 1);
+                var square = Math.Max(Square(truth - forecast.Held), Square(forecast.Candidate - forecast.Held));
+                _greatestSquare = Math.Max(Forgetting * _greatestSquare, square);
+                if (square > LeastShareOfSquare * _greatestSquare)
+                    Record(forecast.IsAtRest).Add(forecast.Candidate - truth, forecast.Fallback - truth);
+            }
+        }
+
+        void Forecast()
+        {
+            var intervals = Math.Max(1, Math.Round(_horizon / _interval));
+            var time = NewestTime + intervals * _interval;
+            var fallback = _fallback.At(time).Position;
+            var candidate = _candidate.At(time);
+            // Without a word the candidate is no better than holding.
+            var said = candidate.Kind == PredictionKind.None ? Hold : candidate.Position;
+            _pending.Add(new PendingForecasts.Forecast(time, Hold, said, fallback, _isAtRest));
+        }
+
+        static double Square(double x) => x * x;
+    }
+}

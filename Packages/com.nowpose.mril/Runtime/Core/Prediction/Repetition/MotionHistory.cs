@@ -1,0 +1,105 @@
+using System;
+
+namespace Nowpose.Prediction.Repetition
+{
+    /// <summary>Two minutes of a joint's motion on an even grid of time, made from samples that need not be even.</summary>
+    /// <remarks>
+    /// Indices count grid points since the start and never wrap. The grid follows one sample behind the newest, so that every
+    /// point has samples on both sides. Allocates nothing once made.
+    /// </remarks>
+    sealed class MotionHistory
+    {
+        /// <summary>Points kept: two minutes at 20 ms.</summary>
+        public const int Capacity = 6000;
+
+        const int Neighbours = 4;
+
+        readonly double[] _points = new double[Capacity];
+        readonly double[] _times = new double[Neighbours];
+        readonly double[] _positions = new double[Neighbours];
+        int _samples;
+        double _start;
+
+        /// <summary>Grid step, s.</summary>
+        public double Step { get; private set; }
+
+        /// <summary>Grid points since the start; the newest <see cref="Capacity"/> of them are kept.</summary>
+        public long Count { get; private set; }
+
+        /// <summary>Index of the oldest point kept.</summary>
+        public long First => Math.Max(0, Count - Capacity);
+
+        /// <summary>Position at a grid point between <see cref="First"/> and the last.</summary>
+        public double this[long index] => _points[index % Capacity];
+
+        /// <summary>Starts anew with another grid.</summary>
+        /// <param name="step">s.</param>
+        public void Start(double step)
+        {
+            Step = step;
+            Count = 0;
+            _samples = 0;
+        }
+
+        /// <summary>Takes a sample newer than all before.</summary>
+        public void Add(double time, double position)
+        {
+            if (_samples == 0) _start = time;
+            for (var i = Neighbours - 1; i > 0; i--)
+            {
+                _times[i] = _times[i - 1];
+                _positions[i] = _positions[i - 1];
+            }
+            _times[0] = time;
+            _positions[0] = position;
+            if (_samples < Neighbours)
+            {
+                // Until there are samples around, the first one stands for all before it.
+                for (var i = _samples + 1; i < Neighbours; i++)
+                {
+                    _times[i] = _times[i - 1] - Step;
+                    _positions[i] = _positions[i - 1];
+                }
+                _samples++;
+            }
+            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) _points[Count % Capacity] = Between(TimeOf(Count));
+        }
+
+        /// <summary>Grid points, with fractions, at a time.</summary>
+        public double IndexOf(double time) => (time - _start) / Step;
+
+        /// <summary>Position at a fractional index by a Catmull-Rom spline; the index must have two points on either side.</summary>
+        /// <param name="speed">Change per grid step there.</param>
+        public double At(double index, out double speed)
+        {
+            var i = (long)Math.Floor(index);
+            var f = index - i;
+            double p0 = this[i - 1], p1 = this[i], p2 = this[i + 1], p3 = this[i + 2];
+            var a = p2 - p0;
+            var b = 2 * p0 - 5 * p1 + 4 * p2 - p3;
+            var c = 3 * (p1 - p2) + p3 - p0;
+            speed = 0.5 * (a + f * (2 * b + 3 * f * c));
+            return p1 + 0.5 * f * (a + f * (b + f * c));
+        }
+
+        /// <summary>Whether <see cref="At"/> knows the position at an index.</summary>
+        public bool Covers(double index) => index >= First + 1 && index < Count - 2;
+
+        const double Rounding = 1e-6;
+
+        double TimeOf(long index) => _start + index * Step;
+
+        // Hermite's cubic between samples 2 and 1 with slopes of the parabolas through their neighbours.
+        double Between(double time)
+        {
+            double h0 = _times[2] - _times[3], h1 = _times[1] - _times[2], h2 = _times[0] - _times[1];
+            double d0 = (_positions[2] - _positions[3]) / h0, d1 = (_positions[1] - _positions[2]) / h1, d2 = (_positions[0] - _positions[1]) / h2;
+            var m1 = (d0 * h1 + d1 * h0) / (h0 + h1);
+            var m2 = (d1 * h2 + d2 * h1) / (h1 + h2);
+            var x = time - _times[2];
+            var c = (3 * d1 - 2 * m1 - m2) / h1;
+            var d = (m1 + m2 - 2 * d1) / (h1 * h1);
+            return _positions[2] + x * (m1 + x * (c + x * d));
+        }
+    }
+}

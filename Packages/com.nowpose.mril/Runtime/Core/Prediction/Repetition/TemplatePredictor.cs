@@ -1,0 +1,266 @@
+using System;
+using Nowpose.Prediction.Stacking;
+
+namespace Nowpose.Prediction.Repetition
+{
+    /// <summary>For machines that repeat themselves: the motion goes on as it did when it last was like this.</summary>
+    /// <remarks>
+    /// The newest samples are laid over the history at the lags where it resembles them most, each lag is refined until they
+    /// fit best, and the best three go on, weighted by their fit. Without such a place there is no prediction; whether to
+    /// trust one is for a gate to say. A sample costs one pass over the lags, a frame reads one table.
+    /// </remarks>
+    public sealed class TemplatePredictor : IJointPredictor
+    {
+        /// <summary>What follows a match must be known as far as a table spans: so many grid steps beside.</summary>
+        const int StepsBesideSpan = 4;
+
+        /// <summary>How fast the coarse comparison forgets, s.</summary>
+        const double Forgetting = 0.25;
+
+        /// <summary>How much of the newest motion is laid over the history, s.</summary>
+        const double Window = 0.4;
+
+        const int MostSamples = 24;
+        const int FewestSamples = 8;
+
+        /// <summary>The grid is no finer than this, s.</summary>
+        const double FinestStep = 0.02;
+
+        const int Refinements = 3;
+
+        /// <summary>A match may lie so far from where the longer memory finds it, s.</summary>
+        const double Reach = 0.4;
+
+        /// <summary>The longer memory is left only for a match whose square is this much better.</summary>
+        const double MuchBetter = 0.1;
+
+        /// <summary>A way below this share of the greatest lately is rest.</summary>
+        const double RestShare = 1e-3;
+
+        const int FewestMoving = 2;
+        const int NearbySamples = 6;
+        const double Fading = 0.998;
+
+        /// <summary>A match whose square is this much worse than the best's is no match.</summary>
+        const double WorstMatch = 3;
+
+        /// <summary>Another rhythm of samples than the grid was made for starts it anew.</summary>
+        const double RhythmChange = 1.6;
+
+        readonly PredictionLimits _limits;
+        readonly SampleHistory _newest = new SampleHistory(MostSamples);
+        readonly MotionHistory _history = new MotionHistory();
+        readonly LagSearch _search = new LagSearch();
+        readonly double[] _lags = new double[LagSearch.Kept];
+        readonly double[] _errors = new double[LagSearch.Kept];
+        readonly double[] _offsets = new double[LagSearch.Kept];
+        readonly double[] _intervals = new double[FewestSamples];
+        readonly double[] _table = new double[ForecastGrid.Points];
+        double _interval;
+        double _rhythm;
+        double _greatestWay;
+        int _matches;
+
+        /// <param name="limits">Bounds of time and position.</param>
+        public TemplatePredictor(PredictionLimits limits)
+        {
+            _limits = limits ?? throw new ArgumentNullException(nameof(limits));
+            Reset();
+        }
+
+        /// <inheritdoc/>
+        public double Hold => _newest.NewestPosition;
+
+        /// <inheritdoc/>
+        public double NewestTime => _newest.NewestTime;
+
+        /// <inheritdoc/>
+        /// <remarks>A sample that was overtaken is refused: the history has passed it.</remarks>
+        public SampleOutcome Add(in JointSample sample)
+        {
+            if (_newest.Count > 0 && sample.Order < _newest[0].Order) return SampleOutcome.TooOld;
+            var outcome = _newest.Add(sample);
+            if (outcome != SampleOutcome.Accepted) return outcome;
+            if (_newest.Count > 1) Follow();
+            return outcome;
+        }
+
+        /// <inheritdoc/>
+        /// <returns><see cref="PredictionKind.None"/> where the motion resembles nothing before.</returns>
+        public JointPrediction At(double time)
+        {
+            if (_matches == 0) return new JointPrediction(Hold, PredictionKind.None);
+            var ahead = Math.Min(time - NewestTime, _limits.HorizonCap);
+            var kind = ahead <= 0 ? PredictionKind.Interpolated : ahead < time - NewestTime ? PredictionKind.Held : PredictionKind.Predicted;
+            return new JointPrediction(_limits.Clamp(Hold + ForecastGrid.Read(_table, 0, ahead)), kind);
+        }
+
+        /// <inheritdoc/>
+        public void Reset()
+        {
+            _newest.Clear();
+            Restart();
+        }
+
+        void Restart()
+        {
+            _interval = 0;
+            _history.Start(0);
+            _search.Reset();
+            _matches = 0;
+            _greatestWay = 0;
+        }
+
+        int LeastSteps => (int)Math.Ceiling(ForecastGrid.Span / _history.Step) + StepsBesideSpan;
+
+        void Follow()
+        {
+            _matches = 0;
+            var interval = _newest[0].Time - _newest[1].Time;
+            if (interval > _limits.MaximumGap) Restart();
+            if (_interval == 0)
+            {
+                Begin();
+                return;
+            }
+            _interval += 0.05 * (interval - _interval);
+            if (_interval > RhythmChange * _rhythm || _interval * RhythmChange < _rhythm)
+            {
+                Restart();
+                return;
+            }
+            _history.Add(_newest[0].Time, _newest[0].Position);
+            _search.Follow(_history, LeastSteps, Math.Exp(-_history.Step / Forgetting));
+            _greatestWay = Math.Max(Fading * _greatestWay, Math.Abs(_newest[0].Position - _newest[1].Position));
+            Match();
+        }
+
+        // The grid takes the samples' own rhythm, so that it falls on them and interpolates nothing.
+        void Begin()
+        {
+            if (_newest.Count <= FewestSamples || _newest.CountWithoutGap(_limits.MaximumGap) <= FewestSamples) return;
+            for (var i = 0; i < FewestSamples; i++) _intervals[i] = _newest[i].Time - _newest[i + 1].Time;
+            Array.Sort(_intervals);
+            _interval = _rhythm = _intervals[FewestSamples / 2];
+            _history.Start(_rhythm * Math.Ceiling(FinestStep / _rhythm - 1e-6));
+            for (var i = FewestSamples; i >= 0; i--) _history.Add(_newest[i].Time, _newest[i].Position);
+        }
+
+        void Match()
+        {
+            var samples = SamplesInWindow();
+            var least = double.PositiveInfinity;
+            for (var i = 0; i < _search.Count; i++)
+            {
+                var lag = Settled(_search.Lags[i], samples, i);
+                var nearby = Settled(Nearby(_search.Lags[i], samples), samples, i);
+                var own = Fit(lag, samples, i);
+                if (Fit(nearby, samples, i) < MuchBetter * own) lag = nearby;
+                if (double.IsPositiveInfinity(Fit(lag, samples, i))) continue;
+                _lags[_matches] = lag;
+                _errors[_matches] = _errors[i];
+                _offsets[_matches] = _offsets[i];
+                least = Math.Min(least, _errors[_matches++]);
+            }
+            if (_matches > 0) Tabulate(least);
+        }
+
+        double Settled(double lag, int samples, int place)
+        {
+            for (var step = 0; step < Refinements; step++) lag = Refined(lag, samples, place);
+            return lag;
+        }
+
+        // In motion the samples since its start decide: how long the joint rested before is not how it moves now.
+        int SamplesInWindow()
+        {
+            var full = 1;
+            while (full < _newest.Count && _newest[0].Time - _newest[full].Time <= Window) full++;
+            var moving = 0;
+            while (moving + 1 < full && Math.Abs(_newest[moving].Position - _newest[moving + 1].Position) > RestShare * _greatestWay) moving++;
+            return moving < FewestMoving ? full : Math.Min(full, moving + 2);
+        }
+
+        // A dwell that was longer or shorter than last time has moved the match by as much.
+        int Nearby(int lag, int samples)
+        {
+            var best = lag;
+            var least = double.PositiveInfinity;
+            var reach = (int)(Reach / _history.Step);
+            for (var shift = Math.Max(-reach, LeastSteps - lag); shift <= reach; shift++)
+            {
+                var cost = Nearness(lag + shift, samples);
+                // The one that the longer memory found wins where all are alike.
+                if (cost > least || (cost == least && Math.Abs(shift) >= Math.Abs(best - lag))) continue;
+                least = cost;
+                best = lag + shift;
+            }
+            return best;
+        }
+
+        // One step of Gauss and Newton: the shift at which the history would fit the newest samples better.
+        double Refined(double lag, int samples, int place)
+        {
+            double pull = 0, stiffness = 0;
+            for (var i = 0; i < samples; i++)
+            {
+                var index = _history.IndexOf(_newest[i].Time) - lag;
+                if (!_history.Covers(index)) return lag;
+                var error = _newest[i].Position - _history.At(index, out var speed);
+                pull += error * speed;
+                stiffness += speed * speed;
+            }
+            if (!(stiffness > 0)) return lag;
+            return Math.Max(lag - Math.Min(Math.Max(pull / stiffness, -1), 1), LeastSteps);
+        }
+
+        // Every so manieth sample is enough to find the neighbourhood.
+        double Nearness(double lag, int samples)
+        {
+            var stride = 1 + (samples - 1) / NearbySamples;
+            var sum = 0.0;
+            for (var i = 0; i < samples; i += stride)
+            {
+                var index = _history.IndexOf(_newest[i].Time) - lag;
+                if (!_history.Covers(index)) return double.PositiveInfinity;
+                var error = _newest[i].Position - _history.At(index, out _);
+                sum += error * error;
+            }
+            return sum;
+        }
+
+        double Fit(double lag, int samples, int place)
+        {
+            var sum = 0.0;
+            _offsets[place] = 0;
+            for (var i = 0; i < samples; i++)
+            {
+                var index = _history.IndexOf(_newest[i].Time) - lag;
+                if (!_history.Covers(index)) return double.PositiveInfinity;
+                var error = _newest[i].Position - _history.At(index, out _);
+                sum += error * error;
+                // What the newest two lie off the history goes on lying off.
+                if (i < 2) _offsets[place] += error / 2;
+            }
+            return _errors[place] = sum / samples;
+        }
+
+        void Tabulate(double least)
+        {
+            Array.Clear(_table, 0, _table.Length);
+            var total = 0.0;
+            for (var i = 0; i < _matches; i++)
+            {
+                if (_errors[i] > WorstMatch * least) continue;
+                var weight = 1 / Math.Pow(_errors[i] / (least + 1e-300) + 1, 2);
+                total += weight;
+                for (var point = 0; point < ForecastGrid.Points; point++)
+                {
+                    var index = _history.IndexOf(NewestTime + point * ForecastGrid.Step) - _lags[i];
+                    _table[point] += weight * (_history.At(index, out _) + _offsets[i] - Hold);
+                }
+            }
+            for (var point = 0; point < ForecastGrid.Points; point++) _table[point] /= total;
+        }
+    }
+}
