@@ -11,6 +11,7 @@ static class FigureSet
     public static IReadOnlyList<string> Numbers { get; } =
         ["4", "8", "12", "13a", "13b", "13c", "13d", "14a", "14b", "14c", "14d", "16", "17", "18"];
 
+    /// <summary>The short ones first: who interrupts a run has something.</summary>
     public static IReadOnlyList<IFigureStudy> Studies(FigureSettings settings) =>
-        [.. SweepStudy.All(settings), new SwingStudy(settings), new ClockAndFieldStudy(settings), new Figure12(settings)];
+        [new Figure12(settings), new SwingStudy(settings), new ClockAndFieldStudy(settings), .. SweepStudy.All(settings)];
 }

@@ -4,12 +4,19 @@ using Nowpose.Cli.Figures.Model;
 namespace Nowpose.Cli.Figures.Field;
 
 /// <summary>Figs 4 and 8: what latency costs, and how well it is known.</summary>
-sealed class ClockAndFieldStudy(FigureSettings settings) : IFigureStudy
+sealed class ClockAndFieldStudy : IFigureStudy
 {
-    readonly ErrorField _field = new(settings);
-    readonly ClockRuns _clocks = new(settings);
+    readonly ErrorField _field;
+    readonly ClockRuns _clocks;
 
-    public IReadOnlyList<Action> Work => [.. _field.Work, .. _clocks.Work];
+    public ClockAndFieldStudy(FigureSettings settings)
+    {
+        _field = new ErrorField(settings);
+        _clocks = new ClockRuns(settings);
+        Work = [.. _clocks.Work, .. _field.Work];
+    }
+
+    public IReadOnlyList<Action> Work { get; }
 
     public IEnumerable<Figure> Figures() => [Figure04.Of(_field, _clocks), Figure08.Of(_clocks)];
 }

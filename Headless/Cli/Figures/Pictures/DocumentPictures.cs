@@ -20,6 +20,12 @@ static class DocumentPictures
     public static IReadOnlyList<string> Write(string folder, IReadOnlyList<Figure> figures)
     {
         var paths = new List<string>();
+        if (figures.FirstOrDefault(f => f.Number == "17") is Figure arm)
+        {
+            paths.Add(Path.Combine(folder, "arm.svg"));
+            // The last ones are those of our own predictor.
+            File.WriteAllText(paths[^1], ArmPicture.Of([.. arm.Drawings.TakeLast(3)]));
+        }
         foreach (var (file, number, index, width, traces) in Pictures)
         {
             if (figures.FirstOrDefault(f => f.Number == number) is not Figure figure) continue;

@@ -56,7 +56,7 @@ public partial class FiguresVerbTests
         FiguresVerb.Run(Least, _folder, pictures, CancellationToken.None);
 
         var files = Directory.GetFiles(pictures);
-        Assert.That(files.Select(Path.GetFileName), Does.Contain("swing.svg").And.Contain("error-over-stamp-error.svg"));
+        Assert.That(files.Select(Path.GetFileName), Does.Contain("swing.svg").And.Contain("error-over-stamp-error.svg").And.Contain("arm.svg"));
         foreach (var file in files)
         {
             var svg = File.ReadAllText(file);
