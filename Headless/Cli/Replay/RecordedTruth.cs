@@ -1,10 +1,11 @@
+using Nowpose.Session;
+
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Where a recorded joint was: its own samples, joined on the control clock by cubics through them.</summary>
 /// <remarks>
-/// It knows nothing before the first sample, after the last, and between two that lie further apart than the maximum gap. The
-/// slope at a sample is that of the parabola through it and its neighbours; a straight line would take the corners of the
-/// motion for truth and call whoever rounds them wrong.
+/// The cubic of the headset's own hindcast. It knows nothing before the first sample, after the last, and between two that lie
+/// further apart than the maximum gap.
 /// </remarks>
 sealed class RecordedTruth
 {
@@ -41,25 +42,13 @@ sealed class RecordedTruth
         if (after == _samples.Count && after > 1 && _samples[^1].Ticks == ticks) after--;
         position = 0;
         if (after == 0 || after == _samples.Count || !AreNear(after - 1)) return false;
-        var (start, end) = (_samples[after - 1], _samples[after]);
-        var length = Seconds(end.Ticks - start.Ticks);
-        var x = Seconds(ticks - start.Ticks) / length;
-        var (slope0, slope1) = (SlopeAt(after - 1) * length, SlopeAt(after) * length);
-        var step = end.Position - start.Position;
-        position = start.Position + x * (slope0 + x * (3 * step - 2 * slope0 - slope1 + x * (slope0 + slope1 - 2 * step)));
+        var before = after > 1 && AreNear(after - 2) ? SampleAt(after - 2) : default;
+        var later = after + 1 < _samples.Count && AreNear(after) ? SampleAt(after + 1) : default;
+        position = new TruthSpan(before, SampleAt(after - 1), SampleAt(after), later).At(at, out _);
         return true;
     }
 
-    double SlopeAt(int i)
-    {
-        var (hasBefore, hasAfter) = (i > 0 && AreNear(i - 1), i + 1 < _samples.Count && AreNear(i));
-        if (!hasBefore) return Rise(i);
-        if (!hasAfter) return Rise(i - 1);
-        var (before, after) = (Seconds(_samples[i].Ticks - _samples[i - 1].Ticks), Seconds(_samples[i + 1].Ticks - _samples[i].Ticks));
-        return (Rise(i - 1) * after + Rise(i) * before) / (before + after);
-    }
-
-    double Rise(int i) => (_samples[i + 1].Position - _samples[i].Position) / Seconds(_samples[i + 1].Ticks - _samples[i].Ticks);
+    TruthSample SampleAt(int i) => new(new ControlTime(new TimeSpan(_samples[i].Ticks)), _samples[i].Position);
 
     bool AreNear(int i) => _samples[i + 1].Ticks - _samples[i].Ticks <= _maximumGap;
 
@@ -74,6 +63,4 @@ sealed class RecordedTruth
         }
         return low;
     }
-
-    static double Seconds(long ticks) => ticks / (double)TimeSpan.TicksPerSecond;
 }

@@ -18,12 +18,15 @@ namespace Nowpose.Recording
 
         readonly JsonLine _line;
         readonly int _joints;
+        readonly StatisticsLine _statistics;
 
         /// <param name="joints">Moving joints of the robot.</param>
-        public RecordLine(JsonLine line, int joints)
+        /// <param name="statistics">What has filled the statistics' numbers.</param>
+        public RecordLine(JsonLine line, int joints, StatisticsLine statistics)
         {
             _line = line;
             _joints = joints;
+            _statistics = statistics;
         }
 
         public void Write(SessionRecord record)
@@ -86,7 +89,7 @@ namespace Nowpose.Recording
         {
             _line.Begin("statistics").Add("at_ns", record.At.Nanoseconds);
             AddClock(record);
-            StatisticsLine.Write(_line, record.Numbers);
+            _statistics.Write(_line, record.Numbers);
         }
 
         void WriteDrops(SessionRecord record)

@@ -24,6 +24,7 @@ namespace Nowpose.Recording
         readonly RecordRing _ring;
         readonly RecordWriter _writer;
         readonly SessionStatistics _statistics = new SessionStatistics();
+        readonly StatisticsLine _statisticsLine = new StatisticsLine();
         HeadsetTime _nextStatistics;
         ClockState? _clockState;
         int _clockSteps;
@@ -37,10 +38,10 @@ namespace Nowpose.Recording
             _session = session ?? throw new ArgumentNullException(nameof(session));
             Path = settings.Path;
             var joints = session.Robot.MovingJoints.Count;
-            _ring = new RecordRing(RingLength, Math.Max(2 * joints, Math.Max(StatisticsLine.Count, DropsLine.Count)));
+            _ring = new RecordRing(RingLength, Math.Max(2 * joints, Math.Max(StatisticsLine.CountFor(joints), DropsLine.Count)));
             var line = new JsonLine();
             HeaderLine.Write(line, session.Settings, session.Robot, settings.StartedUtc);
-            _writer = new RecordWriter(settings, _ring, line, new RecordLine(line, joints));
+            _writer = new RecordWriter(settings, _ring, line, new RecordLine(line, joints, _statisticsLine));
             _writer.Start();
             Listen();
         }
@@ -154,7 +155,7 @@ namespace Nowpose.Recording
             _session.Fill(_statistics, at);
             record.At = at;
             record.Clock = clock;
-            StatisticsLine.Fill(_statistics, record.Numbers);
+            _statisticsLine.Fill(_statistics, record.Numbers);
             _ring.Publish(record);
             WriteDrops(at);
         }

@@ -4,18 +4,22 @@ using Nowpose.Session;
 namespace Nowpose.Recording
 {
     /// <summary>How the session does: the numbers of one line, and what they are called.</summary>
-    static class StatisticsLine
+    /// <remarks>First those of the session, then the tool's error over the newest seconds, that of the run, and each joint's.</remarks>
+    sealed class StatisticsLine
     {
         static readonly string[] Names =
         {
-            "rtt_ms", "l_app_ms", "l_app_p95_ms", "l_visu_ms", "horizon_ms", "render_ms", "hold_error_mm", "error_mm", "reduction",
-            "samples", "dropped",
+            "rtt_ms", "l_app_ms", "l_app_p95_ms", "l_visu_ms", "horizon_ms", "render_ms", "samples", "dropped",
         };
 
-        public static int Count => Names.Length;
+        string[] _joints = Array.Empty<string>();
+
+        /// <summary>How many numbers it takes.</summary>
+        /// <param name="joints">No more joints have an error.</param>
+        public static int CountFor(int joints) => Names.Length + (2 + joints) * ErrorNumbers.Count;
 
         /// <param name="numbers">Filled; NaN where nothing is known.</param>
-        public static void Fill(SessionStatistics statistics, double[] numbers)
+        public void Fill(SessionStatistics statistics, Span<double> numbers)
         {
             numbers[0] = Ms(statistics.RoundTripTime);
             numbers[1] = Ms(statistics.ApplicationLatency);
@@ -23,16 +27,47 @@ namespace Nowpose.Recording
             numbers[3] = Ms(statistics.VisualisationLatency);
             numbers[4] = Ms(statistics.Horizon);
             numbers[5] = Ms(statistics.RenderTime);
-            numbers[6] = statistics.HoldErrorMm ?? double.NaN;
-            numbers[7] = statistics.ErrorMm ?? double.NaN;
-            numbers[8] = statistics.ErrorReduction ?? double.NaN;
-            numbers[9] = statistics.Samples;
-            numbers[10] = statistics.Dropped;
+            numbers[6] = statistics.Samples;
+            numbers[7] = statistics.Dropped;
+            ErrorNumbers.Fill(statistics.ToolError, Block(numbers, 0));
+            ErrorNumbers.Fill(statistics.ToolErrorOfRun, Block(numbers, 1));
+            // They are the same all the while: named in the first second, before anyone writes.
+            if (_joints.Length != statistics.JointErrors.Count) _joints = NamesOf(statistics);
+            for (var i = 0; i < _joints.Length; i++) ErrorNumbers.Fill(statistics.JointErrors[i].Error, Block(numbers, 2 + i));
         }
 
-        public static void Write(JsonLine line, double[] numbers)
+        public void Write(JsonLine line, Span<double> numbers)
         {
             for (var i = 0; i < Names.Length; i++) line.AddKnown(Names[i], numbers[i]);
+            Write(line, "tool_mm", Block(numbers, 0));
+            Write(line, "tool_of_run_mm", Block(numbers, 1));
+            line.Open("joint_errors", '[');
+            for (var i = 0; i < _joints.Length; i++)
+            {
+                var error = Block(numbers, 2 + i);
+                if (!ErrorNumbers.AreKnown(error)) continue;
+                line.OpenElement().Add("joint", _joints[i]);
+                ErrorNumbers.Write(line, error);
+                line.Close('}');
+            }
+            line.Close(']');
+        }
+
+        static void Write(JsonLine line, string name, ReadOnlySpan<double> error)
+        {
+            if (!ErrorNumbers.AreKnown(error)) return;
+            line.Open(name, '{');
+            ErrorNumbers.Write(line, error);
+            line.Close('}');
+        }
+
+        static Span<double> Block(Span<double> numbers, int index) => numbers.Slice(Names.Length + index * ErrorNumbers.Count, ErrorNumbers.Count);
+
+        static string[] NamesOf(SessionStatistics statistics)
+        {
+            var names = new string[statistics.JointErrors.Count];
+            for (var i = 0; i < names.Length; i++) names[i] = statistics.JointErrors[i].Joint;
+            return names;
         }
 
         static double Ms(TimeSpan? length) => length?.TotalMilliseconds ?? double.NaN;

@@ -85,7 +85,12 @@ namespace Nowpose.Tests
             Assert.That(lines.SelectMany(f => f["held"].Select(p => (double)p)), Is.EqualTo(frames.SelectMany(f => f.Held)));
             Assert.That(run.Of("clock").Select(c => (string)c["state"]).Last(), Is.EqualTo("synchronised"));
             Assert.That(run.Of("statistics"), Has.Count.EqualTo(20));
-            Assert.That((double)run.Of("statistics")[19]["reduction"], Is.GreaterThan(0.5));
+            var last = run.Of("statistics")[19];
+            Assert.That((double)last["tool_mm"]["reduction"], Is.GreaterThan(0.5));
+            Assert.That((double)last["tool_mm"]["hold_p95"], Is.GreaterThan((double)last["tool_mm"]["p95"]));
+            Assert.That((int)last["tool_of_run_mm"]["frames"], Is.GreaterThan((int)last["tool_mm"]["frames"]));
+            Assert.That(last["joint_errors"].Select(j => (string)j["joint"]), Is.EqualTo(new[] { "shoulder", "elbow" }));
+            Assert.That((double)last["joint_errors"][1]["rms"], Is.GreaterThan(0));
             Assert.That((string)run.Last["reason"], Is.EqualTo("closed"));
         }
 
