@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>Round numbers along an axis: four to eight steps of 1, 2 or 5 times a power of ten.</summary>
+/// <summary>Round numbers along an axis: four to ten steps of 1, 2 or 5 times a power of ten.</summary>
 static class Ticks
 {
     public static IEnumerable<double> Of(double low, double high)
