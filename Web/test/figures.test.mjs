@@ -102,6 +102,16 @@ describe('the page of figures', () => {
     assert.equal(faults, 0);
   });
 
+  it('names each of its regions and gives no id twice', async () => {
+    const page = await browser.open(figures());
+
+    const [unnamed, ids] = await page.evaluate(() => [
+      [...document.querySelectorAll('[role=region], nav, section')].filter(e => !e.hasAttribute('aria-label') && !e.hasAttribute('aria-labelledby')).length,
+      [...document.querySelectorAll('[id]')].map(e => e.id)]);
+    assert.equal(unnamed, 0);
+    assert.equal(new Set(ids).size, ids.length);
+  });
+
   it('says which figures an interrupted run did not compute', async () => {
     const page = await browser.open({ ...figures(), missing: ['12', '18'] });
 

@@ -16,9 +16,9 @@ function page(data: FiguresData): Node[] {
     el('header', {}, el('h1', {}, data.title), el('p', {}, data.subtitle)),
     el('main', {},
       el('div', { class: 'first' },
-        el('section', {}, contents(data.figures),
+        el('section', { 'aria-label': 'Verdicts' }, contents(data.figures),
           missing ? el('p', { class: 'missing' }, `Not computed, the run was interrupted: ${missing}.`) : null),
-        el('section', {}, factTable('Conditions of all figures, unless one says otherwise', data.conditions, ['Condition', 'Value']))),
+        el('section', { 'aria-label': 'Conditions' }, factTable('Conditions of all figures, unless one says otherwise', data.conditions, ['Condition', 'Value']))),
       el('p', { class: 'hint' }, hint),
       ...data.figures.map(figureSection)),
     el('footer', {}, el('p', {}, 'The figures’ numbers and claims are those of M. Schnierle, S. Röck, “Latency and sampling compensation in '
