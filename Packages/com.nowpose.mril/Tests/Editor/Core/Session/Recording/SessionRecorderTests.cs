@@ -176,6 +176,35 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Threads_ThatRecordAtTheSameTime_LoseAndMixNothing()
+        {
+            const int count = 5000;
+            var session = NewSession();
+            var run = new RecordedRun(session);
+            void AddExchanges()
+            {
+                for (var i = 1; i <= count; i++)
+                {
+                    session.Clock.Add(Exchange(Start + Lengths.Ms(i)), out _);
+                    if (i % 500 == 0) run.Flush();
+                }
+            }
+
+            var other = System.Threading.Tasks.Task.Run(AddExchanges);
+            for (var i = 1; i <= count; i++)
+            {
+                session.Tick(Start + Lengths.Ms(i));
+                if (i % 500 == 0) run.Flush();
+            }
+            Assert.That(other.Wait(TimeSpan.FromMinutes(2)));
+            run.Close();
+
+            Assert.That(run.Recorder.LostLines, Is.EqualTo(0));
+            Assert.That(run.Of("sync").Select(l => (long)l["t4_ns"]), Is.EqualTo(Enumerable.Range(1, count).Select(i => (Start + Lengths.Ms(i)).Nanoseconds)));
+            Assert.That(run.Of("frame").Select(l => (long)l["start_ns"]), Is.EqualTo(Enumerable.Range(1, count).Select(i => (Start + Lengths.Ms(i)).Nanoseconds)));
+        }
+
+        [Test]
         public void File_AtItsGreatestSize_EndsWholeAndSaysSo()
         {
             var session = NewSession();
