@@ -25,7 +25,7 @@ sealed class Contest(IReadOnlyList<ISubject> subjects)
                 new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount, CancellationToken = cancellation },
                 run =>
                 {
-                    var result = run.subject.Try(run.predictor, run.half, cancellation);
+                    var result = run.subject.Try(run.predictor, run.half, cancellation: cancellation);
                     // Cut short it is no result.
                     if (cancellation.IsCancellationRequested) return;
                     _results[run] = result;

@@ -11,6 +11,7 @@ interface ISubject
     /// <summary>L in ms; null where the recording has its own.</summary>
     double? LatencyMs { get; }
 
+    /// <param name="blendMs">Time constant from one section to the next; null for the recording's own, which a motion has none of.</param>
     /// <exception cref="InputException">Nothing could be scored.</exception>
-    ReplayResult Try(string predictor, Half half, CancellationToken cancellation);
+    ReplayResult Try(string predictor, Half half, double? blendMs = null, CancellationToken cancellation = default);
 }

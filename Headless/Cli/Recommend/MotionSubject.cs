@@ -27,11 +27,12 @@ sealed class MotionSubject : ISubject
 
     public double? LatencyMs { get; }
 
-    public ReplayResult Try(string predictor, Half half, CancellationToken cancellation)
+    public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
     {
         var settings = new ReplaySettings
         {
             SamplingInterval = SamplingMs.Value / MsPerSecond, Latency = LatencyMs.Value / MsPerSecond, Predictor = predictor,
+            Blend = blendMs / MsPerSecond,
         };
         return new ReplayRun(_path, _halves[(int)half], settings).Run(cancellation);
     }

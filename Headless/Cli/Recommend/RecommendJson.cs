@@ -5,13 +5,13 @@ namespace Nowpose.Cli.Recommend;
 /// <summary>The same as JSON, numbers with all the digits they have.</summary>
 static class RecommendJson
 {
-    public static string Of(string path, RecordingTraits traits, IReadOnlyList<Verdict> verdicts) => JsonText.Of(isIndented: true, json =>
+    public static string Of(string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results) => JsonText.Of(isIndented: true, json =>
     {
         json.WriteStartObject();
         json.WriteString("file", path);
         Write(json, traits);
         json.WriteStartArray("conditions");
-        foreach (var verdict in verdicts) Write(json, verdict);
+        foreach (var (verdict, blend) in results) Write(json, verdict, blend);
         json.WriteEndArray();
         json.WriteEndObject();
     });
@@ -33,7 +33,7 @@ static class RecommendJson
         json.WriteEndArray();
     }
 
-    static void Write(Utf8JsonWriter json, Verdict verdict)
+    static void Write(Utf8JsonWriter json, Verdict verdict, BlendCost blend)
     {
         json.WriteStartObject();
         WriteNumber(json, "sampling_ms", verdict.Subject.SamplingMs);
@@ -42,6 +42,8 @@ static class RecommendJson
         json.WriteString("reason", verdict.Reason);
         WriteNumber(json, "reduction", verdict.Recommended.Reduction);
         WriteNumber(json, "gain_over_default", verdict.Recommended.GainOver(verdict.Default));
+        json.WriteNumber("blend_ms", blend.RecommendedMs);
+        WriteNumber(json, "blend_cost", blend.Share);
         json.WriteStartArray("candidates");
         foreach (var trial in verdict.Trials) Write(json, verdict, trial);
         json.WriteEndArray();

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Session;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Recommend;
@@ -6,16 +7,16 @@ namespace Nowpose.Cli.Recommend;
 /// <summary>What to use, for reading: every candidate with both halves, then the settings.</summary>
 static class RecommendTable
 {
-    public static void Write(IAnsiConsole console, string path, RecordingTraits traits, IReadOnlyList<Verdict> verdicts)
+    public static void Write(IAnsiConsole console, string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results)
     {
         console.WriteLine(Text(
             $"{Path.GetFileName(path)}: {traits.Duration:0.0} s, a sample every {1e3 * traits.Interval:0.0} ms (P5 {1e3 * traits.IntervalP5:0.0}, P95 {1e3 * traits.IntervalP95:0.0}), {100 * traits.Repeats:0.0} % repeated"));
         foreach (var (name, step) in traits.RoundingSteps) console.WriteLine(Text($"{name} is rounded to {step:G4}"));
         foreach (var warning in traits.Warnings()) console.WriteLine("note: " + warning);
-        foreach (var verdict in verdicts) Write(console, verdict);
+        foreach (var (verdict, blend) in results) Write(console, verdict, blend);
     }
 
-    static void Write(IAnsiConsole console, Verdict verdict)
+    static void Write(IAnsiConsole console, Verdict verdict, BlendCost blend)
     {
         var table = new Table().Title(Markup.Escape(Condition(verdict.Subject)));
         table.AddColumn("predictor");
@@ -33,6 +34,9 @@ static class RecommendTable
         var reduction = Percent(verdict.Recommended.Reduction, "0");
         console.WriteLine($"It takes {reduction} of the error away ({Percent(verdict.Recommended.First.Reduction, "0")} and "
             + $"{Percent(verdict.Recommended.Second.Reduction, "0")} in the halves).");
+        console.WriteLine(Text($"Use blend {blend.RecommendedMs:0} ms: ")
+            + $"{PredictionSettings.DefaultBlendMs} ms cost {Percent(blend.Share)} of RMS error ({Percent(blend.ShareOfHalves[0])} and "
+            + $"{Percent(blend.ShareOfHalves[1])} in the halves), and take the jumps between predictions.");
     }
 
     static string Condition(ISubject subject) => subject.SamplingMs is double sampling

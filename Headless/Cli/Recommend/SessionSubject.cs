@@ -22,9 +22,9 @@ sealed class SessionSubject : ISubject
 
     public double? LatencyMs => null;
 
-    public ReplayResult Try(string predictor, Half half, CancellationToken cancellation)
+    public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
     {
-        var replay = new SessionReplay(_path, _session, _truth, new ReplaySettings { Predictor = predictor });
+        var replay = new SessionReplay(_path, _session, _truth, new ReplaySettings { Predictor = predictor, Blend = blendMs / 1000 });
         return half == Half.First ? replay.Run(0, _middle, cancellation) : replay.Run(_middle, _session.Events.Count, cancellation);
     }
 

@@ -46,6 +46,8 @@ public class RecommendVerbTests
         Assert.That(condition.GetProperty("sampling_ms").GetDouble(), Is.EqualTo(50));
         Assert.That(condition.GetProperty("latency_ms").GetDouble(), Is.EqualTo(100));
         Assert.That(Candidate(condition, "hold").GetProperty("reduction").GetDouble(), Is.EqualTo(0));
+        Assert.That(condition.GetProperty("blend_cost").GetDouble(), Is.InRange(-0.05, 0.2));
+        Assert.That(condition.GetProperty("blend_ms").GetDouble(), Is.EqualTo(condition.GetProperty("blend_cost").GetDouble() > 0.05 ? 0 : 14));
         Assert.That(result.GetProperty("warnings").GetArrayLength(), Is.EqualTo(0));
     }
 
@@ -87,6 +89,7 @@ public class RecommendVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         Assert.That(run.Output, Does.Match(@"Use predictor [\w-]+: .*\."));
+        Assert.That(run.Output, Does.Match(@"Use blend (0|14) ms: 14 ms cost -?[\d.]+ % of RMS error"));
         Assert.That(run.Output, Does.Contain("use this").And.Contain("second half").And.Contain("a sample every 50 ms, 100 ms late"));
     }
 
