@@ -15,7 +15,7 @@ static class SyncVerb
                 + "or a recorded session, .jsonl or .jsonl.gz.",
         };
         var estimator = ChoiceOption.Create(
-            "--estimator", "Clock estimator; the default is the paper's, ransac, until a better one exists", "default", ["ransac", "default"]);
+            "--estimator", "Clock estimator; ransac is the paper's", ClockEstimators.Default, [.. ClockEstimators.Names]);
         var at = new Option<string>("--at")
         {
             Description = "File of instants (t_ns on C2, increasing): print what was known at each, instead of after each exchange.",
@@ -24,15 +24,14 @@ static class SyncVerb
         var verb = new Command("sync", "Run the clock estimator over a log of sync exchanges.") { file, estimator, at, json };
         // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
         verb.SetAction((parsed, cancel) => Task.Run(
-            () => Run(parsed.GetValue(file), parsed.GetValue(at), parsed.GetValue(json), cancel), CancellationToken.None));
+            () => Run(parsed.GetValue(file), parsed.GetValue(estimator), parsed.GetValue(at), parsed.GetValue(json), cancel), CancellationToken.None));
         return verb;
     }
 
-    static int Run(string file, string at, bool json, CancellationToken cancel)
+    static int Run(string file, string estimator, string at, bool json, CancellationToken cancel)
     {
         var log = SyncLog.Read(file);
-        // Both names mean the paper's estimator so far.
-        var replay = new SyncReplay(new RansacClockEstimator(RansacSettings.Paper));
+        var replay = new SyncReplay(ClockEstimators.Create(estimator));
         var beliefs = at == null ? replay.AfterEach(log) : replay.At(SyncLog.ReadInstants(at), log);
         Print(beliefs.TakeWhile(_ => !cancel.IsCancellationRequested), at != null, json);
         foreach (var (fault, count) in replay.Dropped)

@@ -55,7 +55,7 @@ namespace Nowpose.Session
             _newLink = newLink ?? WebSocketLinks.Create;
             Robot = robot;
             _visualisation = settings.Visualisation;
-            _synchroniser = new ClockSynchroniser(new RansacClockEstimator(settings.Ransac), settings.Clock);
+            _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
             _monitor = new ConstantLatencyMonitor(settings.Range);
             _tracks = new JointTracks(robot, settings.Prediction);
             _frame = new DisplayFrame(robot, _tracks);

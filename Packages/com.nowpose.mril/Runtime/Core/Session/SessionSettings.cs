@@ -13,14 +13,19 @@ namespace Nowpose.Session
         /// <param name="visualisation">L_visu of this device at the start.</param>
         /// <param name="prediction">Null for the defaults.</param>
         /// <param name="clock">Null for the defaults.</param>
-        /// <param name="ransac">Constants of the clock estimator; null for the paper's.</param>
-        /// <param name="syncIntervalMs">From the start of one sync exchange to the next, ms; the server allows 100 requests a second.</param>
+        /// <param name="ransac">Constants of the paper's clock estimator, where that is chosen; null for its own.</param>
+        /// <param name="syncIntervalMs">
+        /// From the start of one sync exchange to the next, ms; the server allows 100 requests a second. A quarter of it at
+        /// the start and after a step, five times as much on a quiet network.
+        /// </param>
         /// <param name="range">The constant-latency range of this device; null when none was found yet.</param>
+        /// <param name="clockEstimator">One of <see cref="ClockEstimators.Names"/>.</param>
         /// <param name="rewriteBeforeRender">As <see cref="RewriteBeforeRender"/>; L_visu is calibrated with the same choice.</param>
         public SessionSettings(
             ConnectionSettings connection, VisualisationLatency visualisation, PredictionSettings prediction = null,
             ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = ProtocolLimits.SyncIntervalMs,
-            ConstantLatencyRange range = null, bool rewriteBeforeRender = false)
+            ConstantLatencyRange range = null, bool rewriteBeforeRender = false,
+            string clockEstimator = ClockEstimators.Default)
         {
             Range = range;
             RewriteBeforeRender = rewriteBeforeRender;
@@ -29,6 +34,9 @@ namespace Nowpose.Session
             Prediction = prediction ?? PredictionSettings.Default;
             Clock = clock ?? ClockSettings.Default;
             Ransac = ransac ?? RansacSettings.Paper;
+            ClockEstimator = clockEstimator;
+            // Says at once when there is none of that name.
+            CreateClockEstimator();
             // Half of what the server bears.
             SyncInterval = SettingRange.RequireMs(syncIntervalMs, 2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond, 10_000, "sync interval");
         }
@@ -38,10 +46,16 @@ namespace Nowpose.Session
         public PredictionSettings Prediction { get; }
         public ClockSettings Clock { get; }
         public RansacSettings Ransac { get; }
+
+        /// <summary>One of <see cref="ClockEstimators.Names"/>.</summary>
+        public string ClockEstimator { get; }
         public TimeSpan SyncInterval { get; }
 
         /// <summary>Null when none is known.</summary>
         public ConstantLatencyRange Range { get; }
+
+        /// <summary>A fresh estimator of the chosen kind.</summary>
+        public IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
 
         /// <summary>Whether whoever shows the pose computes and writes it once more right before rendering.</summary>
         public bool RewriteBeforeRender { get; }

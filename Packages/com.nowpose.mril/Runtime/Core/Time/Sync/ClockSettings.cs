@@ -14,13 +14,13 @@ namespace Nowpose.Sync
         /// <param name="startAnewAfterSeconds">Silence after which the old line is forgotten, s: the device slept, and quartzes drift.</param>
         /// <param name="greatestHoldoverErrorMs">Error bound up to which a pose counts as current during a holdover, ms.</param>
         /// <param name="skewDoubtPpm">
-        /// What the estimated skew may be wrong beyond its standard errors, ppm; the bound grows by it while no exchange
-        /// arrives. In simulated outages of 30 s on a loaded WiFi, 250 ppm were too little once in fifty, 400 never.
+        /// How much faster or slower a clock may run in a minute's time than its skew and the standard errors say, ppm; the
+        /// bound grows by it while no exchange arrives. Quartzes that warm up change by a few.
         /// </param>
         public ClockSettings(
             int exchangesToSynchronise = 20, double errorToSynchroniseMs = 1, double holdoverAfterSeconds = 2,
             double stepMarginMs = 0.5, double startAnewAfterSeconds = 60, double greatestHoldoverErrorMs = 10,
-            double skewDoubtPpm = 400)
+            double skewDoubtPpm = 10)
         {
             ExchangesToSynchronise = SettingRange.RequireCount(exchangesToSynchronise, 1, 10_000, "exchanges to synchronise");
             ErrorToSynchronise = SettingRange.RequireMs(errorToSynchroniseMs, 0.001, 1000, "error to synchronise");

@@ -8,11 +8,17 @@ namespace Nowpose.Sync
         /// <summary>One exchange that contradicts the past may be a fault; two are reason to doubt the clock already.</summary>
         const int SuspectsToDoubt = 2;
 
+        /// <summary>
+        /// What the skew may be off from before, one standard deviation: after a short step (somebody set the same clock), a
+        /// long one (perhaps it is another machine's clock now), and a long silence (the headset slept and cooled down).
+        /// </summary>
+        const double SkewDoubtAfterShortStep = 1e-6, SkewDoubtAfterStep = 50e-6, SkewDoubtAfterSilence = 5e-6;
+
         readonly object _gate = new object();
         readonly IClockEstimator _estimator;
         readonly ClockSettings _settings;
         readonly ClockStepDetector _detector;
-        readonly OffsetEnvelope _envelope = new OffsetEnvelope();
+        readonly OffsetEnvelope _envelope;
         SyncExchange? _newest;
         bool _wasSynchronised;
         volatile Belief _belief = Belief.None;
@@ -21,7 +27,8 @@ namespace Nowpose.Sync
         {
             _estimator = estimator;
             _settings = settings;
-            _detector = new ClockStepDetector(settings.StepMargin);
+            _detector = new ClockStepDetector(settings.StepMargin, settings.SkewDoubt);
+            _envelope = new OffsetEnvelope(settings.SkewDoubt);
         }
 
         /// <summary>How often a clock stepped since the start.</summary>
@@ -29,6 +36,15 @@ namespace Nowpose.Sync
 
         /// <summary>Round-trip time of the newest exchange that was used; zero before the first.</summary>
         public TimeSpan RoundTripTime => _belief.RoundTripTime;
+
+        /// <summary>One standard error of the offset, at the newest exchange; zero before the first.</summary>
+        public TimeSpan OffsetError => _belief.Line.OffsetError;
+
+        /// <summary>Exchanges that the model rests on since the start, the newest step or the newest long silence.</summary>
+        public int Exchanges => _belief.Line.Exchanges;
+
+        /// <summary>Whether recent exchanges hint at a step. More of them, and soon, would tell.</summary>
+        public bool IsStepSuspected => _belief.IsStepSuspected;
 
         /// <summary>Each exchange with what became of it, in their order; raised by <see cref="Add"/> on its thread.</summary>
         /// <remarks>A handler must be quick, must not throw, and must not call back.</remarks>
@@ -49,8 +65,9 @@ namespace Nowpose.Sync
         /// <remarks>
         /// The error bound is what the recent exchanges prove (at best half the least round trip: an asymmetry can hide no
         /// more), the server's own bound, and what doubts of the skew can have added since the newest exchange. It counts on
-        /// the server to say its clock's resolution. A step of less than the least round trip and the step margin can be
-        /// missed; then, for 25 exchanges, the bound does not cover it.
+        /// the server to say its clock's resolution. A step of less than the least round trip is covered from the first
+        /// exchange on that is punctual enough to show it; one of less than about 0.3 ms can be missed, and is covered again
+        /// when the exchanges before it are a minute old.
         /// </remarks>
         public ClockModel ModelAt(HeadsetTime now)
         {
@@ -72,12 +89,12 @@ namespace Nowpose.Sync
             fault = exchange.T4 <= _newest?.T4 ? SyncExchangeFault.NotNewer : SyncExchangeRules.Check(exchange);
             if (fault != SyncExchangeFault.None) return SyncVerdict.Dropped;
 
-            if (exchange.T4 - _newest?.T4 > _settings.StartAnewAfter) ForgetTheLine();
+            if (exchange.T4 - _newest?.T4 > _settings.StartAnewAfter) ForgetTheLine(SkewDoubtAfterSilence);
             _newest = exchange;
-            var verdict = _detector.Judge(exchange, _estimator.Line, _envelope);
+            var verdict = _detector.Judge(exchange, _estimator.Line, _envelope, out var isShort);
             if (verdict == SyncVerdict.Consistent) Use(exchange);
-            else if (verdict == SyncVerdict.Step) StartAnew();
-            else if (_detector.Suspects.Count >= SuspectsToDoubt || _estimator.Line.Exchanges == 0) Doubt(exchange);
+            else if (verdict == SyncVerdict.Step) StartAnew(isShort ? SkewDoubtAfterShortStep : SkewDoubtAfterStep);
+            else Doubt(exchange, _detector.Suspects.Count >= SuspectsToDoubt || _estimator.Line.Exchanges == 0);
             if (verdict != SyncVerdict.SetAside) Publish(exchange, verdict == SyncVerdict.Step);
             return verdict;
         }
@@ -88,35 +105,38 @@ namespace Nowpose.Sync
             _envelope.Add(exchange);
         }
 
-        void StartAnew()
+        void StartAnew(double skewDoubt)
         {
-            ForgetTheLine();
+            ForgetTheLine(skewDoubt);
             _envelope.Reset();
             foreach (var suspect in _detector.Suspects) Use(suspect);
             _detector.Reset();
         }
 
         // The proofs stay: they are what tells whether a clock stepped meanwhile.
-        void ForgetTheLine()
+        void ForgetTheLine(double skewDoubt)
         {
-            _estimator.Reset();
+            _estimator.Restart(skewDoubt);
             _wasSynchronised = false;
         }
 
-        // The old line stays in use, but no longer as a settled one, and with a bound that admits the contradiction.
-        void Doubt(in SyncExchange exchange)
+        // The old line stays in use with a bound that admits the contradiction, and after the first no longer as a settled one.
+        void Doubt(in SyncExchange exchange, bool isSerious)
         {
             var model = ModelAt(exchange.T4);
             var contradiction = (exchange.Offset - model.OffsetAt(exchange.T4)).Duration() + exchange.RoundTripTime.Duration();
             var bound = contradiction > _belief.Bound ? contradiction : _belief.Bound;
-            _belief = new Belief(_belief.Line, ClockState.Converging, bound, _belief.RoundTripTime, _belief.Steps);
+            _belief = new Belief(
+                _belief.Line, isSerious ? ClockState.Converging : _belief.State, bound, _belief.RoundTripTime, _belief.Steps, isStepSuspected: true);
         }
 
         void Publish(in SyncExchange exchange, bool stepped)
         {
             var line = _estimator.Line;
-            var bound = _envelope.GreatestError(line) + exchange.ServerErrorBound;
-            _belief = new Belief(line, StateOf(line, exchange.ServerSynchronised), bound, exchange.RoundTripTime, _belief.Steps + (stepped ? 1 : 0));
+            var bound = _envelope.GreatestError(line) + exchange.ServerErrorBound + _detector.Suspicion;
+            _belief = new Belief(
+                line, StateOf(line, exchange.ServerSynchronised), bound, exchange.RoundTripTime, _belief.Steps + (stepped ? 1 : 0),
+                _detector.Suspicion > TimeSpan.Zero);
         }
 
         ClockState StateOf(in ClockLine line, bool isServerSynchronised)
@@ -130,15 +150,16 @@ namespace Nowpose.Sync
 
         sealed class Belief
         {
-            public static readonly Belief None = new Belief(default, ClockState.Unsynchronised, TimeSpan.Zero, TimeSpan.Zero, 0);
+            public static readonly Belief None = new Belief(default, ClockState.Unsynchronised, TimeSpan.Zero, TimeSpan.Zero, 0, false);
 
-            public Belief(in ClockLine line, ClockState state, TimeSpan bound, TimeSpan roundTripTime, int steps)
+            public Belief(in ClockLine line, ClockState state, TimeSpan bound, TimeSpan roundTripTime, int steps, bool isStepSuspected)
             {
                 Line = line;
                 State = state;
                 Bound = bound;
                 RoundTripTime = roundTripTime;
                 Steps = steps;
+                IsStepSuspected = isStepSuspected;
             }
 
             public ClockLine Line { get; }
@@ -146,6 +167,7 @@ namespace Nowpose.Sync
             public TimeSpan Bound { get; }
             public TimeSpan RoundTripTime { get; }
             public int Steps { get; }
+            public bool IsStepSuspected { get; }
         }
     }
 }

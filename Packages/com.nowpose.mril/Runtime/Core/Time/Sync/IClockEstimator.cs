@@ -9,7 +9,11 @@ namespace Nowpose.Sync
         /// <param name="exchange">Checked, and newer than all before.</param>
         void Add(in SyncExchange exchange);
 
-        /// <summary>Forgets everything: the control clock stepped.</summary>
-        void Reset();
+        /// <summary>Forgets the offset: a clock stepped, or nothing was heard for long.</summary>
+        /// <param name="skewDoubt">
+        /// What the skew may be off from what it was, one standard deviation, dimensionless: little where the same two clocks
+        /// run on. An estimator need not make use of it.
+        /// </param>
+        void Restart(double skewDoubt);
     }
 }

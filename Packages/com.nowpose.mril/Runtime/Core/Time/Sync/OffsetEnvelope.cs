@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 
 namespace Nowpose.Sync
 {
@@ -11,30 +10,33 @@ namespace Nowpose.Sync
     /// </remarks>
     sealed class OffsetEnvelope
     {
-        const int Window = 25;
+        /// <summary>A minute of the usual exchanges: older proofs are wide, and a path that has become longer is forgotten.</summary>
+        const int Window = 300;
 
-        /// <summary>
-        /// What an estimated skew may be wrong beyond its standard errors, which know nothing of delays that come in bursts:
-        /// half a millisecond over the usual window. With less, busy networks were taken for clock steps.
-        /// </summary>
-        const double SkewDoubt = 100e-6;
+        static readonly TimeSpan Oldest = TimeSpan.FromMinutes(1);
 
-        readonly Queue<Proof> _proofs = new Queue<Proof>();
+        readonly BoundsHistory _history = new BoundsHistory(Window, Oldest);
+        readonly double _skewDoubt;
+        long _halfResolution;
+
+        /// <param name="skewDoubt">What an estimated skew may be wrong beyond its standard errors, dimensionless: clocks do not run evenly.</param>
+        public OffsetEnvelope(double skewDoubt) => _skewDoubt = skewDoubt;
 
         public void Add(in SyncExchange exchange)
         {
-            _proofs.Enqueue(new Proof(exchange));
-            if (_proofs.Count > Window) _proofs.Dequeue();
+            _halfResolution = exchange.Resolution.Ticks / 2;
+            _history.Add(new OffsetBounds(exchange));
         }
 
-        public void Reset() => _proofs.Clear();
+        public void Reset() => _history.Clear();
 
         /// <summary>Whether the exchange and the recent ones can all be true, give or take a margin. They cannot when a clock stepped.</summary>
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
-            var proof = new Proof(exchange);
-            var (least, greatest) = At(proof.At, line);
-            return proof.Least <= greatest + margin.Ticks && proof.Greatest >= least - margin.Ticks;
+            var proof = new OffsetBounds(exchange);
+            var half = exchange.Resolution.Ticks / 2;
+            var (least, greatest) = At(exchange.T4, line);
+            return proof.Least - half <= greatest + margin.Ticks && proof.Greatest + half >= least - margin.Ticks;
         }
 
         /// <summary>How far the true offset can be from the line where it is anchored: the distance to the farther end of the interval.</summary>
@@ -45,39 +47,29 @@ namespace Nowpose.Sync
             return new TimeSpan(Math.Max(Math.Abs(greatest - offset), Math.Abs(offset - least)));
         }
 
+        /// <summary>Where the bounds lie beside the line, without the newest few.</summary>
+        /// <param name="newest">How many to leave out; none may be left then.</param>
+        public void Fill(OffsetCorridor corridor, in ClockLine line, int newest)
+        {
+            corridor.Clear();
+            for (var i = newest; i < _history.Count; i++) corridor.Add(line, _history[i]);
+        }
+
         (long Least, long Greatest) At(HeadsetTime now, in ClockLine line)
         {
-            // A young line's slope may follow a burst of late replies: until it is older than the window, none is believed.
-            var isMature = line.Exchanges >= 2 * Window;
-            var skew = isMature ? line.Skew : 0;
-            var doubt = isMature ? 3 * line.SkewError + SkewDoubt : ClockLine.GreatestSkew;
+            var doubt = line.Exchanges == 0 ? ClockLine.GreatestSkew : 3 * line.SkewError + _skewDoubt;
             // Halves, so that a margin can be added to the ends of an interval that nothing bounds yet.
             long least = long.MinValue / 2, greatest = long.MaxValue / 2;
-            foreach (var proof in _proofs)
+            for (var i = 0; i < _history.Count; i++)
             {
-                var age = (now - proof.At).Ticks;
-                var carried = (long)(age * skew);
-                var widening = (long)(Math.Abs(age) * doubt);
-                least = Math.Max(least, proof.Least + carried - widening);
-                greatest = Math.Min(greatest, proof.Greatest + carried + widening);
+                ref readonly var proof = ref _history[i];
+                least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - _halfResolution);
+                greatest = Math.Min(greatest, Carried(proof.Greatest, now - proof.Received, line.Skew, doubt) + _halfResolution);
             }
             return (least, greatest);
         }
 
-        /// <summary>Ticks of 100 ns.</summary>
-        readonly struct Proof
-        {
-            public Proof(in SyncExchange exchange)
-            {
-                var half = exchange.Resolution.Ticks / 2;
-                At = exchange.T4;
-                Least = (exchange.T1.SinceEpoch - exchange.T2.SinceEpoch).Ticks - half;
-                Greatest = (exchange.T4.SinceEpoch - exchange.T3.SinceEpoch).Ticks + half;
-            }
-
-            public HeadsetTime At { get; }
-            public long Least { get; }
-            public long Greatest { get; }
-        }
+        static long Carried(long bound, TimeSpan age, double skew, double widening) =>
+            bound + (long)(age.Ticks * skew) + (long)(Math.Abs(age.Ticks) * widening);
     }
 }

@@ -110,7 +110,7 @@ namespace Nowpose.Tests
             Assert.That(values["state"], Is.EqualTo("converging"));
             Assert.That(values["offset_ns"], Is.EqualTo("-100000000000"));
             Assert.That(values["rtt_ms"], Is.EqualTo("2"));
-            Assert.That(values["error_bound_us"], Is.EqualTo("1000"));
+            Assert.That(values["error_bound_us"], Is.EqualTo("1001.4"), "half the round trip, and 700 ppm of it for the skew");
             Assert.That(values["l_visu_ms"], Is.EqualTo("40"));
             Assert.That(values.Keys, Has.No.Member("l_app_ms"), "no sample yet");
         }

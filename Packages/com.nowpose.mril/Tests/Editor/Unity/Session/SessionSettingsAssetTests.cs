@@ -30,6 +30,7 @@ namespace Nowpose.Tests
             ("_horizonCapMs", 250.5, s => s.Prediction.HorizonCap.TotalMilliseconds, 250.5),
             ("_maximumGapMs", 700.0, s => s.Prediction.MaximumGap.TotalMilliseconds, 700.0),
             ("_blendMs", 20.0, s => s.Prediction.Blend.TotalMilliseconds, 20.0),
+            ("_clockEstimator", "ransac", s => s.ClockEstimator, "ransac"),
             ("_syncIntervalMs", 150.0, s => s.SyncInterval.TotalMilliseconds, 150.0),
             ("_rewriteBeforeRender", true, s => s.RewriteBeforeRender, true),
         };
@@ -138,6 +139,7 @@ namespace Nowpose.Tests
         [TestCase("_horizonCapMs", 5001.0, "horizon cap", "5001 ms", "0 to 5000 ms")]
         [TestCase("_maximumGapMs", 0.5, "maximum gap", "0.5 ms", "1 to 60000 ms")]
         [TestCase("_blendMs", 250.0, "blend", "250 ms", "0 to 200 ms")]
+        [TestCase("_clockEstimator", "paper", "clock estimator", "'paper'", "default, ransac")]
         [TestCase("_syncIntervalMs", 19.0, "sync interval", "19 ms", "20 to 10000 ms")]
         public void ToSettings_BadValue_IsOneLineThatNamesAssetFieldValueAndRange(string field, object value, params string[] named)
         {

@@ -1,0 +1,138 @@
+using System;
+
+namespace Nowpose.Sync
+{
+    /// <summary>
+    /// The default estimator: the offset lies between what the requests and what the replies prove, and the most punctual of
+    /// them lie close to it. Half-way between two curves along the most punctual of either, it needs no outlier rejection
+    /// and is the better, the more exchanges there are.
+    /// </summary>
+    /// <remarks>
+    /// The paper's offsets of Eq. (5) average a request with its reply, and are wrong when either is late. Here each counts
+    /// by itself. An asymmetry of the least delays themselves cannot be seen by anybody: the error bound allows for it.
+    /// </remarks>
+    public sealed class EnvelopeClockEstimator : IClockEstimator
+    {
+        /// <summary>Exchanges kept, and for how long, s: three minutes at five a second. What is older follows from the rest no better.</summary>
+        const int History = 900;
+        const double HistorySeconds = 180;
+
+        /// <summary>
+        /// Exchanges in the newest block and in the largest, each older block being longer by one. Short ones tell what the
+        /// skew does just now where the network is quiet, long ones hold a punctual packet where it is not.
+        /// </summary>
+        const int NewestBlock = 6, LargestBlock = 30;
+
+        /// <summary>Exchanges there must be for each exchange of the largest block: with few blocks nothing tells a late one.</summary>
+        const int BlocksWanted = 10;
+
+        /// <summary>One standard deviation of the skew before anything is known, and what it may gain a second after a restart.</summary>
+        const double SkewPrior = 50e-6, SkewWander = 0.05e-6;
+
+        /// <summary>
+        /// How far behind the present the skew is taken that continues the line, s. The slope right at the end is the least
+        /// certain part of a curve, and a silence lasts for seconds or minutes.
+        /// </summary>
+        const double SkewAge = 20;
+
+        /// <summary>
+        /// Time in which a change of the skew is believed, s. When a path changes, the curve bends from the old bounds to the
+        /// new ones; its slope then is none of the clock's, and no measure for how well it is known.
+        /// </summary>
+        const double SkewPatience = 60;
+
+        readonly BoundsHistory _history = new BoundsHistory(History, ClockTicks.Span(HistorySeconds));
+        readonly EnvelopeSide _below = new EnvelopeSide(1, History);
+        readonly EnvelopeSide _above = new EnvelopeSide(-1, History);
+        readonly EnvelopeFit _fit;
+        OffsetCurve _curve;
+        double _expectedSkew, _steadySkew;
+        double _skewDoubt = SkewPrior;
+        HeadsetTime _start;
+        int _exchanges;
+
+        public EnvelopeClockEstimator() => _fit = new EnvelopeFit(_below, _above);
+
+        public ClockLine Line { get; private set; }
+
+        public void Restart(double skewDoubt)
+        {
+            if (_exchanges > 0) _expectedSkew = Line.Skew;
+            _skewDoubt = Math.Min(SkewPrior, skewDoubt + (_exchanges > 0 ? Line.SkewError : SkewPrior));
+            _curve = new OffsetCurve(_expectedSkew, 0);
+            _history.Clear();
+            _exchanges = 0;
+            Line = default;
+        }
+
+        public void Add(in SyncExchange exchange)
+        {
+            _history.Add(new OffsetBounds(exchange));
+            if (_exchanges++ == 0)
+            {
+                _start = exchange.T4;
+                _steadySkew = _expectedSkew;
+            }
+
+            var newest = _history[0];
+            // Half of each, as their sum may overflow.
+            var middle = newest.Least / 2 + newest.Greatest / 2;
+            var roundTrip = Collect(newest.Received, middle);
+            var running = ClockTicks.Seconds(newest.Received - _start);
+            // A clock that runs faster than the prior thinks possible would leave residuals that make the data seem poor.
+            var proven = ProvenSkew.Of(_history);
+            _fit.Solve(
+                ClockTicks.Seconds(roundTrip), new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend), proven.Nearest(_expectedSkew),
+                Math.Min(SkewPrior, _skewDoubt + SkewWander * running));
+            _curve = _fit.Curve;
+            Line = LineAt(newest.Received, middle, running);
+        }
+
+        // Returns the least round trip.
+        TimeSpan Collect(HeadsetTime reference, long referenceOffset)
+        {
+            _below.Clear();
+            _above.Clear();
+            var largest = Math.Max(1, Math.Min(LargestBlock, _history.Count / BlocksWanted));
+            var length = Math.Min(NewestBlock, largest);
+            for (var from = 0; from + length <= _history.Count; from += length, length = Math.Min(length + 1, largest))
+                CollectBlock(from, length, reference, referenceOffset);
+            var least = long.MaxValue;
+            for (var i = 0; i < _history.Count; i++) least = Math.Min(least, _history[i].Greatest - _history[i].Least);
+            return new TimeSpan(Math.Max(0, least));
+        }
+
+        void CollectBlock(int from, int length, HeadsetTime reference, long referenceOffset)
+        {
+            for (var i = from; i < from + length; i++)
+            {
+                ref readonly var bounds = ref _history[i];
+                var sent = ClockTicks.Seconds(bounds.Sent - reference);
+                var least = ClockTicks.Seconds(new TimeSpan(bounds.Least - referenceOffset));
+                var received = ClockTicks.Seconds(bounds.Received - reference);
+                var greatest = ClockTicks.Seconds(new TimeSpan(bounds.Greatest - referenceOffset));
+                if (i == from)
+                {
+                    _below.Begin(sent, least);
+                    _above.Begin(received, greatest);
+                    continue;
+                }
+                _below.Improve(sent, least, _curve);
+                _above.Improve(received, greatest, _curve);
+            }
+        }
+
+        ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running)
+        {
+            var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
+            var skew = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
+            var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
+            // Half of the time there was, at first.
+            _steadySkew += (skew - _steadySkew) * Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewPatience, running / 2)));
+            var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew));
+            var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
+            return new ClockLine(
+                reference, offset, skew, ClockTicks.Span(_fit.OffsetError), skewError, _exchanges);
+        }
+    }
+}

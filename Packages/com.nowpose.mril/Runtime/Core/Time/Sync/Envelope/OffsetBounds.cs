@@ -1,0 +1,27 @@
+namespace Nowpose.Sync
+{
+    /// <summary>
+    /// What one exchange proves, whatever the network did, in ticks of 100 ns: no packet arrives before it was sent, so
+    /// <see cref="Least"/> = t1 − t2 ≤ Φ(t1), and <see cref="Greatest"/> = t4 − t3 ≥ Φ(t4).
+    /// </summary>
+    readonly struct OffsetBounds
+    {
+        public OffsetBounds(in SyncExchange exchange)
+        {
+            Sent = exchange.T1;
+            Least = (exchange.T1.SinceEpoch - exchange.T2.SinceEpoch).Ticks;
+            Received = exchange.T4;
+            Greatest = (exchange.T4.SinceEpoch - exchange.T3.SinceEpoch).Ticks;
+        }
+
+        /// <summary>t1, when <see cref="Least"/> held.</summary>
+        public HeadsetTime Sent { get; }
+
+        public long Least { get; }
+
+        /// <summary>t4, when <see cref="Greatest"/> held.</summary>
+        public HeadsetTime Received { get; }
+
+        public long Greatest { get; }
+    }
+}
