@@ -14,7 +14,7 @@ namespace Nowpose.Network
         readonly IHeadsetClock _clock;
         readonly ClockSynchroniser _synchroniser;
         readonly SyncFaultCounters _faults;
-        readonly TimeSpan _interval;
+        readonly ExchangePace _pace;
         readonly CancellationTokenSource _stop = new CancellationTokenSource();
         readonly Task _running;
         volatile Stream _open;
@@ -24,15 +24,15 @@ namespace Nowpose.Network
         /// <summary>Starts at once.</summary>
         /// <param name="synchroniser">Receives each exchange, on this client's thread.</param>
         /// <param name="faults">Counts what was dropped.</param>
-        /// <param name="interval">From the start of one exchange to the start of the next.</param>
+        /// <param name="pace">When to exchange; this client's own.</param>
         public SyncClient(
-            ConnectionSettings settings, IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, TimeSpan interval)
+            ConnectionSettings settings, IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, ExchangePace pace)
         {
             _settings = settings;
             _clock = clock;
             _synchroniser = synchroniser;
             _faults = faults;
-            _interval = interval;
+            _pace = pace;
             // Long-running is a thread of its own. The scheduler is named because a caller's may be the frame's.
             _running = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         }
@@ -94,7 +94,7 @@ namespace Nowpose.Network
             TimeSpan pause;
             do
             {
-                var next = _clock.Now + _interval;
+                var begun = _clock.Now;
                 var fault = connection.Exchange(out var exchange);
                 if (fault == SyncExchangeFault.None && _synchroniser.Add(exchange, out fault) == SyncVerdict.SetAside)
                     _faults.Count(SyncExchangeFault.Contradiction);
@@ -107,7 +107,8 @@ namespace Nowpose.Network
                     _status = LinkStatus.Connected;
                     backoff.Reset();
                 }
-                pause = next - _clock.Now;
+                var ended = _clock.Now;
+                pause = begun + _pace.Next(_synchroniser, ended) - ended;
             }
             while (!_stop.Token.WaitHandle.WaitOne(pause > TimeSpan.Zero ? pause : TimeSpan.Zero));
         }

@@ -27,6 +27,7 @@ namespace Nowpose.Session
         readonly IHeadsetClock _clock;
         readonly Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> _newLink;
         readonly ClockSynchroniser _synchroniser;
+        readonly DisplayClock _displayClock = new DisplayClock();
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
         readonly ConstantLatencyMonitor _monitor;
@@ -78,7 +79,10 @@ namespace Nowpose.Session
         /// <summary>Why the newest description could not be read, in one line; null when it could, or there is none. Any thread.</summary>
         public string RobotDescriptionFault => _descriptionFault;
 
-        /// <summary>Takes sync exchanges; the network feeds it, and so may a test.</summary>
+        /// <summary>When to exchange, for whoever feeds <see cref="Clock"/>; each caller gets one of its own.</summary>
+        public ExchangePace NewExchangePace() => new ExchangePace(_settings.SyncInterval, _settings.Clock.HoldoverAfter);
+
+        /// <summary>Takes sync exchanges; the network feeds it, and so may a test. A frame follows it without going back.</summary>
         public ClockSynchroniser Clock => _synchroniser;
 
         /// <summary>Each message whose samples were used, with its L_app where the clock is known; raised within <see cref="Tick"/>.</summary>
@@ -129,7 +133,7 @@ namespace Nowpose.Session
         public void Connect()
         {
             if (_syncClient != null) return;
-            _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, SyncFaults, _settings.SyncInterval);
+            _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, SyncFaults, NewExchangePace());
             _rosbridgeClient = new RosbridgeClient(() => _newLink(_settings.Connection, _clock), _clock, this);
         }
 
@@ -155,7 +159,7 @@ namespace Nowpose.Session
         {
             lock (_gate)
             {
-                var clock = _synchroniser.ModelAt(start);
+                var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
                 ForgetWhatAnotherClockStamped(start, clock);
                 while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
                 var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;

@@ -16,7 +16,7 @@ namespace Nowpose.Session
         /// <param name="ransac">Constants of the paper's clock estimator, where that is chosen; null for its own.</param>
         /// <param name="syncIntervalMs">
         /// From the start of one sync exchange to the next, ms; the server allows 100 requests a second. A quarter of it at
-        /// the start and after a step, five times as much on a quiet network.
+        /// the start and after a step, five times as much on a quiet network, see <see cref="ExchangePace"/>.
         /// </param>
         /// <param name="range">The constant-latency range of this device; null when none was found yet.</param>
         /// <param name="clockEstimator">One of <see cref="ClockEstimators.Names"/>.</param>

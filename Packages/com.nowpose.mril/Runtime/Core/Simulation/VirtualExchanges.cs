@@ -8,7 +8,7 @@ namespace Nowpose.Simulation
     /// <summary>The sync exchanges of a <see cref="VirtualCell"/>: one under way at a time, as over TCP. One thread.</summary>
     sealed class VirtualExchanges
     {
-        static readonly TimeSpan Interval = ClockTicks.Span(ProtocolLimits.SyncIntervalMs / 1000);
+        static readonly TimeSpan LostInterval = ClockTicks.Span(ProtocolLimits.SyncIntervalMs / 1000);
 
         /// <summary>From a request's arrival until its reply is sent.</summary>
         static readonly TimeSpan Turnaround = new TimeSpan(200);
@@ -17,7 +17,10 @@ namespace Nowpose.Simulation
         readonly VirtualPath _up;
         readonly VirtualPath _down;
         SyncExchange? _underway;
+        HeadsetTime _begun;
         HeadsetTime _next;
+        CompensationSession _session;
+        ExchangePace _pace;
 
         public VirtualExchanges(VirtualClock clock, int seed, HeadsetTime start)
         {
@@ -30,6 +33,11 @@ namespace Nowpose.Simulation
         /// <summary>What happens until now; none is begun that would lie longer back than <paramref name="from"/>.</summary>
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
+            if (_session != session)
+            {
+                _session = session;
+                _pace = session.NewExchangePace();
+            }
             if (_next < from) _next = from;
             while (true)
             {
@@ -44,15 +52,18 @@ namespace Nowpose.Simulation
             if (session.Clock.Add(_underway.Value, out var fault) == SyncVerdict.SetAside)
                 session.SyncFaults.Count(SyncExchangeFault.Contradiction);
             session.SyncFaults.Count(fault);
-            // The next waits for this one, and comes at once when it is due already.
-            if (_next < _underway.Value.T4) _next = _underway.Value.T4;
+            var ended = _underway.Value.T4;
+            _next = _begun + _pace.Next(session.Clock, ended);
+            // It waits for this one, and comes at once when it is due already.
+            if (_next < ended) _next = ended;
             _underway = null;
         }
 
         void Begin(in VirtualCellSettings settings)
         {
-            var t1 = _next;
-            _next += Interval;
+            var t1 = _begun = _next;
+            // If it is lost. Over TCP it would be late rather than lost; so it is here, by the time of another.
+            _next += LostInterval;
             var there = _up.TrySend(settings, out var up, out var upJitter);
             var back = _down.TrySend(settings, out var down, out var downJitter);
             if (!there || !back) return;

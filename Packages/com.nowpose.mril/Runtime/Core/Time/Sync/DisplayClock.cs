@@ -1,0 +1,55 @@
+using System;
+
+namespace Nowpose.Sync
+{
+    /// <summary>
+    /// The clock that the wearer sees by: follows what the synchroniser believes without ever going back. A correction is
+    /// spread over the next frames; only a step of a clock is taken over at once. One thread, the frame's; allocates nothing.
+    /// </summary>
+    /// <remarks>
+    /// Control time advances by between 0.994 and 1.006 of the headset's while the clock is synchronised, and by between one
+    /// half and one and a half before: never by nothing, never backwards.
+    /// </remarks>
+    public sealed class DisplayClock
+    {
+        /// <summary>
+        /// Seconds of correction a second, synchronised: a usual correction of 20 µs is done within a frame, one of 1 ms
+        /// after a silence in a fifth of a second; and a robot at 1 m/s seems to move by 5 mm/s too fast or slow meanwhile.
+        /// </summary>
+        public const double SlewRate = 5e-3;
+
+        /// <summary>The same before: the first offsets may be wrong by tens of milliseconds, and poses are not shown as current yet.</summary>
+        public const double ConvergingSlewRate = 0.5;
+
+        ClockModel _shown;
+        HeadsetTime _at;
+
+        /// <summary>The model to show a frame by.</summary>
+        /// <param name="believed">What the synchroniser says at that time.</param>
+        /// <param name="now">When the frame begins. A time before the last call's is answered, but not followed.</param>
+        public ClockModel Follow(in ClockModel believed, HeadsetTime now)
+        {
+            // A young line through two late replies can be so steep that following it would go back.
+            var skew = Math.Max(-ClockLine.GreatestSkew, Math.Min(ClockLine.GreatestSkew, believed.Skew));
+            if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)
+                return Show(new ClockModel(now, believed.OffsetAt(now), skew, believed.ErrorBound, believed.State, believed.Steps), now);
+            if (now < _at) return _shown;
+
+            var passed = now - _at;
+            var rate = believed.State == ClockState.Converging ? ConvergingSlewRate : SlewRate;
+            var allowed = (long)(passed.Ticks * rate);
+            // What the clocks do by themselves is no correction.
+            var carried = _shown.OffsetAt(_at) + new TimeSpan((long)Math.Round(passed.Ticks * skew));
+            var correction = (believed.OffsetAt(now) - carried).Ticks;
+            var taken = Math.Max(-allowed, Math.Min(allowed, correction));
+            var bound = believed.ErrorBound + new TimeSpan(Math.Abs(correction - taken));
+            return Show(new ClockModel(now, carried + new TimeSpan(taken), skew, bound, believed.State, believed.Steps), now);
+        }
+
+        ClockModel Show(in ClockModel model, HeadsetTime now)
+        {
+            _at = now;
+            return _shown = model;
+        }
+    }
+}
