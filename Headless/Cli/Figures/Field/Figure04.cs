@@ -20,7 +20,7 @@ static class Figure04
             Claim = "At constant velocity v a latency L makes an error e = v·L: at the usual speeds up to 1000 mm/s and latencies of "
                 + "30 to 250 ms, errors that matter.",
             Criteria = Criteria(field.Points),
-            Beyond = Beyond(clocks),
+            Beyond = Beyond(field.Points, clocks),
             Conditions = "Constant velocities. With a sample every 0.5 ms the latency is L alone; with T_s of 50 ms a sample is also T_s/2 old on "
                 + "average, and lies that much further right. With prediction, what is left is v times what the clock is wrong (P95 of Fig. 8).",
             Table = table,
@@ -39,10 +39,12 @@ static class Figure04
         ];
     }
 
-    static string Beyond(ClockRuns clocks)
+    static string Beyond(IReadOnlyList<FieldPoint> points, ClockRuns clocks)
     {
-        var left = ClockMethod.All.Select((m, i) => $"{Mm(1000 * clocks.Errors(i).P95Us / UsPerS)} with the {m.Name} clock estimator");
-        return $"Prediction removes all error of a constant velocity but for what the clocks leave: at 1000 mm/s {string.Join(", ", left)}.";
+        var predicted = ErrorField.Predicted.Select((name, p) => $"{name} {Mm(points.Max(point => point.PredictedMm[p]))} at most");
+        var left = ClockMethod.All.Select((m, i) => $"{Mm(1000 * clocks.Errors(i).P95Us / UsPerS)} with {m.Name}");
+        return $"Of a constant velocity prediction leaves no more than what the clocks are wrong: {string.Join(", ", predicted)} with exact clocks; "
+            + $"at 1000 mm/s the clock estimators leave {string.Join(", ", left)}.";
     }
 
     static FigureTable TableOf(IReadOnlyList<FieldPoint> points, ClockRuns clocks)
