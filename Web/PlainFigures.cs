@@ -39,7 +39,11 @@ public static class PlainFigures
             Append(html, $"<figure>{drawing.GetProperty("svg").GetString()}<figcaption>{Text(drawing, "title")}. {Text(drawing, "description")}</figcaption></figure>\n");
         if (figure.TryGetProperty("summary", out var summary) && summary.ValueKind == JsonValueKind.Object)
             Table(html, Text(summary, "caption"), Cells(summary.GetProperty("columns")), Items(summary, "rows").Select(Cells));
-        Append(html, $"<p>{Text(figure, "conditions")} Data: {Text(figure, "file")}</p>\n");
+        Append(html, $"<p>{Text(figure, "conditions")}</p>\n");
+        if (!figure.TryGetProperty("table", out var table)) return;
+        Append(html, $"<details><summary>Data, as in {Text(figure, "file")}</summary>\n");
+        Table(html, $"Data of Fig. {number}", Cells(table.GetProperty("columns")), Items(table, "rows").Select(Cells));
+        html.Append("</details>\n");
     }
 
     static void Table(StringBuilder html, string caption, IEnumerable<string> header, IEnumerable<IEnumerable<string>> rows)
