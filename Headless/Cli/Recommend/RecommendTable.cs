@@ -11,7 +11,8 @@ static class RecommendTable
     {
         console.WriteLine(Text(
             $"{Path.GetFileName(path)}: {traits.Duration:0.0} s, a sample every {1e3 * traits.Interval:0.0} ms (P5 {1e3 * traits.IntervalP5:0.0}, P95 {1e3 * traits.IntervalP95:0.0}), {100 * traits.Repeats:0.0} % repeated"));
-        foreach (var (name, step) in traits.RoundingSteps) console.WriteLine(Text($"{name} is rounded to {step:G4}"));
+        foreach (var joints in traits.RoundingSteps.GroupBy(joint => joint.Step))
+            console.WriteLine(Text($"rounded to {joints.Key:G4}: ") + string.Join(", ", joints.Select(joint => joint.Name)));
         foreach (var warning in traits.Warnings()) console.WriteLine("note: " + warning);
         foreach (var (verdict, blend) in results) Write(console, verdict, blend);
     }
