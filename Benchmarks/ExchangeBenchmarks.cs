@@ -4,13 +4,14 @@ using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>One sync exchange over good WiFi, the estimator's history full: checks, RANSAC, fit, moving average.</summary>
+/// <summary>One sync exchange over good WiFi, the estimator's history full: checks, bounds, search for steps, fit.</summary>
 public class ExchangeBenchmarks
 {
     const int Delays = 1024;
     static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(200);
 
-    readonly ClockSynchroniser _clock = new(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+    readonly ClockSynchroniser _ours = new(ClockEstimators.Create(ClockEstimators.Default), ClockSettings.Default);
+    readonly ClockSynchroniser _papers = new(ClockEstimators.Create(ClockEstimators.Ransac), ClockSettings.Default);
     readonly TimeSpan[] _up = DelaysOf(NetworkProfile.Wifi.Up(1));
     readonly TimeSpan[] _down = DelaysOf(NetworkProfile.Wifi.Down(2));
     HeadsetTime _now;
@@ -20,17 +21,25 @@ public class ExchangeBenchmarks
     public void Prepare()
     {
         for (var i = 0; i < Delays; i++)
+        {
             if (Add() != SyncVerdict.Consistent) throw new InvalidOperationException("an exchange is not used");
+            AddToPapers();
+        }
     }
 
-    [Benchmark(Description = "Exchange: added to a full history of 100")]
-    public SyncVerdict Add()
+    [Benchmark(Description = "Exchange: added to a full history of 900")]
+    public SyncVerdict Add() => AddTo(_ours);
+
+    [Benchmark(Description = "Exchange: added to the paper's full history of 100")]
+    public SyncVerdict AddToPapers() => AddTo(_papers);
+
+    SyncVerdict AddTo(ClockSynchroniser clock)
     {
         _next = (_next + 1) % Delays;
         _now += Interval;
         // Both clocks show the same: what they show does not change the work.
         var there = new ControlTime(_now.SinceEpoch + _up[_next]);
-        return _clock.Add(new SyncExchange(_now, there, there, _now + _up[_next] + _down[_next]), out _);
+        return clock.Add(new SyncExchange(_now, there, there, _now + _up[_next] + _down[_next]), out _);
     }
 
     static TimeSpan[] DelaysOf(PathDelay path) => [.. Enumerable.Range(0, Delays).Select(_ => path.Next())];

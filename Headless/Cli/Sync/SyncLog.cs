@@ -10,11 +10,14 @@ static class SyncLog
     public static IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> Read(string path) =>
         SessionFileReader.IsSession(path) ? OfSession(path) : OfTable(path);
 
-    static List<(long, SyncExchange)> OfTable(string path) =>
-        IntegerTable.Read(path, "t1_ns", "t2_ns", "t3_ns", "t4_ns")
-            .ConvertAll(row => (row[3], new SyncExchange(
-                HeadsetTime.FromNanoseconds(row[0]), ControlTime.FromNanoseconds(row[1]),
-                ControlTime.FromNanoseconds(row[2]), HeadsetTime.FromNanoseconds(row[3]))));
+    static List<(long, SyncExchange)> OfTable(string path)
+    {
+        var rows = IntegerTable.Read(path, "t1_ns", "t2_ns", "t3_ns", "t4_ns");
+        var resolution = LoggedResolution.Of(rows);
+        return rows.ConvertAll(row => (row[3], new SyncExchange(
+            HeadsetTime.FromNanoseconds(row[0]), ControlTime.FromNanoseconds(row[1]),
+            ControlTime.FromNanoseconds(row[2]), HeadsetTime.FromNanoseconds(row[3]), resolution)));
+    }
 
     static List<(long, SyncExchange)> OfSession(string path)
     {

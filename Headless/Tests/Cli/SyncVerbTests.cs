@@ -73,6 +73,46 @@ public class SyncVerbTests
         Assert.That(first.GetProperty("offset_ns").GetInt64(), Is.EqualTo(-ControlEpoch).Within(1000));
     }
 
+    /// <summary>Exchanges over a quiet network at uneven times; the control clock stamps whole cycles.</summary>
+    static string LogOfCycles(long cycleNs)
+    {
+        var random = new Random(5);
+        var log = new StringBuilder(Header);
+        long Stamp(long t) => (ControlEpoch + t) / cycleNs * cycleNs;
+        for (var i = 0; i < 400; i++)
+        {
+            var t1 = i * 200_000_000L + random.Next(9_000_000);
+            var (t2, t4) = (t1 + 150_000 + random.Next(100_000), t1 + 500_000 + random.Next(100_000));
+            log.Append(CultureInfo.InvariantCulture, $"{t1},{Stamp(t2)},{Stamp(t2 + 20_000)},{t4}\n");
+        }
+        return log.ToString();
+    }
+
+    [TestCase(1_000_000)]
+    [TestCase(4_000_000)]
+    public async Task Sync_LogOfWholeCycles_IsNotHalfACycleOff(long cycleNs)
+    {
+        using var file = new TemporaryFile(LogOfCycles(cycleNs));
+
+        var run = await CliRun.OfAsync("sync", file.Path);
+
+        var error = long.Parse(run.Lines[^1].Split(',')[1], CultureInfo.InvariantCulture) + ControlEpoch;
+        Assert.That(error, Is.EqualTo(0).Within(cycleNs / 8), "seed 5; half a cycle would be too much");
+    }
+
+    [Test]
+    public async Task Sync_Estimators_AreBothThereAndDifferent()
+    {
+        using var file = new TemporaryFile(LogOfCycles(1));
+
+        var ours = await CliRun.OfAsync("sync", file.Path, "--estimator", "default");
+        var papers = await CliRun.OfAsync("sync", file.Path, "--estimator", "ransac");
+        var unsaid = await CliRun.OfAsync("sync", file.Path);
+
+        Assert.That(ours.Lines[^1].Split(',')[1], Is.Not.EqualTo(papers.Lines[^1].Split(',')[1]));
+        Assert.That(unsaid.Output, Is.EqualTo(ours.Output));
+    }
+
     [Test]
     public async Task Sync_BrokenExchanges_AreCountedAndTheRestGoesOn()
     {

@@ -6,10 +6,9 @@ namespace Nowpose.Cli.Figures.Clocks;
 sealed record ClockMethod(string Name, Func<IClockEstimator> Create)
 {
     /// <summary>The paper's, with the constants of its Fig. 8: 100 exchanges, 20 hypotheses, moving average of 20.</summary>
-    public static readonly ClockMethod Paper = new("ransac", () => new RansacClockEstimator(RansacSettings.Paper));
+    public static readonly ClockMethod Paper = Named(ClockEstimators.Ransac);
 
-    public static IReadOnlyList<ClockMethod> All { get; } = [Paper];
+    public static IReadOnlyList<ClockMethod> All { get; } = [Paper, Named(ClockEstimators.Default)];
 
-    /// <summary>Ours, in <see cref="All"/> after the paper's; null while there is none.</summary>
-    public static ClockMethod Ours => All.Count > 1 ? All[1] : null;
+    static ClockMethod Named(string name) => new(name, () => ClockEstimators.Create(name));
 }
