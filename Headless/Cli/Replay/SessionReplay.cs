@@ -65,7 +65,9 @@ sealed class SessionReplay
         }
         var axes = Enumerable.Range(0, _errors.Length).Where(i => _errors[i].Count > 0)
             .Select(i => _errors[i].Summary(_session.Header.Joints[i].Name));
-        return new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
+        var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
+        return double.IsFinite(result.Rms + result.RmsHold)
+            ? result : throw new InputException($"{_path}: the errors are too large to be squared; are the positions in rad or m?");
     }
 
     void Play(in RecordedSession.Event next)

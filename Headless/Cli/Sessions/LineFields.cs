@@ -7,6 +7,9 @@ readonly struct LineFields(string place, JsonElement fields)
 {
     readonly JsonElement _fields = fields;
 
+    /// <summary>File and line, for messages.</summary>
+    public string Place => place;
+
     public bool Has(string name) => _fields.TryGetProperty(name, out var value) && value.ValueKind != JsonValueKind.Null;
 
     public string Text(string name) => Required(name) is { ValueKind: JsonValueKind.String } value

@@ -11,11 +11,14 @@ static class SessionLines
 
     public static SessionHeader ReadHeader(LineFields line)
     {
-        var (robot, settings) = (line.Object("robot"), line.Object("settings"));
-        var prediction = new PredictionSettings(
-            settings.Text("predictor"), settings.Number("horizon_cap_ms"), settings.Number("maximum_gap_ms"),
-            settings.NumberOr("blend_ms", 0));
-        return new SessionHeader(robot.Text("name"), [.. robot.Objects("joints").Select(ReadJoint)], prediction);
+        var robot = line.Object("robot");
+        var joints = new List<SessionHeader.Joint>();
+        foreach (var joint in robot.Objects("joints").Select(ReadJoint))
+        {
+            if (joints.Any(other => other.Name == joint.Name)) throw robot.Wrong("joints", $"has joint '{joint.Name}' twice");
+            joints.Add(joint);
+        }
+        return new SessionHeader(robot.Text("name"), joints, ReadPrediction(line, line.Object("settings")));
     }
 
     /// <returns>Null for a kind that is of no use here, or not known.</returns>
@@ -32,10 +35,28 @@ static class SessionLines
         _ => null,
     };
 
-    static SessionHeader.Joint ReadJoint(LineFields joint) => new(
-        joint.Text("name"), joint.Text("unit"), new JointLimits(
-            joint.NumberOr("lower", double.NegativeInfinity), joint.NumberOr("upper", double.PositiveInfinity),
-            joint.NumberOr("velocity", double.PositiveInfinity), double.PositiveInfinity));
+    static PredictionSettings ReadPrediction(LineFields line, LineFields settings)
+    {
+        try
+        {
+            return new PredictionSettings(
+                settings.Text("predictor"), settings.Number("horizon_cap_ms"), settings.Number("maximum_gap_ms"),
+                settings.NumberOr("blend_ms", 0));
+        }
+        catch (InputException fault) when (!fault.Message.StartsWith(line.Place, StringComparison.Ordinal))
+        {
+            throw line.Wrong("settings", fault.Message);
+        }
+    }
+
+    static SessionHeader.Joint ReadJoint(LineFields joint)
+    {
+        var (lower, upper) = (joint.NumberOr("lower", double.NegativeInfinity), joint.NumberOr("upper", double.PositiveInfinity));
+        if (lower > upper) throw joint.Wrong("lower", FormattableString.Invariant($"{lower} is above the upper limit {upper}"));
+        var velocity = joint.NumberOr("velocity", double.PositiveInfinity);
+        if (velocity <= 0) throw joint.Wrong("velocity", FormattableString.Invariant($"{velocity} is no limit; it is more than 0"));
+        return new SessionHeader.Joint(joint.Text("name"), joint.Text("unit"), new JointLimits(lower, upper, velocity, double.PositiveInfinity));
+    }
 
     static SyncLine ReadSync(LineFields line)
     {

@@ -63,6 +63,19 @@ public class SessionFileReaderTests
         Assert.That(fault.Message, Does.Contain(expected).And.Not.Contain("\n"));
     }
 
+    [TestCase("\"linear\"", "\"quartic\"", "field 'settings' predictor 'quartic' is unknown")]
+    [TestCase("300", "-1", "field 'settings' horizon cap: -1 ms is out of range")]
+    [TestCase("300", "\"x\"", "field 'horizon_cap_ms'")]
+    [TestCase("\"upper\":2", "\"upper\":2,\"lower\":3", "field 'lower' 3 is above the upper limit 2")]
+    [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' 0 is no limit")]
+    [TestCase("\"b\"", "\"a\"", "field 'joints' has joint 'a' twice")]
+    public void Header_ThatIsWrong_IsNamedWithItsField(string right, string wrong, string expected)
+    {
+        var fault = Assert.Throws<InputException>(() => Read(Header.Replace(right, wrong)));
+
+        Assert.That(fault.Message, Does.Contain(".jsonl:1: " + expected));
+    }
+
     [TestCase("{\"stamp_ns\":1}", "field 'kind' is missing")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'stamp_ns' is missing")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' 1.5 is not a whole number")]

@@ -58,7 +58,7 @@ namespace Nowpose.Recording
             if (settings.Range != null)
                 line.Add("render_time_limit_ms", settings.Range.Limit.TotalMilliseconds)
                     .Add("render_time_source", Sources[(int)settings.Range.Source]);
-            line.Add("sync_interval_ms", settings.SyncInterval.TotalMilliseconds);
+            line.Add("clock_estimator", settings.ClockEstimator).Add("sync_interval_ms", settings.SyncInterval.TotalMilliseconds);
             line.Add("greatest_holdover_error_ms", settings.Clock.GreatestHoldoverError.TotalMilliseconds);
             line.Add("security", Securities[(int)settings.Connection.Security]).Close('}');
         }
