@@ -34,7 +34,8 @@ static class DemoStage
         var truth = new DemoTruth(control, cell, settings.Motion);
         // On a thread of its own, as a headset's frame loop is: the pool has two threads here, and the sockets need them.
         return await Task.Factory.StartNew(
-            () => Play(settings, connection, truth, recordingPath, cancel), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+            () => Play(settings, connection, truth, recordingPath, cancel),
+            CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 
     static CellTiming Timing(DemoSettings settings) => new(

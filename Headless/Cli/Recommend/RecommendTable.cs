@@ -9,8 +9,9 @@ static class RecommendTable
 {
     public static void Write(IAnsiConsole console, string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results)
     {
-        console.WriteLine(Text(
-            $"{Path.GetFileName(path)}: {traits.Duration:0.0} s, a sample every {1e3 * traits.Interval:0.0} ms (P5 {1e3 * traits.IntervalP5:0.0}, P95 {1e3 * traits.IntervalP95:0.0}), {100 * traits.Repeats:0.0} % repeated"));
+        var spread = Text($"P5 {1e3 * traits.IntervalP5:0.0}, P95 {1e3 * traits.IntervalP95:0.0}");
+        console.WriteLine(Text($"{Path.GetFileName(path)}: {traits.Duration:0.0} s, a sample every {1e3 * traits.Interval:0.0} ms ({spread}), ")
+            + Text($"{100 * traits.Repeats:0.0} % repeated"));
         foreach (var joints in traits.RoundingSteps.GroupBy(joint => joint.Step))
             console.WriteLine(Text($"rounded to {joints.Key:G4}: ") + string.Join(", ", joints.Select(joint => joint.Name)));
         foreach (var warning in traits.Warnings()) console.WriteLine("note: " + warning);

@@ -57,9 +57,11 @@ sealed class RecordingTraits
         if (Duration < LeastDuration)
             yield return Text($"{Duration:0.0} s are short: chance may decide; record {LeastDuration} s or more");
         if (IntervalP95 - IntervalP5 > NoticeableSpread * Interval)
-            yield return Text($"the samples' stamps lie {1e3 * IntervalP5:0.0} to {1e3 * IntervalP95:0.0} ms apart (P5 to P95): a stamp given late costs accuracy");
+            yield return Text($"the samples' stamps lie {1e3 * IntervalP5:0.0} to {1e3 * IntervalP95:0.0} ms apart (P5 to P95): ")
+                + "a stamp given late costs accuracy";
         if (Repeats > NoticeableRepeats)
-            yield return Text($"{100 * Repeats:0.0} % of a moving joint's samples repeat the one before: the machine, or its rounding, is coarser than the recording");
+            yield return Text($"{100 * Repeats:0.0} % of a moving joint's samples repeat the one before: ")
+                + "the machine, or its rounding, is coarser than the recording";
     }
 
     static double RepeatsOf(List<JointSeries> joints)

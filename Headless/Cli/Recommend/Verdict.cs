@@ -42,8 +42,8 @@ sealed class Verdict
         {
             var best = Trials[0];
             if (Recommended != Default)
-                return FormattableString.Invariant(
-                    $"errs {100 * Recommended.GainOver(Default):0} % less than {Default.Predictor} ({Percent(Half.First)} and {Percent(Half.Second)} in the halves)");
+                return FormattableString.Invariant($"errs {100 * Recommended.GainOver(Default):0} % less than {Default.Predictor} ")
+                    + $"({Percent(Half.First)} and {Percent(Half.Second)} in the halves)";
             if (best == Default) return "no other errs less";
             return IsTie(best)
                 ? $"{best.Predictor} is a tie: it wins on one half and loses on the other"

@@ -96,7 +96,10 @@ namespace Nowpose.Session
         /// <remarks>A handler must be quick, must not throw, and must not call back into the session.</remarks>
         public event Action<SampleArrival, DropReason> SampleJudged;
 
-        /// <summary>All samples are forgotten, for the clock stepped or became known; raised within <see cref="Tick"/>, before it takes others.</summary>
+        /// <summary>
+        /// All samples are forgotten, for the clock stepped or became known; raised within <see cref="Tick"/>, before it takes
+        /// others.
+        /// </summary>
         public event Action<HeadsetTime, ClockModel> StartedAnew;
 
         /// <summary>A frame as it was computed; raised at the end of each <see cref="Tick"/>.</summary>

@@ -22,11 +22,12 @@ namespace Nowpose.Unity
             + "device portal; or a full path. It is made where there is none.")]
         string _folder = "recordings";
 
-        [SerializeField, Tooltip("Greatest size of one file in megabytes, 0.001 to 100000; then it ends, and says so. 500 MB are five hours of a usual "
-            + "session.")]
+        [SerializeField, Tooltip("Greatest size of one file in megabytes, 0.001 to 100000; then it ends, and says so. 500 MB are five hours "
+            + "of a usual session.")]
         double _maximumMegabytes = 500;
 
-        [SerializeField, Tooltip("Record as soon as this component is enabled. On, for it was added to record; off where a menu calls StartRecording.")]
+        [SerializeField, Tooltip("Record as soon as this component is enabled. On, for it was added to record; off where a menu calls "
+            + "StartRecording.")]
         bool _recordOnEnable = true;
 
         MrilSession _source;

@@ -2,7 +2,10 @@ using System.Threading;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Records on their way from any thread to the one that writes them. Nobody waits: when it is full, records are lost and counted.</summary>
+    /// <summary>
+    /// Records on their way from any thread to the one that writes them. Nobody waits: when it is full, records are lost and
+    /// counted.
+    /// </summary>
     /// <remarks>
     /// Vyukov's bounded queue: each place carries the turn at which it may be filled or emptied next, so that a record is seen
     /// only once it is whole and a thread that is held up between the two delays nothing but what comes after it.
