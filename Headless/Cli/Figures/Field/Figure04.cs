@@ -41,10 +41,10 @@ static class Figure04
 
     static string Beyond(IReadOnlyList<FieldPoint> points, ClockRuns clocks)
     {
-        var predicted = ErrorField.Predicted.Select((name, p) => $"{name} {Mm(points.Max(point => point.PredictedMm[p]))} at most");
-        var left = ClockMethod.All.Select((m, i) => $"{Mm(1000 * clocks.Errors(i).P95Us / UsPerS)} with {m.Name}");
-        return $"Of a constant velocity prediction leaves no more than what the clocks are wrong: {string.Join(", ", predicted)} with exact clocks; "
-            + $"at 1000 mm/s the clock estimators leave {string.Join(", ", left)}.";
+        var predicted = ErrorField.Predicted.Select((name, p) => $"{name} {Mm(points.Max(point => point.PredictedMm[p]))}");
+        var left = ClockMethod.All.Select((m, i) => $"{m.Name} {Mm(1000 * clocks.Errors(i).P95Us / UsPerS)}");
+        return $"With exact clocks prediction leaves of a constant velocity's error at most: {string.Join(", ", predicted)}. "
+            + $"At 1000 mm/s the clock estimators leave, 95 % of the time, at most: {string.Join(", ", left)}.";
     }
 
     static FigureTable TableOf(IReadOnlyList<FieldPoint> points, ClockRuns clocks)

@@ -39,9 +39,14 @@ public class ClockFigureTests
         var figures = study.Figures().ToDictionary(f => f.Number);
 
         Assert.That(figures["8"].Criteria[0].IsMet, $"{figures["8"].Criteria[0].Measured}, seed {Settings.Seed}");
+        var (paper, ours) = (P95(figures["8"], "ransac"), P95(figures["8"], "default"));
+        Assert.That(ours, Is.LessThan(0.5 * paper), $"the default beside the paper's on the same exchanges, seed {Settings.Seed}");
         Assert.That(figures["8"].Table.Rows, Has.Count.EqualTo(300), "an exchange each");
         Assert.That(figures["4"].Verdict, Is.EqualTo(Verdict.Holds), figures["4"].Criteria[0].Measured);
     }
+
+    static double P95(Figure figure, string estimator) => double.Parse(
+        figure.Summary.Rows.Single(row => row[0] == estimator)[2], System.Globalization.CultureInfo.InvariantCulture);
 
     [TestCase(312, 88, 7, 280, 12_300, "holds")]
     [TestCase(1312, 88, 7, 280, 12_300, "holds partly")]
