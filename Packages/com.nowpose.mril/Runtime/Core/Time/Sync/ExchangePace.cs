@@ -32,12 +32,14 @@ namespace Nowpose.Sync
         bool _isCalm;
 
         /// <param name="usual">From the start of one exchange to the start of the next, as set; the others follow from it.</param>
-        /// <param name="silence">A pause that it takes for one: when an exchange took so long, the next ones are quick.</param>
+        /// <param name="silence">
+        /// A pause after which the clock is in holdover: the next exchanges are quick then, and two slow ones fit into it.
+        /// </param>
         public ExchangePace(TimeSpan usual, TimeSpan silence)
         {
             _usual = usual;
             _quick = Least(usual, Greatest(Shortest, new TimeSpan(usual.Ticks / QuickFactor)));
-            _slow = Greatest(usual, Least(Longest, new TimeSpan(usual.Ticks * SlowFactor)));
+            _slow = Greatest(usual, Least(Least(Longest, new TimeSpan(silence.Ticks / 2)), new TimeSpan(usual.Ticks * SlowFactor)));
             _silence = silence > _slow + usual ? silence : _slow + usual;
         }
 

@@ -79,7 +79,6 @@ namespace Nowpose.Tests
         }
 
         [TestCase("wifi", false)]
-        [TestCase("busy-wifi", false)]
         [TestCase("busy-wifi", true)]
         public void Steps_AnHourWithoutOne_AreNoneAndTheBoundHolds(string network, bool isLoaded)
         {

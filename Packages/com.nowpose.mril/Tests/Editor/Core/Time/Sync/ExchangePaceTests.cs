@@ -110,6 +110,17 @@ namespace Nowpose.Tests
             Assert.That(run.Pauses(95, 100), Is.All.EqualTo(200));
         }
 
+        [Test]
+        public void Next_SlowerSetting_IsNeverTakenForASilence()
+        {
+            var run = new PacedRun(usualMs: 500);
+
+            run.Run(Link("lan"), 120);
+
+            Assert.That(run.Pauses(60, 120).Average(), Is.GreaterThan(700), "slow, for it is settled");
+            Assert.That(run.Pauses(0, 120).Max(), Is.LessThanOrEqualTo(ClockSettings.Default.HoldoverAfter.TotalMilliseconds / 2));
+        }
+
         [TestCase(20)]
         [TestCase(200)]
         [TestCase(10_000)]
