@@ -25,12 +25,13 @@ public sealed class HubSource : IDisposable
         return null;
     }
 
+    /// <summary>The same with set-points; a source's newest are kept for whoever subscribes later: they last, and come once.</summary>
     /// <inheritdoc cref="TryPublish(JointStateMessage)"/>
     public string TryPublish(JointTrajectoryMessage message)
     {
         var taken = _hub.Claim(this, RosTopics.JointTrajectory, message.Names);
         if (taken == null)
-            _hub.Publish(HubMessage.Of(message));
+            _hub.PublishNewest(this, HubMessage.Of(message));
         return taken;
     }
 

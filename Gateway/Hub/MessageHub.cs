@@ -10,13 +10,14 @@ public sealed class MessageHub
     readonly Dictionary<(string Topic, string Name), HubSource> _owners = [];
     ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>> _subscribers =
         ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>>.Empty;
+    readonly Dictionary<HubSource, HubMessage> _newest = [];
     HubMessage _description;
 
     /// <summary>Somebody who publishes; a joint belongs to the first source that publishes it, until that one is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
     /// <summary>Calls <paramref name="receive"/> for every message of a topic from now on, on the publisher's thread: it must not wait.</summary>
-    /// <remarks>A robot description that was published before is handed over at once.</remarks>
+    /// <remarks>A robot description that was published before is handed over at once, and each source's newest set-points.</remarks>
     public IDisposable Subscribe(string topic, Action<HubMessage> receive)
     {
         lock (_lock)
@@ -25,6 +26,8 @@ public sealed class MessageHub
             _subscribers = _subscribers.SetItem(topic, present.Add(receive));
             if (topic == RosTopics.RobotDescription && _description != null)
                 receive(_description);
+            foreach (var message in _newest.Values.Where(message => message.Topic == topic))
+                receive(message);
         }
 
         return new Subscriber(this, topic, receive);
@@ -43,6 +46,17 @@ public sealed class MessageHub
         lock (_lock)
         {
             _description = message;
+            Publish(message);
+        }
+    }
+
+    /// <summary>Publishes what stays true until its source publishes the next.</summary>
+    internal void PublishNewest(HubSource source, HubMessage message)
+    {
+        // Under the lock, as the description.
+        lock (_lock)
+        {
+            _newest[source] = message;
             Publish(message);
         }
     }
@@ -72,6 +86,8 @@ public sealed class MessageHub
             var owned = _owners.Where(entry => entry.Value == source && (topic == null || entry.Key.Topic == topic));
             foreach (var entry in owned.ToList())
                 _owners.Remove(entry.Key);
+            if (_newest.TryGetValue(source, out var newest) && (topic == null || newest.Topic == topic))
+                _newest.Remove(source);
         }
     }
 

@@ -2,6 +2,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Motion;
 using Nowpose.Protocol;
+using Nowpose.Simulation;
 
 namespace Nowpose.Gateway.Plants;
 
@@ -13,17 +14,20 @@ public sealed class SimulatedCell : IDisposable
     readonly SampleSchedule _schedule;
     readonly string[] _names;
     readonly ManualResetEventSlim _stop = new();
+    readonly SetPointsAhead _setPoints;
     Thread _thread;
     long _samples;
 
     /// <param name="timing">When samples are taken and sent.</param>
     /// <param name="seed">Of the acquisition delays.</param>
-    public SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed)
+    /// <param name="publishesPlan">Whether the set-points of the next second are published too, four times a second.</param>
+    public SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
     {
         _motion = motion;
         _clock = clock;
         _names = [.. motion.JointNames];
         Start = clock.Now;
+        _setPoints = publishesPlan ? new SetPointsAhead(motion) : null;
         _schedule = new SampleSchedule(Start, timing, seed);
     }
 
@@ -64,8 +68,15 @@ public sealed class SimulatedCell : IDisposable
         do
             _schedule.Next();
         while (_schedule.Sent < _clock.Now);
+        var nextPlan = _clock.Now;
         for (; WaitUntil(_schedule.Sent); _schedule.Next())
         {
+            if (_setPoints != null && _schedule.Sent >= nextPlan)
+            {
+                var now = _clock.Now;
+                source.TryPublish(_setPoints.At(now, (now - Start).TotalSeconds));
+                nextPlan = now + SetPointsAhead.Interval;
+            }
             var positions = new double[_names.Length];
             TruthAt(_schedule.Taken, positions);
             if (source.TryPublish(new JointStateMessage(_schedule.Taken, _names, positions)) == null)

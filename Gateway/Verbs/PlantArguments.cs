@@ -21,13 +21,19 @@ sealed class PlantArguments
 
     readonly Option<int> _seed = NumberOption.Create("--seed", "Seed of the random delays", 1, 0, int.MaxValue, "");
 
+    readonly Option<bool> _trajectory = new("--trajectory")
+    {
+        Description = "Publish the set-points of the next second on /joint_trajectory too, as a planner would",
+    };
+
     public void AddTo(Command command)
     {
-        foreach (var option in new Option[] { _robot, _sampling, _acquisition, _seed })
+        foreach (var option in new Option[] { _robot, _sampling, _acquisition, _seed, _trajectory })
             command.Options.Add(option);
     }
 
     public string Robot(ParseResult parsed) => parsed.GetValue(_robot);
+    public bool PublishesPlan(ParseResult parsed) => parsed.GetValue(_trajectory);
     public int Seed(ParseResult parsed) => parsed.GetValue(_seed);
 
     public CellTiming Timing(ParseResult parsed)

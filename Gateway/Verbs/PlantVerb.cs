@@ -34,7 +34,7 @@ static class PlantVerb
             await using var gateway = await GatewayServer.StartAsync(server.Options(parsed), clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             source.TryDescribe(urdf);
-            using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed));
+            using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
             cell.PublishInto(gateway.Hub);
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), motion);
             await Task.Delay(Timeout.Infinite, stop);

@@ -40,6 +40,7 @@ static class DemoReport
         ["Acquisition", s.Acquisition + " ms"],
         ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime is told {Ms(s.VisualisationMs + s.VisualisationErrorMs)}"],
         ["Frame rate", $"{DemoFrameLoop.FramesPerSecond} fps"],
+        ["Set-points ahead", s.PublishesPlan ? "published" : "none"],
         ["Seed", s.Seed.ToString(CultureInfo.InvariantCulture)],
     ];
 

@@ -29,5 +29,8 @@ sealed record DemoSettings
     /// <summary>Added to the true display latency before the runtime is told.</summary>
     public double VisualisationErrorMs { get; init; }
 
+    /// <summary>Whether the cell publishes its set-points ahead of time.</summary>
+    public bool PublishesPlan { get; init; }
+
     public int Seed { get; init; }
 }

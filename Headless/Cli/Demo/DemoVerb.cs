@@ -33,6 +33,10 @@ static class DemoVerb
         "--visu-ms", "True display latency of the simulated headset", 40.0, 0, 400, "ms");
     static readonly Option<double> VisualisationError = NumberOption.Create(
         "--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
+    static readonly Option<bool> Trajectory = new("--trajectory")
+    {
+        Description = "Let the cell publish its set-points ahead of time, too",
+    };
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of everything random", 1, 0, 1_000_000, "");
     static readonly Option<string> Output = new("--out")
     {
@@ -45,7 +49,7 @@ static class DemoVerb
         var verb = new Command(
             "demo", "Run the headset runtime against a simulated cell over real sockets, and score what it shows against the truth.")
         {
-            Seconds, Network, Robot, Recording, Predictor, Sampling, Acquisition, Visualisation, VisualisationError, Seed, Output,
+            Seconds, Network, Robot, Recording, Predictor, Sampling, Acquisition, Visualisation, VisualisationError, Trajectory, Seed, Output,
         };
         verb.SetAction((parsed, cancel) => RunAsync(Settings(parsed), parsed.GetValue(Output), cancel));
         return verb;
@@ -72,6 +76,7 @@ static class DemoVerb
             Acquisition = parsed.GetValue(Acquisition),
             VisualisationMs = parsed.GetValue(Visualisation),
             VisualisationErrorMs = parsed.GetValue(VisualisationError),
+            PublishesPlan = parsed.GetValue(Trajectory),
             Seed = parsed.GetValue(Seed),
         };
     }

@@ -39,7 +39,7 @@ sealed class SessionReplay
         var prediction = new PredictionSettings(
             settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
             settings.Blend * 1000 ?? own.Blend.TotalMilliseconds);
-        _tracks = [.. session.Header.Joints.Select(joint => new JointTrack(prediction.CreateDisplayed(joint.Limits)))];
+        _tracks = [.. session.Header.Joints.Select(joint => new JointTrack(prediction, joint.Limits))];
         _samples = new int[_tracks.Length];
         _errors = [.. _tracks.Select(_ => new AxisError())];
     }

@@ -97,4 +97,30 @@ public class MessageHubTests
         Assert.That(received, Is.Empty);
         Assert.That(_received.Count, Is.EqualTo(1));
     }
+
+    static JointTrajectoryMessage Plan(double position, string joint) =>
+        new(Gateways.Start, [joint], [new JointTrajectoryPoint(TimeSpan.Zero, [position])]);
+
+    List<string> PlansOfLateSubscriber()
+    {
+        var received = new List<string>();
+        _hub.Subscribe(RosTopics.JointTrajectory, message => received.Add(Encoding.UTF8.GetString(message.Utf8(RosTimeForm.Sec).Span))).Dispose();
+        return received;
+    }
+
+    [Test]
+    public void Subscribe_AfterSetPoints_GetsTheNewestOfEachSource()
+    {
+        using var arm = _hub.OpenSource();
+        var gripper = _hub.OpenSource();
+        arm.TryPublish(Plan(0.25, "a"));
+        arm.TryPublish(Plan(0.5, "a"));
+        gripper.TryPublish(Plan(0.75, "g"));
+
+        Assert.That(PlansOfLateSubscriber(), Has.Count.EqualTo(2));
+        Assert.That(PlansOfLateSubscriber(), Has.One.Contains("0.5").And.One.Contains("0.75").And.None.Contains("0.25"));
+
+        gripper.Dispose();
+        Assert.That(PlansOfLateSubscriber(), Has.Count.EqualTo(1), "whoever is gone plans nothing");
+    }
 }

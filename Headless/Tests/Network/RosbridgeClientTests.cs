@@ -214,16 +214,29 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Connect_SubscribesToTheDescriptionToo()
+    public async Task Connect_SubscribesToSetPointsAndTheDescriptionToo()
     {
         var socket = await _server.AcceptAsync();
         var buffer = new byte[4096];
         await socket.ReceiveAsync(buffer, CancellationToken.None);
 
-        var second = await socket.ReceiveAsync(buffer, CancellationToken.None);
+        var second = Encoding.UTF8.GetString(buffer, 0, (await socket.ReceiveAsync(buffer, CancellationToken.None)).Count);
+        var third = Encoding.UTF8.GetString(buffer, 0, (await socket.ReceiveAsync(buffer, CancellationToken.None)).Count);
 
-        Assert.That(Encoding.UTF8.GetString(buffer, 0, second.Count), Is.EqualTo(
-            """{"op":"subscribe","topic":"/robot_description","type":"std_msgs/msg/String"}"""));
+        Assert.That(second, Is.EqualTo("""{"op":"subscribe","topic":"/joint_trajectory","type":"trajectory_msgs/msg/JointTrajectory"}"""));
+        Assert.That(third, Is.EqualTo("""{"op":"subscribe","topic":"/robot_description","type":"std_msgs/msg/String"}"""));
+    }
+
+    [Test]
+    public async Task Receive_SetPoints_AreHandedOver()
+    {
+        var socket = await _server.AcceptAsync();
+
+        await Send(socket, RosbridgeWriter.PublishJointTrajectory(RosTopics.JointTrajectory, new JointTrajectoryMessage(
+            ControlTime.FromSeconds(5), ["a"], [new JointTrajectoryPoint(TimeSpan.FromSeconds(1), [0.5], [0.25], [-1])]), RosTimeForm.Sec));
+
+        await Soon.BecomesAsync(() => _listener.Plans.Count == 1, "set-points");
+        Assert.That(_listener.Plans.Single().Points[0].Accelerations, Is.EqualTo(new[] { -1.0 }));
     }
 
     [Test]
@@ -319,7 +332,11 @@ public class RosbridgeClientTests
         public ConcurrentQueue<DropReason> Drops { get; } = [];
         public ConcurrentQueue<string> Descriptions { get; } = [];
 
+        public ConcurrentQueue<JointTrajectoryMessage> Plans { get; } = [];
+
         public void Received(JointStateMessage message, HeadsetTime arrival) => Messages.Enqueue(message);
+
+        public void Planned(JointTrajectoryMessage message, HeadsetTime arrival) => Plans.Enqueue(message);
 
         public void Described(string urdf)
         {

@@ -9,6 +9,11 @@ namespace Nowpose.Network
         /// <param name="arrival">When its last byte was read.</param>
         void Received(JointStateMessage message, HeadsetTime arrival);
 
+        /// <summary>Where the control system means to go.</summary>
+        /// <param name="message">As of <see cref="Received"/>.</param>
+        /// <param name="arrival">When its last byte was read.</param>
+        void Planned(JointTrajectoryMessage message, HeadsetTime arrival);
+
         /// <summary>A robot description. May take its time: samples do not wait for it.</summary>
         /// <param name="urdf">Within the limits of its length, and not checked otherwise.</param>
         void Described(string urdf);

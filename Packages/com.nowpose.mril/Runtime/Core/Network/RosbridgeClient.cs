@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Subscribes to the joint positions and the robot description over rosbridge and publishes this headset's diagnostics; reconnects for ever.</summary>
+    /// <summary>Subscribes to the joint positions, the set-points ahead and the robot description over rosbridge and publishes this headset's diagnostics; reconnects for ever.</summary>
     public sealed class RosbridgeClient : IDisposable
     {
         static readonly TimeSpan DiagnosticsInterval = TimeSpan.FromSeconds(1);
@@ -120,6 +120,8 @@ namespace Nowpose.Network
         static async Task SubscribeAsync(IWebSocketLink link, CancellationToken cancel)
         {
             await link.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, RosTopics.JointStateType), cancel).ConfigureAwait(false);
+            await link.SendAsync(
+                RosbridgeWriter.Subscribe(RosTopics.JointTrajectory, RosTopics.JointTrajectoryType), cancel).ConfigureAwait(false);
             await link.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, RosTopics.StringType), cancel).ConfigureAwait(false);
             await link.SendAsync(RosbridgeWriter.Advertise(RosTopics.Diagnostics, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
         }
@@ -156,6 +158,7 @@ namespace Nowpose.Network
         {
             if (!RosbridgeReader.TryRead(received.Text, out var message, out var reason)) _listener.Dropped(reason);
             else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival);
+            else if (message.JointTrajectory != null) _listener.Planned(message.JointTrajectory, received.Arrival);
             else if (message.Data != null) _descriptions.Add(message.Data);
         }
 

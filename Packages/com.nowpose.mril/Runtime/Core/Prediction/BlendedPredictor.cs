@@ -34,6 +34,7 @@ namespace Nowpose.Prediction
         double _shown;
         double _sectionOf;
         bool _isNewSection;
+        bool _wasPlanned;
 
         /// <param name="limits">Only the position limits matter here: what is shown keeps within them.</param>
         /// <param name="timeConstant">Within which a difference falls to 1/e, s; less where samples come in quick succession. 0: off.</param>
@@ -65,14 +66,23 @@ namespace Nowpose.Prediction
             return outcome;
         }
 
+        /// <summary>The inner predictor says something else than before, for another reason than a sample.</summary>
+        public void Renew()
+        {
+            if (!_isNewSection) _sectionOf = _inner.NewestTime;
+            _isNewSection = true;
+        }
+
         /// <inheritdoc/>
         public JointPrediction At(double time)
         {
             var section = _inner.At(time);
             if (section.Kind == PredictionKind.None || _timeConstant == 0) return section;
+            var isPlanned = section.Kind == PredictionKind.Planned;
             if (!(Math.Abs(time - _shownAt) <= LongestPause)) _blend.Clear();
-            else if (_isNewSection) Carry();
+            else if (_isNewSection || isPlanned != _wasPlanned) Carry();
             _isNewSection = false;
+            _wasPlanned = isPlanned;
             _shownAt = time;
             _shown = _limits.Clamp(section.Position + _blend.At(time));
             return new JointPrediction(_shown, section.Kind);

@@ -13,6 +13,9 @@ namespace Nowpose.Prediction
         Interpolated,
 
         /// <summary>From the section's polynomial, ahead of the newest sample.</summary>
-        Predicted
+        Predicted,
+
+        /// <summary>Where the control system means the joint to be, as late as it follows: nothing is predicted.</summary>
+        Planned
     }
 }

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>trajectory_msgs/JointTrajectory: set-points ahead of time. Accelerations and efforts are not read.</summary>
+    /// <summary>trajectory_msgs/JointTrajectory: set-points ahead of time. Efforts are not read.</summary>
     public sealed class JointTrajectoryMessage
     {
         public JointTrajectoryMessage(ControlTime stamp, string[] names, IReadOnlyList<JointTrajectoryPoint> points)
@@ -16,6 +16,8 @@ namespace Nowpose.Protocol
         public ControlTime Stamp { get; }
 
         public string[] Names { get; }
+
+        /// <summary>Each later than the one before. None: what was planned for these joints is off.</summary>
         public IReadOnlyList<JointTrajectoryPoint> Points { get; }
     }
 }

@@ -5,11 +5,12 @@ namespace Nowpose.Protocol
     /// <summary>One set-point of a trajectory.</summary>
     public sealed class JointTrajectoryPoint
     {
-        public JointTrajectoryPoint(TimeSpan timeFromStart, double[] positions, double[] velocities = null)
+        public JointTrajectoryPoint(TimeSpan timeFromStart, double[] positions, double[] velocities = null, double[] accelerations = null)
         {
             TimeFromStart = timeFromStart;
             Positions = positions;
             Velocities = velocities;
+            Accelerations = accelerations;
         }
 
         /// <summary>After the trajectory's stamp.</summary>
@@ -20,5 +21,8 @@ namespace Nowpose.Protocol
 
         /// <summary>rad/s or m/s, NaN where absent; null when none is known.</summary>
         public double[] Velocities { get; }
+
+        /// <summary>rad/s² or m/s², NaN where absent; null when none is known.</summary>
+        public double[] Accelerations { get; }
     }
 }

@@ -61,7 +61,7 @@ namespace Nowpose.Protocol
             json.WriteStartObject();
             Positions(json, "positions", point.Positions);
             Velocities(json, "velocities", point.Velocities);
-            Positions(json, "accelerations", Array.Empty<double>());
+            Velocities(json, "accelerations", point.Accelerations);
             Positions(json, "effort", Array.Empty<double>());
             json.WritePropertyName("time_from_start");
             Write(json, new ControlTime(point.TimeFromStart).Nanoseconds, form);

@@ -10,7 +10,7 @@ namespace Nowpose.Protocol
         static readonly string[] TimeFields = { "time" };
         static readonly string[] StateFields = { "header", "name", "position", "velocity" };
         static readonly string[] TrajectoryFields = { "header", "joint_names", "points" };
-        static readonly string[] PointFields = { "positions", "time_from_start", "velocities" };
+        static readonly string[] PointFields = { "positions", "time_from_start", "velocities", "accelerations" };
 
         public static bool Read(JsonCursor cursor, RosbridgeMessage into)
         {
@@ -85,22 +85,28 @@ namespace Nowpose.Protocol
             var afterStart = default(TimeSpan);
             var positions = new List<double>();
             var velocities = new List<double>();
+            var accelerations = new List<double>();
             var isRead = cursor.Object(PointFields, 0b11, field => field switch
             {
                 0 => cursor.FiniteNumbers(positions),
                 1 => RosTime.ReadLength(cursor, out afterStart),
-                _ => cursor.IsNull || cursor.OptionalNumbers(velocities),
+                2 => cursor.IsNull || cursor.OptionalNumbers(velocities),
+                _ => cursor.IsNull || cursor.OptionalNumbers(accelerations),
             });
-            if (!isRead || !HaveLength(cursor, positions.Count, positions, velocities))
+            if (!isRead || !HaveLength(cursor, positions.Count, positions, velocities)
+                || !HaveLength(cursor, positions.Count, positions, accelerations))
                 return false;
-            into.Add(new JointTrajectoryPoint(afterStart, positions.ToArray(), OrNull(velocities)));
+            // As ROS refuses it: a path that stands still in time or goes back has no position to follow.
+            if (afterStart < TimeSpan.Zero || (into.Count > 0 && afterStart <= into[into.Count - 1].TimeFromStart))
+                return cursor.Fail(DropReason.OutOfRange);
+            into.Add(new JointTrajectoryPoint(afterStart, positions.ToArray(), OrNull(velocities), OrNull(accelerations)));
             return true;
         }
 
         static bool HaveLength(JsonCursor cursor, int count, List<double> positions, List<double> velocities) =>
             (positions.Count == count && (velocities.Count == 0 || velocities.Count == count)) || cursor.Fail(DropReason.LengthMismatch);
 
-        static double[] OrNull(List<double> velocities) => velocities.Count == 0 ? null : velocities.ToArray();
+        static double[] OrNull(List<double> values) => values.Count == 0 ? null : values.ToArray();
 
         static bool ReadNames(JsonCursor cursor, List<string> into)
         {

@@ -23,6 +23,9 @@ namespace Nowpose.Session
 
         const double MillimetresPerMetre = 1000;
 
+        /// <summary>So many plans may wait: newer ones replace the older.</summary>
+        const int PlanQueueLength = 16;
+
         readonly SessionSettings _settings;
         readonly IHeadsetClock _clock;
         readonly Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> _newLink;
@@ -34,6 +37,7 @@ namespace Nowpose.Session
         readonly HindcastMonitor _hindcast;
         readonly ApplicationLatency _latency = new ApplicationLatency();
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
+        readonly ConcurrentQueue<PlannedMotion> _plans = new ConcurrentQueue<PlannedMotion>();
         readonly object _gate = new object();
         VisualisationLatency _visualisation;
         volatile ReceivedDescription _description = ReceivedDescription.None;
@@ -165,6 +169,8 @@ namespace Nowpose.Session
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
                 ForgetWhatAnotherClockStamped(start, clock);
                 while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
+                // Their stamps can be judged, and mean anything, only with the clock; a source may not send them again for long.
+                while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
                 var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;
                 _frame.Update(start, light, IsTrusted(clock), _monitor.State);
                 _hindcast.Shown(_frame, clock.ErrorBound);
@@ -192,6 +198,22 @@ namespace Nowpose.Session
         {
             _arrivals.Enqueue(new SampleArrival(message, arrival));
             if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) Judged(oldest, DropReason.SlowReader);
+        }
+
+        /// <summary>Set-points ahead of time, queued for the next frame that knows the control time. Any thread.</summary>
+        /// <param name="message">Checked already.</param>
+        /// <param name="arrival">When it arrived on the headset clock.</param>
+        public void Planned(JointTrajectoryMessage message, HeadsetTime arrival)
+        {
+            if (!_settings.Prediction.FollowPlan || _settings.Prediction.IsHold) return;
+            var plan = PlannedMotion.Of(Robot, message, arrival);
+            if (plan == null)
+            {
+                Drops.Count(DropReason.UnknownJoint);
+                return;
+            }
+            _plans.Enqueue(plan);
+            if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out _)) Drops.Count(DropReason.SlowReader);
         }
 
         /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
@@ -316,6 +338,12 @@ namespace Nowpose.Session
             _hindcast.Add(arrival.Message);
             if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);
             SampleTaken?.Invoke(arrival, clock.IsKnown ? _latency.Newest : (TimeSpan?)null);
+        }
+
+        void Take(PlannedMotion plan, in ClockModel clock)
+        {
+            if (StampRule.IsInFuture(plan.Stamp, clock.ToControl(plan.Arrival), clock.ErrorBound)) Drops.Count(DropReason.StampInFuture);
+            else _tracks.Follow(plan);
         }
 
         void Judged(in SampleArrival arrival, DropReason reason)

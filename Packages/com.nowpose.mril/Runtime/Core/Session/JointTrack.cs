@@ -1,4 +1,6 @@
+using Nowpose.Kinematics;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Planning;
 
 namespace Nowpose.Session
 {
@@ -10,11 +12,17 @@ namespace Nowpose.Session
     /// </remarks>
     sealed class JointTrack
     {
-        readonly IJointPredictor _predictor;
+        readonly BlendedPredictor _predictor;
+        readonly PlannedPredictor _planned;
         JointSample _late;
         bool _hasLate;
 
-        public JointTrack(IJointPredictor predictor) => _predictor = predictor;
+        public JointTrack(PredictionSettings settings, JointLimits joint)
+        {
+            var limits = settings.LimitsOf(joint);
+            _planned = new PlannedPredictor(settings.Create(joint), limits);
+            _predictor = new BlendedPredictor(_planned, limits, settings.IsHold ? 0 : ClockTicks.Seconds(settings.Blend));
+        }
 
         public bool HasSample => !double.IsNegativeInfinity(NewestTime);
 
@@ -37,6 +45,15 @@ namespace Nowpose.Session
             _late = sample;
             _hasLate = true;
             return SampleOutcome.Late;
+        }
+
+        /// <param name="path">Null when what was planned is off.</param>
+        /// <param name="start">The plan's stamp, s since the epoch.</param>
+        public void Follow(PlannedPath path, double start)
+        {
+            if (path == null) _planned.DropPlan();
+            else _planned.Follow(path, start);
+            _predictor.Renew();
         }
 
         public void Reset()

@@ -24,7 +24,7 @@ namespace Nowpose.Session
             _robot = robot;
             var count = robot.MovingJoints.Count;
             _tracks = new JointTrack[count];
-            for (var i = 0; i < count; i++) _tracks[i] = new JointTrack(settings.CreateDisplayed(robot.MovingJoints[i].Limits));
+            for (var i = 0; i < count; i++) _tracks[i] = new JointTrack(settings, robot.MovingJoints[i].Limits);
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];
@@ -53,12 +53,7 @@ namespace Nowpose.Session
         /// <returns>Why the message was of no use; <see cref="DropReason.None"/> when a joint took its sample.</returns>
         public DropReason Add(JointStateMessage message, out DropReason overtaken)
         {
-            if (!_hasEpoch)
-            {
-                _epoch = message.Stamp;
-                _hasEpoch = true;
-            }
-            var time = ClockTicks.Seconds(message.Stamp - _epoch);
+            var time = SecondsOf(message.Stamp);
             var reason = DropReason.UnknownJoint;
             overtaken = DropReason.None;
             for (var i = 0; i < message.Names.Length; i++)
@@ -70,6 +65,13 @@ namespace Nowpose.Session
                 if (overtaken == DropReason.None) overtaken = ReasonOf(waited);
             }
             return reason;
+        }
+
+        /// <summary>Takes what the control system means to do. Allocates nothing.</summary>
+        public void Follow(PlannedMotion plan)
+        {
+            var start = SecondsOf(plan.Stamp);
+            for (var i = 0; i < plan.Count; i++) _tracks[plan.JointAt(i)].Follow(plan.PathAt(i), start);
         }
 
         /// <summary>All joints at a control time. Allocates nothing.</summary>
@@ -102,6 +104,13 @@ namespace Nowpose.Session
         {
             foreach (var track in _tracks) track.Reset();
             _hasEpoch = false;
+        }
+
+        double SecondsOf(ControlTime stamp)
+        {
+            if (!_hasEpoch) _epoch = stamp;
+            _hasEpoch = true;
+            return ClockTicks.Seconds(stamp - _epoch);
         }
 
         // Without a sample the joint stays where it was: a robot that folds into its zero pose would be worse than a late one.

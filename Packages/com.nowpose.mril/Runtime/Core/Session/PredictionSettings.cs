@@ -24,14 +24,17 @@ namespace Nowpose.Session
         /// <param name="blendMs">
         /// Within which the difference between two sections falls to 1/e when one replaces the other; 0 lets the joint jump.
         /// </param>
+        /// <param name="followPlan">Whether joints are shown by the control system's set-points ahead, where it publishes them.</param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public PredictionSettings(
-            string predictor = Predictors.Default, double horizonCapMs = 300, double maximumGapMs = 500, double blendMs = DefaultBlendMs)
+            string predictor = Predictors.Default, double horizonCapMs = 300, double maximumGapMs = 500, double blendMs = DefaultBlendMs,
+            bool followPlan = true)
         {
             Predictor = predictor;
             HorizonCap = SettingRange.RequireMs(horizonCapMs, 0, 5000, "horizon cap");
             MaximumGap = SettingRange.RequireMs(maximumGapMs, 1, 60_000, "maximum gap");
             Blend = SettingRange.RequireMs(blendMs, 0, GreatestBlendMs, "blend");
+            FollowPlan = followPlan;
             Create(JointLimits.None);
         }
 
@@ -42,15 +45,16 @@ namespace Nowpose.Session
         /// <summary>Time constant of <see cref="BlendedPredictor"/>.</summary>
         public TimeSpan Blend { get; }
 
+        /// <summary>Whether the set-points of /joint_trajectory are used.</summary>
+        public bool FollowPlan { get; }
+
+        /// <summary>Hold is what the others are compared with: the newest samples as they are, neither blended nor planned.</summary>
+        internal bool IsHold => Predictor == "hold";
+
         /// <summary>A predictor for one joint, bounded by its limits.</summary>
         public IJointPredictor Create(JointLimits limits) => Predictors.Create(Predictor, LimitsOf(limits));
 
-        /// <summary>The same as it is displayed: what is asked for must be what is shown.</summary>
-        public BlendedPredictor CreateDisplayed(JointLimits limits) =>
-            // Hold is what the others are compared with: the newest samples as they are.
-            new BlendedPredictor(Create(limits), LimitsOf(limits), Predictor == "hold" ? 0 : ClockTicks.Seconds(Blend));
-
-        PredictionLimits LimitsOf(JointLimits limits) => new PredictionLimits(
+        internal PredictionLimits LimitsOf(JointLimits limits) => new PredictionLimits(
             limits.Lower, limits.Upper, ClockTicks.Seconds(HorizonCap), ClockTicks.Seconds(MaximumGap));
     }
 }

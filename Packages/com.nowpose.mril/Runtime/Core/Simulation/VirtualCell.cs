@@ -19,6 +19,7 @@ namespace Nowpose.Simulation
         readonly VirtualClock _clock;
         readonly VirtualSamples _samples;
         readonly VirtualExchanges _exchanges;
+        readonly VirtualPlans _plans;
 
         /// <param name="clock">The control clock.</param>
         /// <param name="seed">Of all delays and losses.</param>
@@ -30,10 +31,14 @@ namespace Nowpose.Simulation
             _clock = clock;
             _samples = new VirtualSamples(motion, clock, unchecked(seed * 100), start);
             _exchanges = new VirtualExchanges(clock, unchecked(seed * 100 + 50), start);
+            _plans = new VirtualPlans(motion, clock, unchecked(seed * 100 + 70), start);
             Settings = settings;
         }
 
         public VirtualCellSettings Settings { get; set; }
+
+        /// <summary>How much later than its set-points the robot is; null when it does not publish any. The next are sent within 0.25 s.</summary>
+        public TimeSpan? PlanLag { get; set; }
 
         /// <summary>Hands the session what arrives until now. Allocates nothing but the messages.</summary>
         /// <param name="now">Not before the last call's.</param>
@@ -43,6 +48,7 @@ namespace Nowpose.Simulation
             var from = now - LongestPause;
             _exchanges.Run(from, now, Settings, session);
             _samples.Run(from, now, Settings, session);
+            if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);
         }
 
         /// <summary>Where the robot truly is; allocates nothing.</summary>

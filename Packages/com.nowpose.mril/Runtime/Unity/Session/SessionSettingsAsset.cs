@@ -73,6 +73,10 @@ namespace Nowpose.Unity
             + "0 to 200; 0: it jumps. 14 ms costs less than 5 % of accuracy. Samples that come quickly shorten it.")]
         double _blendMs = PredictionSettings.DefaultBlendMs;
 
+        [SerializeField, Tooltip("Show joints by the set-points that the control system publishes ahead of time, as late as the joints follow "
+            + "them; nothing is predicted then. On: a joint that does not follow is predicted as ever.")]
+        bool _followPlan = true;
+
         [Header("Clock")]
         [SerializeField, Tooltip("default or ransac: how the offset of the headset's clock is found. ransac is the paper's; default is 5 to 15 "
             + "times closer over WiFi and follows clocks that step.")]
@@ -91,7 +95,7 @@ namespace Nowpose.Unity
                 return new SessionSettings(
                     Connection(token ?? _token),
                     VisualisationLatency.FromMilliseconds(_visualisationMs),
-                    new PredictionSettings(_predictor, _horizonCapMs, _maximumGapMs, _blendMs),
+                    new PredictionSettings(_predictor, _horizonCapMs, _maximumGapMs, _blendMs, _followPlan),
                     syncIntervalMs: _syncIntervalMs,
                     range: _renderTimeLimitMs == 0 ? null : new ConstantLatencyRange(_renderTimeLimitMs, _renderTimeLimitSource),
                     rewriteBeforeRender: _rewriteBeforeRender,

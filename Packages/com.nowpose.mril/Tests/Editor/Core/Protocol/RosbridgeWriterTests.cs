@@ -77,7 +77,7 @@ namespace Nowpose.Tests
         {
             var points = new[]
             {
-                new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1.0, 2 }, new[] { 0.5, double.NaN }),
+                new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1.0, 2 }, new[] { 0.5, double.NaN }, new[] { double.NaN, -3 }),
                 new JointTrajectoryPoint(Lengths.Seconds(1.25), new[] { 3.0, 4 }),
             };
             var sent = new JointTrajectoryMessage(ControlTime.FromSeconds(9), new[] { "a", "b" }, points);
@@ -89,7 +89,9 @@ namespace Nowpose.Tests
             Assert.That(read.Points.Select(point => point.TimeFromStart), Is.EqualTo(points.Select(point => point.TimeFromStart)));
             Assert.That(read.Points.SelectMany(point => point.Positions), Is.EqualTo(new[] { 1.0, 2, 3, 4 }));
             Assert.That(read.Points[0].Velocities, Is.EqualTo(new[] { 0.5, double.NaN }));
+            Assert.That(read.Points[0].Accelerations, Is.EqualTo(new[] { double.NaN, -3 }));
             Assert.That(read.Points[1].Velocities, Is.Null);
+            Assert.That(read.Points[1].Accelerations, Is.Null);
         }
 
         [Test]

@@ -30,6 +30,7 @@ namespace Nowpose.Tests
             ("_horizonCapMs", 250.5, s => s.Prediction.HorizonCap.TotalMilliseconds, 250.5),
             ("_maximumGapMs", 700.0, s => s.Prediction.MaximumGap.TotalMilliseconds, 700.0),
             ("_blendMs", 20.0, s => s.Prediction.Blend.TotalMilliseconds, 20.0),
+            ("_followPlan", false, s => s.Prediction.FollowPlan, false),
             ("_clockEstimator", "ransac", s => s.ClockEstimator, "ransac"),
             ("_syncIntervalMs", 150.0, s => s.SyncInterval.TotalMilliseconds, 150.0),
             ("_rewriteBeforeRender", true, s => s.RewriteBeforeRender, true),

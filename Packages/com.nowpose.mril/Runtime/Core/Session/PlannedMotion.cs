@@ -1,0 +1,70 @@
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using Nowpose.Prediction.Planning;
+using Nowpose.Protocol;
+
+namespace Nowpose.Session
+{
+    /// <summary>A message of set-points, sorted by the robot's joints. Made where it arrives, so that the frame has nothing to make.</summary>
+    sealed class PlannedMotion
+    {
+        readonly int[] _joints;
+        readonly PlannedPath[] _paths;
+
+        PlannedMotion(ControlTime stamp, HeadsetTime arrival, int[] joints, PlannedPath[] paths)
+        {
+            Stamp = stamp;
+            Arrival = arrival;
+            _joints = joints;
+            _paths = paths;
+        }
+
+        public ControlTime Stamp { get; }
+
+        public HeadsetTime Arrival { get; }
+
+        /// <summary>Joints of the robot that it is about.</summary>
+        public int Count => _joints.Length;
+
+        /// <summary>Index of the moving joint.</summary>
+        public int JointAt(int i) => _joints[i];
+
+        /// <summary>Null when the joint's plan is off.</summary>
+        public PlannedPath PathAt(int i) => _paths[i];
+
+        /// <returns>Null when none of its joints belongs to the robot.</returns>
+        public static PlannedMotion Of(RobotModel robot, JointTrajectoryMessage message, HeadsetTime arrival)
+        {
+            var joints = new List<int>();
+            var paths = new List<PlannedPath>();
+            var times = TimesOf(message.Points);
+            for (var place = 0; place < message.Names.Length; place++)
+            {
+                var joint = robot.IndexOfMovingJoint(message.Names[place]);
+                if (joint < 0) continue;
+                joints.Add(joint);
+                paths.Add(times.Length == 0 ? null : PathOf(message.Points, times, place));
+            }
+            return joints.Count == 0 ? null : new PlannedMotion(message.Stamp, arrival, joints.ToArray(), paths.ToArray());
+        }
+
+        static double[] TimesOf(IReadOnlyList<JointTrajectoryPoint> points)
+        {
+            var times = new double[points.Count];
+            for (var i = 0; i < times.Length; i++) times[i] = ClockTicks.Seconds(points[i].TimeFromStart);
+            return times;
+        }
+
+        static PlannedPath PathOf(IReadOnlyList<JointTrajectoryPoint> points, double[] times, int place)
+        {
+            var (positions, velocities, accelerations) = (new double[times.Length], new double[times.Length], new double[times.Length]);
+            for (var i = 0; i < times.Length; i++)
+            {
+                positions[i] = points[i].Positions[place];
+                velocities[i] = points[i].Velocities == null ? double.NaN : points[i].Velocities[place];
+                accelerations[i] = points[i].Accelerations == null ? double.NaN : points[i].Accelerations[place];
+            }
+            return new PlannedPath(times, positions, velocities, accelerations);
+        }
+    }
+}
