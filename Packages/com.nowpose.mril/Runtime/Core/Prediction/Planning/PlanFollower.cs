@@ -6,7 +6,7 @@ namespace Nowpose.Prediction.Planning
     /// <remarks>Allocates nothing once made; one thread. Times are seconds since the epoch of the samples.</remarks>
     sealed class PlanFollower
     {
-        /// <summary>So many samples in a row bring a plan back that the joint did not follow.</summary>
+        /// <summary>So many samples of it moving, none against it, bring a plan back that the joint did not follow.</summary>
         const int AgreementsToReturn = 5;
 
         /// <summary>How long samples have to stand still at the plan's end until they are a better basis than the plan, s.</summary>
@@ -43,8 +43,9 @@ namespace Nowpose.Prediction.Planning
             var (plan, at) = (PlanAt(time), time - _lag.Lag);
             if (plan.IsNone || at < plan.Start || at > plan.End + Settling) return;
             var difference = position - plan.At(at, out var velocity) - _lag.Offset;
-            var follows = _lag.Add(time, difference, velocity, plan.Range);
-            _agreements = follows ? Math.Min(_agreements + 1, AgreementsToReturn) : 0;
+            var verdict = _lag.Add(time, difference, velocity, plan.Range);
+            if (verdict == PlanVerdict.NotFollowed) _agreements = 0;
+            else if (verdict == PlanVerdict.Followed && _agreements < AgreementsToReturn) _agreements++;
         }
 
         /// <summary>Where the joint is by the plan.</summary>

@@ -47,8 +47,9 @@ namespace Nowpose.Prediction.Planning
         /// <param name="time">Of the sample, s.</param>
         /// <param name="difference">Sample minus plan(t − <see cref="Lag"/>) − <see cref="Offset"/>.</param>
         /// <param name="velocity">Of the plan there.</param>
-        /// <returns>False when the difference is beyond what the plan's uncertainty explains.</returns>
-        public bool Add(double time, double difference, double velocity, double range)
+        /// <param name="range">Of the plan.</param>
+        /// <returns>Whether the joint follows.</returns>
+        public PlanVerdict Add(double time, double difference, double velocity, double range)
         {
             Wander(Math.Min(Math.Max(time - _time, 0), 1), range);
             _time = time;
@@ -57,7 +58,7 @@ namespace Nowpose.Prediction.Planning
             var lagGain = -velocity * _varLag + _covariance;
             var offsetGain = -velocity * _covariance + _varOffset;
             var variance = -velocity * lagGain + offsetGain + noise * noise;
-            if (difference * difference > Gate * Gate * variance) return false;
+            if (difference * difference > Gate * Gate * variance) return PlanVerdict.NotFollowed;
             (lagGain, offsetGain) = (lagGain / variance, offsetGain / variance);
             Lag += lagGain * difference;
             Offset += offsetGain * difference;
@@ -65,7 +66,8 @@ namespace Nowpose.Prediction.Planning
             _varLag = Math.Max((1 + lagGain * velocity) * lagOld - lagGain * both, 1e-12);
             _covariance = (1 + lagGain * velocity) * both - lagGain * offsetOld;
             _varOffset = Math.Max(offsetGain * velocity * both + (1 - offsetGain) * offsetOld, 1e-18);
-            return true;
+            // A plan that stands, or hardly moves, agrees with whatever stands there.
+            return Math.Abs(velocity) * UnknownLag > Gate * noise ? PlanVerdict.Followed : PlanVerdict.Unclear;
         }
 
         public void Reset()

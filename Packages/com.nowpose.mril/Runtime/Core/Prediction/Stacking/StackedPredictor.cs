@@ -91,11 +91,9 @@ namespace Nowpose.Prediction.Stacking
             if (_history.Count == 0) return default;
             var ahead = time - _history.NewestTime;
             // Whoever asks once more about a moment that was shown shows nothing new.
-            if (ahead > 0 && time > _asked)
-            {
-                _asked = time;
+            if (ahead > 0 && time != _asked)
                 _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
-            }
+            _asked = time;
             var kind = _connected < 2 || ahead > _limits.HorizonCap ? PredictionKind.Held
                 : ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var position = Hold + ForecastGrid.Read(_table, 0, Math.Min(ahead, _limits.HorizonCap));
