@@ -76,12 +76,16 @@ namespace Nowpose.Prediction
         /// <inheritdoc/>
         public JointPrediction At(double time)
         {
-            var section = _inner.At(time);
-            if (section.Kind == PredictionKind.None || _timeConstant == 0) return section;
-            var isPlanned = section.Kind == PredictionKind.Planned;
-            if (!(Math.Abs(time - _shownAt) <= LongestPause)) _blend.Clear();
-            else if (_isNewSection || isPlanned != _wasPlanned) Carry();
+            if (_timeConstant == 0) return _inner.At(time);
+            var isContinued = Math.Abs(time - _shownAt) <= LongestPause;
+            // First of what was shown: what learns from being asked has just been asked the same.
+            if (_isNewSection && isContinued) Carry();
             _isNewSection = false;
+            var section = _inner.At(time);
+            if (section.Kind == PredictionKind.None) return section;
+            var isPlanned = section.Kind == PredictionKind.Planned;
+            if (!isContinued) _blend.Clear();
+            else if (isPlanned != _wasPlanned) Carry();
             _wasPlanned = isPlanned;
             _shownAt = time;
             _shown = _limits.Clamp(section.Position + _blend.At(time));

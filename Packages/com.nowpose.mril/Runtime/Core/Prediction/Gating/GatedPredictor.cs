@@ -30,6 +30,7 @@ namespace Nowpose.Prediction.Gating
         readonly ForecastRecord _moving = new ForecastRecord(10);
         readonly ForecastRecord _resting = new ForecastRecord(4);
         double _horizon;
+        double _asked;
         double _interval;
         double _greatestSquare;
         double _greatestWay;
@@ -72,7 +73,9 @@ namespace Nowpose.Prediction.Gating
             var fallback = _fallback.At(time);
             if (fallback.Kind == PredictionKind.None) return fallback;
             var ahead = time - NewestTime;
-            if (ahead > 0) _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
+            // As the mixture: a moment that was shown, asked about once more, tells of no other horizon.
+            if (ahead > 0 && time != _asked) _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
+            if (ahead > 0) _asked = time;
             if (!IsOpen) return fallback;
             var candidate = _candidate.At(time);
             return candidate.Kind == PredictionKind.None ? fallback : candidate;
@@ -87,6 +90,7 @@ namespace Nowpose.Prediction.Gating
             _moving.Reset();
             _resting.Reset();
             _horizon = FirstHorizon;
+            _asked = double.NegativeInfinity;
             _interval = FirstInterval;
             _greatestSquare = _greatestWay = 0;
             _isAtRest = true;

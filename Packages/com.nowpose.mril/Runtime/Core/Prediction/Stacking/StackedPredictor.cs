@@ -58,6 +58,7 @@ namespace Nowpose.Prediction.Stacking
         int _connected;
         double _horizon;
         double _asked;
+        double _askedBefore;
         double _interval;
         double _greatestSquare;
         double _start;
@@ -91,9 +92,10 @@ namespace Nowpose.Prediction.Stacking
             if (_history.Count == 0) return default;
             var ahead = time - _history.NewestTime;
             // Whoever asks once more about a moment that was shown shows nothing new.
-            if (ahead > 0 && time != _asked)
+            // Twice, for between the two somebody may ask for a forecast.
+            if (ahead > 0 && time != _asked && time != _askedBefore)
                 _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
-            _asked = time;
+            if (ahead > 0 && time != _asked) (_askedBefore, _asked) = (_asked, time);
             var kind = _connected < 2 || ahead > _limits.HorizonCap ? PredictionKind.Held
                 : ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var position = Hold + ForecastGrid.Read(_table, 0, Math.Min(ahead, _limits.HorizonCap));
@@ -113,7 +115,7 @@ namespace Nowpose.Prediction.Stacking
             Array.Clear(_table, 0, _table.Length);
             _weights = _prior;
             _horizon = FirstHorizon;
-            _asked = double.NegativeInfinity;
+            _asked = _askedBefore = double.NegativeInfinity;
             _interval = FirstInterval;
             _greatestSquare = 1e-12;
             _start = 0;
