@@ -96,7 +96,7 @@ sealed class SessionReplay
         var told = time + _settings.StampError * (2 * _stampErrors.Next() - 1);
         foreach (var value in _session.ValuesOf(sample))
         {
-            _tracks[value.Joint].Add(new JointSample(told, value.Position, time), out _);
+            _tracks[value.Joint].Add(new JointSample(told, value.Position, time, value.Velocity), out _);
             _samples[value.Joint]++;
         }
     }

@@ -154,6 +154,21 @@ public class SessionReplayTests
         Assert.That(RmsOf(cut), Is.EqualTo(RmsOf(plain)).Within(0.01 * RmsOf(plain)));
     }
 
+    [Test]
+    public void Samples_WithVelocities_KeepThem()
+    {
+        VirtualRecording.To(_path, seconds: 1);
+        var header = File.ReadLines(_path).First();
+        File.WriteAllText(_path, header + "\n" + """
+            {"kind":"sample","arrival_ns":200,"stamp_ns":100,"names":["arm_joint_2","nobody","arm_joint_1"],"position":[1,2,3],"velocity":[0.5,1,null]}
+            """ + "\n");
+
+        var session = RecordedSession.Read(_path);
+
+        var values = session.ValuesOf(session.Events.Single()).ToArray();
+        Assert.That(values, Is.EqualTo(new[] { new RecordedSession.Value(1, 1, 0.5), new RecordedSession.Value(0, 3, double.NaN) }));
+    }
+
     [TestCase("--estimator=default")]
     [TestCase("--json")]
     public async Task Sync_OfASession_SaysWhatItSaysOfItsExchanges(string option)

@@ -60,7 +60,7 @@ namespace Nowpose.Session
             {
                 var joint = _robot.IndexOfMovingJoint(message.Names[i]);
                 if (joint < 0) continue;
-                var each = ReasonOf(_tracks[joint].Add(new JointSample(time, message.Positions[i]), out var waited));
+                var each = ReasonOf(_tracks[joint].Add(new JointSample(time, message.Positions[i], time, message.Velocities?[i] ?? double.NaN), out var waited));
                 if (reason != DropReason.None) reason = each;
                 if (overtaken == DropReason.None) overtaken = ReasonOf(waited);
             }
