@@ -35,6 +35,9 @@ namespace Nowpose.Simulation
         {
             if (_session != session)
             {
+                // One that takes another's place has a connection of its own, and no exchange from before it.
+                if (_session != null) _next = now;
+                _underway = null;
                 _session = session;
                 _pace = session.NewExchangePace();
             }
