@@ -25,6 +25,9 @@ namespace Nowpose.Unity
         [SerializeField, Range(0.1f, 2), Tooltip("From one look at the session to the next, seconds. 0.25: numbers that change faster cannot be read.")]
         float _refreshSeconds = 0.25f;
 
+        [SerializeField, Tooltip("Say below, how much of each joint's error is removed, % over 10 s. Off: the tool's is what the wearer sees.")]
+        bool _showJoints = false;
+
         readonly StatusTexts _texts = new StatusTexts();
         MrilSession _source;
         PanelCells _cells;
@@ -54,6 +57,7 @@ namespace Nowpose.Unity
             if (_cell == null || Time.unscaledTime < _due) return;
             _due = Time.unscaledTime + _refreshSeconds;
             if (_cells == null) MakeCells();
+            _texts.TellsOfJoints = _showJoints;
             if (_source == null) _texts.Update(null, null, null, null);
             else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem);
             _cells.Show(_texts);

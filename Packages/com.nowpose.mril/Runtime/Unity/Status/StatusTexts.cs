@@ -5,7 +5,7 @@ using Nowpose.Session;
 namespace Nowpose.Unity
 {
     /// <summary>What the status panel says: a value and a note per row. "!" marks what is not as it should be, "–" what is not known.</summary>
-    /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message changes.</remarks>
+    /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message changes, or a joint's number where joints are told of.</remarks>
     sealed class StatusTexts
     {
         public const int Rows = (int)StatusRow.Message + 1;
@@ -33,10 +33,14 @@ namespace Nowpose.Unity
         readonly string[] _values = new string[Rows];
         readonly string[] _notes = new string[Rows];
         SessionSettings _settings;
+        readonly JointErrorLine _joints = new JointErrorLine();
         bool _isLocal;
         string _message;
 
         public StatusTexts() => Update(null, null, null, null);
+
+        /// <summary>Whether the message, while there is none to tell, says how much of each joint's error is removed.</summary>
+        public bool TellsOfJoints { get; set; }
 
         public static string LabelOf(StatusRow row) => Labels[(int)row];
 
@@ -59,7 +63,9 @@ namespace Nowpose.Unity
                 Set(StatusRow.Connection, ConnectionOf(statistics), SecurityOf(statistics.Security));
                 Set(StatusRow.Robot, MatchOf(statistics.RobotDescriptionMatch), robot ?? "");
             }
-            Say(problem ?? FaultOf(statistics));
+            var fault = problem ?? FaultOf(statistics);
+            if (fault != null) Say(fault, "! ");
+            else Say(TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null, "");
         }
 
         void UpdateTimes(SessionStatistics statistics)
@@ -100,11 +106,11 @@ namespace Nowpose.Unity
             _notes[(int)row] = note;
         }
 
-        void Say(string message)
+        void Say(string message, string mark)
         {
             if (message == _message && _values[(int)StatusRow.Message] != null) return;
             _message = message;
-            Set(StatusRow.Message, message == null ? "" : WrappedText.Of("! " + message, MessageWidth), "");
+            Set(StatusRow.Message, message == null ? "" : WrappedText.Of(mark + message, MessageWidth), "");
         }
 
         static string PoseOf(PoseState pose) => Poses[(int)pose];

@@ -3,7 +3,7 @@ namespace Nowpose.Session
     /// <summary>The error of one joint between base and tool.</summary>
     public readonly struct JointError
     {
-        internal JointError(string joint, DisplayedError? error)
+        public JointError(string joint, DisplayedError? error)
         {
             Joint = joint;
             Error = error;

@@ -142,6 +142,23 @@ namespace Nowpose.Tests
             Assert.That(Row(StatusRow.Error, statistics), Is.EqualTo("0.0 mm|95 % below 0.0 mm"));
         }
 
+        [Test]
+        public void JointErrorLine_SameNumbers_IsTheSameText()
+        {
+            var line = new JointErrorLine();
+            JointError[] Joints(double? reduction) => new[]
+            {
+                new JointError("shoulder", Error(0.01, 0.02, reduction, null)), new JointError("elbow", null),
+            };
+
+            var text = line.Of(Joints(0.912));
+
+            Assert.That(text, Is.EqualTo("shoulder 91 %, elbow –"));
+            Assert.That(line.Of(Joints(0.914)), Is.SameAs(text));
+            Assert.That(line.Of(Joints(0.87)), Is.EqualTo("shoulder 87 %, elbow –"));
+            Assert.That(line.Of(Array.Empty<JointError>()), Is.Empty);
+        }
+
         static readonly LinkStatus Failed = LinkStatus.Waiting("clock sync: refused");
 
         static IEnumerable<TestCaseData> Links()
