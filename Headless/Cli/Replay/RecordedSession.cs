@@ -68,7 +68,8 @@ sealed class RecordedSession
     {
         var first = _values.Count;
         for (var i = 0; i < sample.Names.Length; i++)
-            if (_joints.TryGetValue(sample.Names[i], out var joint)) _values.Add(new Value(joint, sample.Positions[i], sample.Velocities?[i] ?? double.NaN));
+            if (_joints.TryGetValue(sample.Names[i], out var joint)) _values.Add(new Value(
+                joint, sample.Positions[i], sample.Velocities?[i] ?? double.NaN, sample.Accelerations?[i] ?? double.NaN));
         _events.Add(new Event(true, sample.Stamp, true, _timeLine, first, _values.Count - first));
     }
 
@@ -92,5 +93,6 @@ sealed class RecordedSession
     /// <param name="Joint">Index into the header's joints.</param>
     /// <param name="Position">rad or m.</param>
     /// <param name="Velocity">rad/s or m/s; NaN where it was not told.</param>
-    public readonly record struct Value(int Joint, double Position, double Velocity);
+    /// <param name="Acceleration">rad/s² or m/s²; NaN where it was not told.</param>
+    public readonly record struct Value(int Joint, double Position, double Velocity, double Acceleration);
 }

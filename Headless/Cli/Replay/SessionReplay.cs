@@ -38,8 +38,9 @@ sealed class SessionReplay
         var own = session.Header.Prediction;
         var prediction = new PredictionSettings(
             settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
-            settings.Blend * 1000 ?? own.Blend.TotalMilliseconds);
-        _tracks = [.. session.Header.Joints.Select(joint => new JointTrack(prediction, joint.Limits))];
+            settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, speedShare: own.SpeedShare, accelerationLimit: own.AccelerationLimit,
+            jerkLimit: own.JerkLimit);
+        _tracks = [.. session.Header.Joints.Select(joint => new JointTrack(prediction, prediction.Bounded(joint.Limits, joint.Unit == "rad")))];
         _samples = new int[_tracks.Length];
         _errors = [.. _tracks.Select(_ => new AxisError())];
     }
@@ -96,7 +97,7 @@ sealed class SessionReplay
         var told = time + _settings.StampError * (2 * _stampErrors.Next() - 1);
         foreach (var value in _session.ValuesOf(sample))
         {
-            _tracks[value.Joint].Add(new JointSample(told, value.Position, time, value.Velocity), out _);
+            _tracks[value.Joint].Add(new JointSample(told, value.Position, time, value.Velocity, value.Acceleration), out _);
             _samples[value.Joint]++;
         }
     }

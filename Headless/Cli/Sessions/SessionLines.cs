@@ -41,7 +41,9 @@ static class SessionLines
         {
             return new PredictionSettings(
                 settings.Text("predictor"), settings.Number("horizon_cap_ms"), settings.Number("maximum_gap_ms"),
-                settings.NumberOr("blend_ms", 0));
+                settings.NumberOr("blend_ms", 0), speedShare: settings.NumberOr("speed_share", 1),
+                accelerationLimit: settings.NumberOr("acceleration_limit", double.PositiveInfinity),
+                jerkLimit: settings.NumberOr("jerk_limit", double.PositiveInfinity));
         }
         catch (InputException fault) when (!fault.Message.StartsWith(line.Place, StringComparison.Ordinal))
         {
@@ -53,9 +55,14 @@ static class SessionLines
     {
         var (lower, upper) = (joint.NumberOr("lower", double.NegativeInfinity), joint.NumberOr("upper", double.PositiveInfinity));
         if (lower > upper) throw joint.Wrong("lower", FormattableString.Invariant($"{lower} is above the upper limit {upper}"));
-        var velocity = joint.NumberOr("velocity", double.PositiveInfinity);
-        if (velocity <= 0) throw joint.Wrong("velocity", FormattableString.Invariant($"{velocity} is no limit; it is more than 0"));
-        return new SessionHeader.Joint(joint.Text("name"), joint.Text("unit"), new JointLimits(lower, upper, velocity, double.PositiveInfinity));
+        return new SessionHeader.Joint(joint.Text("name"), joint.Text("unit"), new JointLimits(
+            lower, upper, Limit(joint, "velocity"), double.PositiveInfinity, Limit(joint, "acceleration"), Limit(joint, "jerk")));
+    }
+
+    static double Limit(LineFields joint, string field)
+    {
+        var limit = joint.NumberOr(field, double.PositiveInfinity);
+        return limit > 0 ? limit : throw joint.Wrong(field, FormattableString.Invariant($"{limit} is no limit; it is more than 0"));
     }
 
     static SyncLine ReadSync(LineFields line)
@@ -73,7 +80,10 @@ static class SessionLines
         var names = line.Texts("names");
         return new SampleLine(
             HeadsetTime.FromNanoseconds(line.Whole("arrival_ns")), ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names,
-            line.Numbers("position", names.Length), line.Has("velocity") ? line.Numbers("velocity", names.Length, mayBeAbsent: true) : null,
-            line.TextOr("dropped", null));
+            line.Numbers("position", names.Length), Optional(line, "velocity", names.Length),
+            Optional(line, "acceleration", names.Length), line.TextOr("dropped", null));
     }
+
+    static double[] Optional(LineFields line, string field, int count) =>
+        line.Has(field) ? line.Numbers(field, count, mayBeAbsent: true) : null;
 }

@@ -155,18 +155,18 @@ public class SessionReplayTests
     }
 
     [Test]
-    public void Samples_WithVelocities_KeepThem()
+    public void Samples_WithVelocitiesAndAccelerations_KeepThem()
     {
         VirtualRecording.To(_path, seconds: 1);
         var header = File.ReadLines(_path).First();
         File.WriteAllText(_path, header + "\n" + """
-            {"kind":"sample","arrival_ns":200,"stamp_ns":100,"names":["arm_joint_2","nobody","arm_joint_1"],"position":[1,2,3],"velocity":[0.5,1,null]}
+            {"kind":"sample","arrival_ns":200,"stamp_ns":100,"names":["arm_joint_2","nobody","arm_joint_1"],"position":[1,2,3],"velocity":[0.5,1,null],"acceleration":[4,null,-2]}
             """ + "\n");
 
         var session = RecordedSession.Read(_path);
 
         var values = session.ValuesOf(session.Events.Single()).ToArray();
-        Assert.That(values, Is.EqualTo(new[] { new RecordedSession.Value(1, 1, 0.5), new RecordedSession.Value(0, 3, double.NaN) }));
+        Assert.That(values, Is.EqualTo(new[] { new RecordedSession.Value(1, 1, 0.5, 4), new RecordedSession.Value(0, 3, double.NaN, -2) }));
     }
 
     [TestCase("--estimator=default")]

@@ -11,7 +11,7 @@ public sealed partial class TooltipTests
     static readonly Dictionary<string, string> Units = new()
     {
         ["Ms"] = "ms", ["Seconds"] = "seconds", ["Metres"] = "metres", ["Degrees"] = "degrees", ["Port"] = "port",
-        ["Megabytes"] = "MB",
+        ["Megabytes"] = "MB", ["Percent"] = "percent", ["Radians"] = "radians",
     };
 
     static IEnumerable<Type> Types => InspectedType.All;

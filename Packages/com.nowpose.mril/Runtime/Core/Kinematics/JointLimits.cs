@@ -2,16 +2,20 @@ using System;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>What a joint can do, in rad, rad/s and N·m, for a prismatic joint in m, m/s and N; infinite where nothing limits it.</summary>
+    /// <summary>What a joint can do, in rad, s and N·m, for a prismatic joint in m, s and N; infinite where nothing limits it.</summary>
     /// <remarks><c>default</c> allows no motion at all; <see cref="None"/> allows everything.</remarks>
     public readonly struct JointLimits
     {
-        public JointLimits(double lower, double upper, double velocity, double effort)
+        public JointLimits(
+            double lower, double upper, double velocity, double effort, double acceleration = double.PositiveInfinity,
+            double jerk = double.PositiveInfinity)
         {
             Lower = lower;
             Upper = upper;
             Velocity = velocity;
             Effort = effort;
+            Acceleration = acceleration;
+            Jerk = jerk;
         }
 
         public static JointLimits None { get; } = new JointLimits(
@@ -27,6 +31,12 @@ namespace Nowpose.Kinematics
 
         /// <summary>Greatest force or torque in either direction.</summary>
         public double Effort { get; }
+
+        /// <summary>Greatest acceleration in either direction, above 0; not part of most URDFs.</summary>
+        public double Acceleration { get; }
+
+        /// <summary>Greatest jerk in either direction, above 0; not part of most URDFs.</summary>
+        public double Jerk { get; }
 
         public bool Contains(double position) => position >= Lower && position <= Upper;
 

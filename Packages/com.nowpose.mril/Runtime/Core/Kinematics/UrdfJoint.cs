@@ -87,7 +87,9 @@ namespace Nowpose.Kinematics
                 upper = source.Number(limit, "upper", 0);
             }
             if (lower > upper) throw source.Error(limit, System.FormattableString.Invariant($"lower {lower} is above upper {upper}"));
-            return new JointLimits(lower, upper, Bound(source, limit, "velocity"), Bound(source, limit, "effort"));
+            return new JointLimits(
+                lower, upper, Bound(source, limit, "velocity"), Bound(source, limit, "effort"), Bound(source, limit, "acceleration"),
+                Bound(source, limit, "jerk"));
         }
 
         // Exporters write 0 or -1 for "not known"; a joint that cannot move would be fixed.

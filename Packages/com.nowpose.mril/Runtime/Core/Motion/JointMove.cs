@@ -32,12 +32,12 @@ namespace Nowpose.Motion
         }
 
         /// <summary>s; zero when nothing moves.</summary>
-        public double Duration => _share?.Duration ?? 0;
+        public double Duration => _share.Duration;
 
         /// <param name="seconds">Since the move's start.</param>
         public void At(double seconds, Span<double> positions)
         {
-            var share = _share?.PositionAt(seconds) ?? 1;
+            var share = _share.PositionAt(seconds);
             for (var i = 0; i < _from.Length; i++)
                 positions[i] = _from[i] + share * (_to[i] - _from[i]);
         }

@@ -8,9 +8,10 @@ namespace Nowpose.Motion
     /// </summary>
     /// <remarks>
     /// Any unit of length (mm, m, rad) as long as distance and limits share it; times in seconds from the start of the
-    /// move. Before the start it stands at 0, after <see cref="Duration"/> at the distance. Immutable, any thread.
+    /// move. Before the start it stands at 0, after <see cref="Duration"/> at the distance. <c>default</c> is a move over no
+    /// distance, which takes no time. Immutable, any thread.
     /// </remarks>
-    public sealed class SevenPhaseProfile
+    public readonly struct SevenPhaseProfile
     {
         readonly double _distance;
         readonly double _jerk;
@@ -32,6 +33,7 @@ namespace Nowpose.Motion
             RequirePositive(maxJerk, nameof(maxJerk));
 
             _distance = distance;
+            _jerk = _jerkTime = _rampTime = Duration = 0;
             var stroke = Math.Abs(distance);
             _peakVelocity = Math.Min(maxVelocity, VelocityOfStroke(stroke, maxAcceleration, maxJerk));
             if (_peakVelocity == 0) return;

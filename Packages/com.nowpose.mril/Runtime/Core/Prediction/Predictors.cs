@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Prediction.Gating;
+using Nowpose.Prediction.Profiles;
 using Nowpose.Prediction.Repetition;
 using Nowpose.Prediction.Stacking;
 using Nowpose.Prediction.Stamps;
@@ -12,6 +13,10 @@ namespace Nowpose.Prediction
     {
         /// <summary>What is used where nothing is asked for: what errs least on motion nobody has seen before.</summary>
         public const string Default = "adaptive";
+
+        // A repetition that is none is far off, a profile only a little; beside, both know the start of no move beforehand.
+        const double TemplateGate = 0.3;
+        const double ProfileGate = 0.8;
 
         /// <summary>All names: the polynomials in the order of their degree, then what learns from the motion.</summary>
         public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[]
@@ -42,8 +47,12 @@ namespace Nowpose.Prediction
         }
 
         // Stamps are put right first; between samples the joint is where they say; ahead of them a cycle that repeats
-        // speaks while it does, else what the mixture has learned.
-        static DejitteredPredictor Adaptive(PredictionLimits limits) => new DejitteredPredictor(new InterpolatingPredictor(
-            new GatedPredictor(new TemplatePredictor(limits), new StackedPredictor(limits)), limits));
+        // speaks while it does, then a profile where the drive's limits are known, else what the mixture has learned.
+        static DejitteredPredictor Adaptive(PredictionLimits limits)
+        {
+            IJointPredictor ahead = new StackedPredictor(limits);
+            if (ProfilePredictor.HasLimits(limits)) ahead = new GatedPredictor(new ProfilePredictor(limits), ahead, ProfileGate);
+            return new DejitteredPredictor(new InterpolatingPredictor(new GatedPredictor(new TemplatePredictor(limits), ahead, TemplateGate), limits));
+        }
     }
 }

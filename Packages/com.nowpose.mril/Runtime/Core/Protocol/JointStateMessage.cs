@@ -8,17 +8,22 @@ namespace Nowpose.Protocol
     {
         /// <param name="positions">rad or m, as many as <paramref name="names"/>, finite.</param>
         /// <param name="velocities">rad/s or m/s, as many as <paramref name="names"/>, NaN where absent; null when all are.</param>
+        /// <param name="accelerations">rad/s² or m/s², as many as <paramref name="names"/>, NaN where absent; null when all are.</param>
         /// <exception cref="ArgumentException">The lengths differ.</exception>
-        public JointStateMessage(ControlTime stamp, string[] names, double[] positions, double[] velocities = null)
+        public JointStateMessage(
+            ControlTime stamp, string[] names, double[] positions, double[] velocities = null, double[] accelerations = null)
         {
             if (positions.Length != names.Length)
                 throw new ArgumentException(positions.Length + " positions for " + names.Length + " joints", nameof(positions));
             if (velocities != null && velocities.Length != names.Length)
                 throw new ArgumentException(velocities.Length + " velocities for " + names.Length + " joints", nameof(velocities));
+            if (accelerations != null && accelerations.Length != names.Length)
+                throw new ArgumentException(accelerations.Length + " accelerations for " + names.Length + " joints", nameof(accelerations));
             Stamp = stamp;
             Names = names;
             Positions = positions;
             Velocities = velocities;
+            Accelerations = accelerations;
         }
 
         /// <summary>t_k: when the joints were there, on the control clock C1.</summary>
@@ -31,5 +36,11 @@ namespace Nowpose.Protocol
 
         /// <summary>rad/s or m/s, one for each name, NaN where absent; null when none is known.</summary>
         public double[] Velocities { get; }
+
+        /// <summary>
+        /// rad/s² or m/s², one for each name, NaN where absent; null when none is known. Beyond sensor_msgs: for control
+        /// systems that publish their set-points.
+        /// </summary>
+        public double[] Accelerations { get; }
     }
 }

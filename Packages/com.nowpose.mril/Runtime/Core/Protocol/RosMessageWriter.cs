@@ -14,8 +14,9 @@ namespace Nowpose.Protocol
             Header(json, message.Stamp, form);
             Texts(json, "name", message.Names);
             Positions(json, "position", message.Positions);
-            Velocities(json, "velocity", message.Velocities);
+            OptionalNumbers(json, "velocity", message.Velocities);
             Positions(json, "effort", Array.Empty<double>());
+            if (message.Accelerations != null) OptionalNumbers(json, "acceleration", message.Accelerations);
             json.WriteEndObject();
         }
 
@@ -60,8 +61,8 @@ namespace Nowpose.Protocol
         {
             json.WriteStartObject();
             Positions(json, "positions", point.Positions);
-            Velocities(json, "velocities", point.Velocities);
-            Velocities(json, "accelerations", point.Accelerations);
+            OptionalNumbers(json, "velocities", point.Velocities);
+            OptionalNumbers(json, "accelerations", point.Accelerations);
             Positions(json, "effort", Array.Empty<double>());
             json.WritePropertyName("time_from_start");
             Write(json, new ControlTime(point.TimeFromStart).Nanoseconds, form);
@@ -136,7 +137,7 @@ namespace Nowpose.Protocol
             json.WriteEndArray();
         }
 
-        static void Velocities(JsonWriter json, string name, double[] values)
+        static void OptionalNumbers(JsonWriter json, string name, double[] values)
         {
             json.WritePropertyName(name);
             json.WriteStartArray();

@@ -8,7 +8,7 @@ namespace Nowpose.Protocol
     {
         static readonly string[] StringFields = { "data" };
         static readonly string[] TimeFields = { "time" };
-        static readonly string[] StateFields = { "header", "name", "position", "velocity" };
+        static readonly string[] StateFields = { "header", "name", "position", "velocity", "acceleration" };
         static readonly string[] TrajectoryFields = { "header", "joint_names", "points" };
         static readonly string[] PointFields = { "positions", "time_from_start", "velocities", "accelerations" };
 
@@ -48,18 +48,21 @@ namespace Nowpose.Protocol
             var names = new List<string>();
             var positions = new List<double>();
             var velocities = new List<double>();
+            var accelerations = new List<double>();
             var isRead = cursor.Object(StateFields, 0b111, field => field switch
             {
                 0 => RosTime.ReadHeader(cursor, out stamp),
                 1 => ReadNames(cursor, names),
                 2 => cursor.FiniteNumbers(positions),
-                _ => cursor.IsNull || cursor.OptionalNumbers(velocities),
+                3 => cursor.IsNull || cursor.OptionalNumbers(velocities),
+                _ => cursor.IsNull || cursor.OptionalNumbers(accelerations),
             });
-            if (!isRead || !HaveLength(cursor, names.Count, positions, velocities))
+            if (!isRead || !HaveLength(cursor, names.Count, positions, velocities) || !HaveLength(cursor, names.Count, positions, accelerations))
                 return false;
             if (names.Count == 0)
                 return cursor.Fail(DropReason.MissingField);
-            into.JointState = new JointStateMessage(stamp, names.ToArray(), positions.ToArray(), OrNull(velocities));
+            into.JointState = new JointStateMessage(
+                stamp, names.ToArray(), positions.ToArray(), OrNull(velocities), OrNull(accelerations));
             return true;
         }
 

@@ -24,7 +24,7 @@ namespace Nowpose.Session
             _robot = robot;
             var count = robot.MovingJoints.Count;
             _tracks = new JointTrack[count];
-            for (var i = 0; i < count; i++) _tracks[i] = new JointTrack(settings, robot.MovingJoints[i].Limits);
+            for (var i = 0; i < count; i++) _tracks[i] = new JointTrack(settings, BoundsOf(robot.MovingJoints[i], settings));
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];
@@ -60,7 +60,7 @@ namespace Nowpose.Session
             {
                 var joint = _robot.IndexOfMovingJoint(message.Names[i]);
                 if (joint < 0) continue;
-                var each = ReasonOf(_tracks[joint].Add(new JointSample(time, message.Positions[i], time, message.Velocities?[i] ?? double.NaN), out var waited));
+                var each = ReasonOf(_tracks[joint].Add(Sample(time, message, i), out var waited));
                 if (reason != DropReason.None) reason = each;
                 if (overtaken == DropReason.None) overtaken = ReasonOf(waited);
             }
@@ -73,6 +73,12 @@ namespace Nowpose.Session
             var start = SecondsOf(plan.Stamp);
             for (var i = 0; i < plan.Count; i++) _tracks[plan.JointAt(i)].Follow(plan.PathAt(i), start);
         }
+
+        static JointLimits BoundsOf(RobotJoint joint, PredictionSettings settings) =>
+            settings.Bounded(joint.Limits, joint.Kind != JointKind.Prismatic);
+
+        static JointSample Sample(double time, JointStateMessage message, int i) => new JointSample(
+            time, message.Positions[i], time, message.Velocities?[i] ?? double.NaN, message.Accelerations?[i] ?? double.NaN);
 
         /// <summary>All joints at a control time. Allocates nothing.</summary>
         public void Predict(ControlTime at)

@@ -13,7 +13,11 @@ namespace Nowpose.Session
         /// <summary>Beyond, the blend is a latency of its own.</summary>
         const double GreatestBlendMs = 200;
 
-        /// <summary>The paper's choice: quadratic, interpolating.</summary>
+        const double LeastSpeedShare = 0.01;
+        const double LeastLimit = 0.01;
+        const double GreatestLimit = 1e6;
+
+        /// <summary>What suits motion nobody has seen before.</summary>
         public static readonly PredictionSettings Default = new PredictionSettings();
 
         /// <param name="predictor">One of <see cref="Predictors.Names"/>.</param>
@@ -25,16 +29,26 @@ namespace Nowpose.Session
         /// Within which the difference between two sections falls to 1/e when one replaces the other; 0 lets the joint jump.
         /// </param>
         /// <param name="followPlan">Whether joints are shown by the control system's set-points ahead, where it publishes them.</param>
+        /// <param name="speedShare">What programs use of the URDF's velocity limits, above 0, at most 1: the override.</param>
+        /// <param name="accelerationLimit">
+        /// rad/s², of revolute joints; infinity where it is not known. Of it and the URDF's the smaller counts. With
+        /// <paramref name="jerkLimit"/> moves from rest to rest are predicted by their profile.
+        /// </param>
+        /// <param name="jerkLimit">rad/s³, of revolute joints; infinity where it is not known.</param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public PredictionSettings(
             string predictor = Predictors.Default, double horizonCapMs = 300, double maximumGapMs = 500, double blendMs = DefaultBlendMs,
-            bool followPlan = true)
+            bool followPlan = true, double speedShare = 1, double accelerationLimit = double.PositiveInfinity,
+            double jerkLimit = double.PositiveInfinity)
         {
             Predictor = predictor;
             HorizonCap = SettingRange.RequireMs(horizonCapMs, 0, 5000, "horizon cap");
             MaximumGap = SettingRange.RequireMs(maximumGapMs, 1, 60_000, "maximum gap");
             Blend = SettingRange.RequireMs(blendMs, 0, GreatestBlendMs, "blend");
             FollowPlan = followPlan;
+            SpeedShare = SettingRange.Require(speedShare, LeastSpeedShare, 1, "speed share", "of the URDF's velocity");
+            AccelerationLimit = RequireLimit(accelerationLimit, "acceleration limit", "rad/s²");
+            JerkLimit = RequireLimit(jerkLimit, "jerk limit", "rad/s³");
             Create(JointLimits.None);
         }
 
@@ -48,13 +62,34 @@ namespace Nowpose.Session
         /// <summary>Whether the set-points of /joint_trajectory are used.</summary>
         public bool FollowPlan { get; }
 
+        /// <summary>Above 0, at most 1.</summary>
+        public double SpeedShare { get; }
+
+        /// <summary>rad/s²; infinity where it is not known.</summary>
+        public double AccelerationLimit { get; }
+
+        /// <summary>rad/s³; infinity where it is not known.</summary>
+        public double JerkLimit { get; }
+
         /// <summary>Hold is what the others are compared with: the newest samples as they are, neither blended nor planned.</summary>
         internal bool IsHold => Predictor == "hold";
 
         /// <summary>A predictor for one joint, bounded by its limits.</summary>
-        public IJointPredictor Create(JointLimits limits) => Predictors.Create(Predictor, LimitsOf(limits));
+        /// <param name="limits">As <see cref="Bounded"/>.</param>
+        public IJointPredictor Create(in JointLimits limits) => Predictors.Create(Predictor, LimitsOf(limits));
 
-        internal PredictionLimits LimitsOf(JointLimits limits) => new PredictionLimits(
-            limits.Lower, limits.Upper, ClockTicks.Seconds(HorizonCap), ClockTicks.Seconds(MaximumGap));
+        /// <summary>A joint's limits with those of these settings.</summary>
+        /// <param name="isRevolute">Whether acceleration and jerk of these settings are meant for it.</param>
+        public JointLimits Bounded(in JointLimits limits, bool isRevolute) => new JointLimits(
+            limits.Lower, limits.Upper, limits.Velocity * SpeedShare, limits.Effort,
+            isRevolute ? Math.Min(limits.Acceleration, AccelerationLimit) : limits.Acceleration,
+            isRevolute ? Math.Min(limits.Jerk, JerkLimit) : limits.Jerk);
+
+        internal PredictionLimits LimitsOf(in JointLimits limits) => new PredictionLimits(
+            limits.Lower, limits.Upper, ClockTicks.Seconds(HorizonCap), ClockTicks.Seconds(MaximumGap), limits.Velocity,
+            limits.Acceleration, limits.Jerk);
+
+        static double RequireLimit(double value, string name, string unit) =>
+            double.IsPositiveInfinity(value) ? value : SettingRange.Require(value, LeastLimit, GreatestLimit, name, unit);
     }
 }

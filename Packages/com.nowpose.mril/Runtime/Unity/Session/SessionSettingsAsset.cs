@@ -77,6 +77,18 @@ namespace Nowpose.Unity
             + "them; nothing is predicted then. On: a joint that does not follow is predicted as ever.")]
         bool _followPlan = true;
 
+        [SerializeField, Tooltip("What the robot's programs use of the velocity limits in its URDF, percent, 1 to 100. 100: the limits as they are; "
+            + "no prediction moves faster. With the override at 30 percent say 30.")]
+        double _speedPercent = 100;
+
+        [SerializeField, Tooltip("Greatest acceleration of revolute joints whose URDF has none, radians per second squared, 0.01 to 1000000; 0: not "
+            + "known. With both limits moves from rest to rest are predicted by their profile.")]
+        double _accelerationRadians = 0;
+
+        [SerializeField, Tooltip("Greatest jerk of revolute joints whose URDF has none, radians per second cubed, 0.01 to 1000000; 0: not known. The "
+            + "robot's data sheet or its control's machine data say it.")]
+        double _jerkRadians = 0;
+
         [Header("Clock")]
         [SerializeField, Tooltip("default or ransac: how the offset of the headset's clock is found. ransac is the paper's; default is 5 to 15 "
             + "times closer over WiFi and follows clocks that step.")]
@@ -85,6 +97,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("From one clock exchange to the next, ms, 20 to 10000; a quarter of it at the start and after a step, five times "
             + "as much on a quiet network. 200 ms: the clock is known within seconds, and the network hardly notices.")]
         double _syncIntervalMs = ProtocolLimits.SyncIntervalMs;
+
+        static double Known(double limit) => limit == 0 ? double.PositiveInfinity : limit;
 
         /// <param name="token">Takes the place of this asset's, which it need not hold then; null for this asset's, empty for none.</param>
         /// <exception cref="InputException">A value cannot be used; names this asset, the value and what is allowed.</exception>
@@ -95,7 +109,9 @@ namespace Nowpose.Unity
                 return new SessionSettings(
                     Connection(token ?? _token),
                     VisualisationLatency.FromMilliseconds(_visualisationMs),
-                    new PredictionSettings(_predictor, _horizonCapMs, _maximumGapMs, _blendMs, _followPlan),
+                    new PredictionSettings(
+                        _predictor, _horizonCapMs, _maximumGapMs, _blendMs, _followPlan, _speedPercent / 100, Known(_accelerationRadians),
+                        Known(_jerkRadians)),
                     syncIntervalMs: _syncIntervalMs,
                     range: _renderTimeLimitMs == 0 ? null : new ConstantLatencyRange(_renderTimeLimitMs, _renderTimeLimitSource),
                     rewriteBeforeRender: _rewriteBeforeRender,

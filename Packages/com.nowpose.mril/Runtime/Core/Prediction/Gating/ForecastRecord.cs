@@ -6,18 +6,22 @@ namespace Nowpose.Prediction.Gating
         /// <summary>What the record keeps per score.</summary>
         const double Keeping = 0.85;
 
-        /// <summary>The mean square must be below this share of the other's.</summary>
-        const double ClearlyBetter = 0.3;
-
+        readonly double _shareOfSquare;
         readonly int _fewestScores;
         double _candidateSquare;
         double _fallbackSquare;
         int _scores;
 
-        public ForecastRecord(int fewestScores) => _fewestScores = fewestScores;
+        /// <param name="shareOfSquare">The candidate's mean square must be below this share of the other's.</param>
+        /// <param name="fewestScores">More scores than this are needed.</param>
+        public ForecastRecord(double shareOfSquare, int fewestScores)
+        {
+            _shareOfSquare = shareOfSquare;
+            _fewestScores = fewestScores;
+        }
 
         /// <summary>Whether the candidate was clearly better, often enough to believe it.</summary>
-        public bool FavoursCandidate => _scores > _fewestScores && _candidateSquare < ClearlyBetter * _fallbackSquare;
+        public bool FavoursCandidate => _scores > _fewestScores && _candidateSquare < _shareOfSquare * _fallbackSquare;
 
         public void Add(double candidateError, double fallbackError)
         {

@@ -27,8 +27,8 @@ namespace Nowpose.Prediction.Gating
         readonly IJointPredictor _candidate;
         readonly IJointPredictor _fallback;
         readonly PendingForecasts _pending = new PendingForecasts();
-        readonly ForecastRecord _moving = new ForecastRecord(10);
-        readonly ForecastRecord _resting = new ForecastRecord(4);
+        readonly ForecastRecord _moving;
+        readonly ForecastRecord _resting;
         double _horizon;
         double _asked;
         double _interval;
@@ -38,8 +38,14 @@ namespace Nowpose.Prediction.Gating
 
         /// <param name="candidate">Says <see cref="PredictionKind.None"/> when it has nothing to say.</param>
         /// <param name="fallback">Speaks otherwise, and whenever in doubt.</param>
-        public GatedPredictor(IJointPredictor candidate, IJointPredictor fallback)
+        /// <param name="shareOfSquare">The candidate's mean square must be below this share of the other's, 0 to 1.</param>
+        /// <exception cref="ArgumentOutOfRangeException">The share is not between 0 and 1.</exception>
+        public GatedPredictor(IJointPredictor candidate, IJointPredictor fallback, double shareOfSquare)
         {
+            if (!(shareOfSquare > 0 && shareOfSquare <= 1))
+                throw new ArgumentOutOfRangeException(nameof(shareOfSquare), shareOfSquare, "above 0, at most 1");
+            _moving = new ForecastRecord(shareOfSquare, 10);
+            _resting = new ForecastRecord(shareOfSquare, 4);
             _candidate = candidate ?? throw new ArgumentNullException(nameof(candidate));
             _fallback = fallback ?? throw new ArgumentNullException(nameof(fallback));
             Reset();
@@ -120,11 +126,10 @@ namespace Nowpose.Prediction.Gating
         {
             var intervals = Math.Max(1, Math.Round(_horizon / _interval));
             var time = NewestTime + intervals * _interval;
-            var fallback = _fallback.At(time).Position;
             var candidate = _candidate.At(time);
-            // Without a word the candidate is no better than holding.
-            var said = candidate.Kind == PredictionKind.None ? Hold : candidate.Position;
-            _pending.Add(new PendingForecasts.Forecast(time, Hold, said, fallback, _isAtRest));
+            // Without a word it is neither right nor wrong: the other speaks.
+            if (candidate.Kind == PredictionKind.None) return;
+            _pending.Add(new PendingForecasts.Forecast(time, Hold, candidate.Position, _fallback.At(time).Position, _isAtRest));
         }
 
         static double Square(double x) => x * x;

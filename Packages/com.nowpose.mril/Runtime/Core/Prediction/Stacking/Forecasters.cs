@@ -7,11 +7,18 @@ namespace Nowpose.Prediction.Stacking
     {
         public const int Hold = 0;
         public const int Linear = 1;
+        public const int Count = 11;
 
-        /// <summary>The Gaussian process with l = 0.6 s: the best single forecast on clean moves.</summary>
-        public const int Prior = 6;
+        /// <summary>By the velocity, and the acceleration, that the newest sample tells; without them the stopping quadratic.</summary>
+        const int Told = 10;
 
-        public const int Count = 10;
+        const int BestProcess = 6;
+
+        /// <summary>What a line has of the prior: on real machines' first moves a process alone swings out further.</summary>
+        const double ShareOfLine = 0.4;
+
+        /// <summary>What the told velocity and acceleration have of the prior; a smooth motion knows its course further ahead.</summary>
+        const double ShareOfTold = 0.7;
 
         /// <summary>After a shock that did not speed up, half the way is believed.</summary>
         const double ShareAfterShock = 0.5;
@@ -27,6 +34,32 @@ namespace Nowpose.Prediction.Stacking
             new GaussianProcess(0.4, 1e-7, 5), new GaussianProcess(0.6, 1e-7, 5), new GaussianProcess(1, 1e-7, 5),
             new GaussianProcess(2, 1e-7, 5), new GaussianProcess(0.6, 1e-5, 8),
         };
+
+        /// <summary>The weights while nothing is known: mostly the process with l = 0.6 s, the best single forecast on clean moves.</summary>
+        public static double[] Prior()
+        {
+            var weights = new double[Count];
+            weights[Linear] = ShareOfLine;
+            weights[BestProcess] = 1 - ShareOfLine;
+            return weights;
+        }
+
+        /// <summary>The weights to stay near when samples tell their acceleration.</summary>
+        public static double[] PriorWhenTold()
+        {
+            var weights = new double[Count];
+            weights[BestProcess] = 1 - ShareOfTold;
+            weights[Told] = ShareOfTold;
+            return weights;
+        }
+
+        /// <summary>The weights of one forecast alone.</summary>
+        public static double[] Only(int forecast)
+        {
+            var weights = new double[Count];
+            weights[forecast] = 1;
+            return weights;
+        }
 
         /// <summary>Fills all tables, one after another.</summary>
         /// <param name="connected">How many of the newest samples follow each other without a gap.</param>
@@ -45,6 +78,8 @@ namespace Nowpose.Prediction.Stacking
                 return;
             }
             FillLine(tables, Linear, speed);
+            if (double.IsNaN(history[0].Velocity)) FillStopping(history, tables, Told);
+            else FillTold(history, tables);
             for (var i = 0; i < _polynomials.Length; i++)
                 if (samples < _polynomialSamples[i]) FillStopping(history, tables, FirstPolynomial + i);
                 else FillPolynomial(history, tables, i);
@@ -101,6 +136,23 @@ namespace Nowpose.Prediction.Stacking
                 Array.Clear(tables, start, ForecastGrid.Points);
                 return;
             }
+            FillParabola(tables, start, speed, bend);
+        }
+
+        // Taylor's series; a velocity alone makes one with the sample before, as Hermite's quadratic.
+        static void FillTold(SampleHistory history, double[] tables)
+        {
+            ref readonly var newest = ref history[0];
+            var interval = newest.Time - history[1].Time;
+            var bend = double.IsNaN(newest.Acceleration)
+                ? (newest.Velocity - (newest.Position - history[1].Position) / interval) / interval
+                : newest.Acceleration / 2;
+            FillParabola(tables, Told * ForecastGrid.Points, newest.Velocity, bend);
+        }
+
+        // Stops at its vertex.
+        static void FillParabola(double[] tables, int start, double speed, double bend)
+        {
             var stop = speed * bend < 0 ? -speed / (2 * bend) : double.PositiveInfinity;
             for (var i = 0; i < ForecastGrid.Points; i++)
             {

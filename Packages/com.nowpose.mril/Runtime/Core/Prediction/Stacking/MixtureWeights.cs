@@ -26,15 +26,14 @@ namespace Nowpose.Prediction.Stacking
         readonly double[] _gradient;
 
         /// <param name="regularisation">λ as a share of the least mean square among the forecasts.</param>
-        /// <param name="prior">Index of the forecast that has all the weight while nothing is known.</param>
-        public MixtureWeights(int count, double regularisation, int prior)
+        /// <param name="prior">The weights while nothing is known; as many as there are forecasts.</param>
+        public MixtureWeights(double regularisation, double[] prior)
         {
-            _count = count;
+            _count = prior.Length;
             _regularisation = regularisation;
-            _products = new double[count * count];
-            _gradient = new double[count];
-            Values = new double[count];
-            Values[prior] = 1;
+            _products = new double[_count * _count];
+            _gradient = new double[_count];
+            Values = (double[])prior.Clone();
         }
 
         /// <summary>The weights, one per forecast.</summary>
@@ -74,11 +73,10 @@ namespace Nowpose.Prediction.Stacking
                 if (!MoveBestPair(pull)) return;
         }
 
-        public void Reset(int prior)
+        public void Reset(double[] prior)
         {
             Array.Clear(_products, 0, _products.Length);
-            Array.Clear(Values, 0, _count);
-            Values[prior] = 1;
+            Array.Copy(prior, Values, _count);
             Evidence = 0;
         }
 

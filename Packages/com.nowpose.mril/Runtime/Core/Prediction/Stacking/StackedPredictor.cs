@@ -47,11 +47,13 @@ namespace Nowpose.Prediction.Stacking
         readonly StandstillDetector _standstill = new StandstillDetector();
         readonly Forecasters _forecasters = new Forecasters();
         readonly ForecastSnapshots _snapshots = new ForecastSnapshots(Forecasters.Count);
-        readonly MixtureWeights _overall = new MixtureWeights(Forecasters.Count, Regularisation, Forecasters.Prior);
-        readonly MixtureWeights _moving = new MixtureWeights(Forecasters.Count, ClassRegularisation, Forecasters.Prior);
-        readonly MixtureWeights _resting = new MixtureWeights(Forecasters.Count, ClassRegularisation, Forecasters.Prior);
-        readonly double[] _prior = OnlyOne(Forecasters.Prior);
-        readonly double[] _line = OnlyOne(Forecasters.Linear);
+        readonly MixtureWeights _overall = new MixtureWeights(Regularisation, Forecasters.Prior());
+        readonly MixtureWeights _moving = new MixtureWeights(ClassRegularisation, Forecasters.Prior());
+        readonly MixtureWeights _resting = new MixtureWeights(ClassRegularisation, Forecasters.Prior());
+        readonly double[] _prior = Forecasters.Prior();
+        readonly double[] _priorWhenTold = Forecasters.PriorWhenTold();
+        readonly double[] _line = Forecasters.Only(Forecasters.Linear);
+        readonly double[] _hold = Forecasters.Only(Forecasters.Hold);
         readonly double[] _errors = new double[Forecasters.Count];
         readonly double[] _table = new double[ForecastGrid.Points];
         double[] _weights;
@@ -109,9 +111,9 @@ namespace Nowpose.Prediction.Stacking
             _shocks.Reset();
             _standstill.Reset();
             _snapshots.Clear();
-            _overall.Reset(Forecasters.Prior);
-            _moving.Reset(Forecasters.Prior);
-            _resting.Reset(Forecasters.Prior);
+            _overall.Reset(_prior);
+            _moving.Reset(_prior);
+            _resting.Reset(_prior);
             Array.Clear(_table, 0, _table.Length);
             _weights = _prior;
             _horizon = FirstHorizon;
@@ -169,6 +171,9 @@ namespace Nowpose.Prediction.Stacking
                 for (var i = 0; i < Forecasters.Count; i++) sum += _weights[i] * into.Tables[i * ForecastGrid.Points + point];
                 _table[point] = sum;
             }
+            if (_connected < 2) return;
+            var (interval, speed) = Increment(0);
+            SpeedLimits.Apply(_table, speed, interval, _limits);
         }
 
         // The two snapshots whose age lies around the horizon share the lesson.
@@ -192,7 +197,7 @@ namespace Nowpose.Prediction.Stacking
             if (!learned) return;
 
             var sampleShare = 1 - Math.Exp(-_interval / Memory);
-            _overall.Solve(_prior, sampleShare);
+            _overall.Solve(PriorNow, sampleShare);
             _resting.Solve(_overall.Values, sampleShare);
             _moving.Solve(_overall.Values, sampleShare);
         }
@@ -217,22 +222,18 @@ namespace Nowpose.Prediction.Stacking
             return isTelling || snapshot.WasAtRest;
         }
 
+        double[] PriorNow => double.IsNaN(_history[0].Acceleration) ? _prior : _priorWhenTold;
+
         // What is far faster than anything scored meets weights learned from noise, or none: the first start would be lost.
         double[] Choose(double speed)
         {
             var heldSquare = _overall.MeanSquare(Forecasters.Hold);
             if (_standstill.IsAtRest) heldSquare = Math.Max(heldSquare, _resting.MeanSquare(Forecasters.Hold));
             var way = speed * _horizon;
+            if (_standstill.IsOnlyNoise) return _hold;
             if (way * way <= UnheardOf * heldSquare) return (_standstill.IsAtRest ? _resting : _moving).Values;
             var sinceStart = _history.NewestTime - _start;
-            return sinceStart < Math.Max(StartSeconds, 1.01 * _interval) + 1e-4 ? _line : _prior;
-        }
-
-        static double[] OnlyOne(int index)
-        {
-            var weights = new double[Forecasters.Count];
-            weights[index] = 1;
-            return weights;
+            return sinceStart < Math.Max(StartSeconds, 1.01 * _interval) + 1e-4 ? _line : PriorNow;
         }
     }
 }

@@ -20,6 +20,11 @@ namespace Nowpose.Prediction.Stacking
         const double LeavesAbove = 4;
         const double AnchorShare = 0.1;
 
+        /// <summary>With less progress than this a motion is slower than a third of the noise per sample.</summary>
+        const double LeastProgress = 0.35;
+
+        const double LeastRoughness = 1.3;
+
         /// <summary>A range of zero counts as this share of the greatest ever, or the logarithm would never come back.</summary>
         const double LeastShare = 1e-6;
 
@@ -31,6 +36,9 @@ namespace Nowpose.Prediction.Stacking
         bool _knowsNoise;
 
         public bool IsAtRest { get; private set; }
+
+        /// <summary>Whether the samples at rest scatter to and fro: then what they do is noise, and nothing follows from it.</summary>
+        public bool IsOnlyNoise { get; private set; }
 
         /// <param name="history">With the newest sample in it.</param>
         /// <param name="interval">Before the newest sample, s.</param>
@@ -59,12 +67,28 @@ namespace Nowpose.Prediction.Stacking
                 _anchor = sum / count;
             }
             if (IsAtRest) _anchor += AnchorShare * (newest - _anchor);
+IsOnlyNoise = IsAtRest && IsNoise(history);
         }
 
         public void Reset()
         {
             _greatestRange = _logarithm = _anchor = 0;
-            _knowsNoise = IsAtRest = false;
+            _knowsNoise = IsAtRest = IsOnlyNoise = false;
+        }
+
+        // White noise goes nowhere, and its second differences are √3 times its first; a smooth motion that turns does the
+        // one but not the other.
+        static bool IsNoise(SampleHistory history)
+        {
+            double ways = 0, bends = 0;
+            for (var i = 1; i < history.Count; i++)
+            {
+                var way = history[i - 1].Position - history[i].Position;
+                ways += Math.Abs(way);
+                if (i + 1 < history.Count) bends += Math.Abs(way - history[i].Position + history[i + 1].Position);
+            }
+            var progress = Math.Abs(history[0].Position - history[history.Count - 1].Position);
+            return progress < LeastProgress * ways && bends > LeastRoughness * ways;
         }
 
         void Learn(double range, double interval)

@@ -36,6 +36,8 @@ namespace Nowpose.Recording
                 AddLimit(line, "lower", joint.Limits.Lower);
                 AddLimit(line, "upper", joint.Limits.Upper);
                 AddLimit(line, "velocity", joint.Limits.Velocity);
+                AddLimit(line, "acceleration", joint.Limits.Acceleration);
+                AddLimit(line, "jerk", joint.Limits.Jerk);
                 if (joint.Mimic != null) line.Add("mimics", joint.Mimic.Master);
                 line.Close('}');
             }
@@ -52,7 +54,9 @@ namespace Nowpose.Recording
             var prediction = settings.Prediction;
             line.Open("settings", '{').Add("predictor", prediction.Predictor);
             line.Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds).Add("maximum_gap_ms", prediction.MaximumGap.TotalMilliseconds)
-                .Add("blend_ms", prediction.Blend.TotalMilliseconds);
+                .Add("blend_ms", prediction.Blend.TotalMilliseconds).Add("speed_share", prediction.SpeedShare);
+            AddLimit(line, "acceleration_limit", prediction.AccelerationLimit);
+            AddLimit(line, "jerk_limit", prediction.JerkLimit);
             line.Add("visualisation_ms", settings.Visualisation.Length.TotalMilliseconds);
             line.Add("rewrite_before_render", settings.RewriteBeforeRender);
             if (settings.Range != null)

@@ -63,6 +63,7 @@ namespace Nowpose.Recording
             _line.Begin("sample").Add("arrival_ns", record.Arrival.At.Nanoseconds).Add("stamp_ns", message.Stamp.Nanoseconds)
                 .Add("names", message.Names).Add("position", message.Positions);
             if (message.Velocities != null) _line.Add("velocity", message.Velocities);
+            if (message.Accelerations != null) _line.Add("acceleration", message.Accelerations);
             if (record.Reason != DropReason.None) _line.Add("dropped", Reasons[(int)record.Reason]);
         }
 

@@ -31,6 +31,9 @@ namespace Nowpose.Tests
             ("_maximumGapMs", 700.0, s => s.Prediction.MaximumGap.TotalMilliseconds, 700.0),
             ("_blendMs", 20.0, s => s.Prediction.Blend.TotalMilliseconds, 20.0),
             ("_followPlan", false, s => s.Prediction.FollowPlan, false),
+            ("_speedPercent", 40.0, s => s.Prediction.SpeedShare, 0.4),
+            ("_accelerationRadians", 7.5, s => s.Prediction.AccelerationLimit, 7.5),
+            ("_jerkRadians", 75.0, s => s.Prediction.JerkLimit, 75.0),
             ("_clockEstimator", "ransac", s => s.ClockEstimator, "ransac"),
             ("_syncIntervalMs", 150.0, s => s.SyncInterval.TotalMilliseconds, 150.0),
             ("_rewriteBeforeRender", true, s => s.RewriteBeforeRender, true),
@@ -138,6 +141,9 @@ namespace Nowpose.Tests
         [TestCase("_predictor", "psychic", "predictor", "'psychic'", "quadratic-h3")]
         [TestCase("_predictor", "", "predictor", "''", "quadratic-h3")]
         [TestCase("_horizonCapMs", 5001.0, "horizon cap", "5001 ms", "0 to 5000 ms")]
+        [TestCase("_speedPercent", 0.0, "speed share", "0 of the URDF's velocity", "0.01 to 1")]
+        [TestCase("_accelerationRadians", -2.0, "acceleration limit", "-2 rad/s²", "0.01 to 1000000")]
+        [TestCase("_jerkRadians", double.NaN, "jerk limit", "NaN rad/s³", "0.01 to 1000000")]
         [TestCase("_maximumGapMs", 0.5, "maximum gap", "0.5 ms", "1 to 60000 ms")]
         [TestCase("_blendMs", 250.0, "blend", "250 ms", "0 to 200 ms")]
         [TestCase("_clockEstimator", "paper", "clock estimator", "'paper'", "default, ransac")]

@@ -16,7 +16,7 @@ namespace Nowpose.Tests
         public void MakeGate()
         {
             _candidate = new Oracle();
-            _gate = new GatedPredictor(_candidate, new HoldPredictor(PredictionLimits.Unlimited));
+            _gate = new GatedPredictor(_candidate, new HoldPredictor(PredictionLimits.Unlimited), 0.3);
         }
 
         [Test]
