@@ -27,6 +27,9 @@ public static class Motions
     public static AxisMotion FastMoves(int seed, double seconds = 30) => RandomMoves("fast 7-phase moves", seed, seconds, random => new Limits(
         Between(random, 400, 1500), Between(random, 3000, 10_000), Between(random, 30_000, 100_000)));
 
+    /// <summary>Fast moves of one drive, all under its limits: 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
+    public static AxisMotion MovesOfOneDrive(int seed) => RandomMoves("moves of one drive", seed, 40, _ => new Limits(1000, 5000, 50_000));
+
     /// <summary>Moves such as a small robot makes at a teachable pace.</summary>
     public static AxisMotion GentleMoves(int seed, double seconds = 60) => RandomMoves("gentle pick and place", seed, seconds, random => new Limits(
         Between(random, 200, 600), Between(random, 600, 2500), Between(random, 5000, 25_000)));
