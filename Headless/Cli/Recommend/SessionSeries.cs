@@ -7,7 +7,7 @@ static class SessionSeries
 {
     public static IReadOnlyList<JointSeries> Of(RecordedSession session)
     {
-        var samples = session.Events.Where(e => e.IsSample).ToList();
+        var samples = session.Events.Where(e => e.Kind == RecordedSession.EventKind.Sample).ToList();
         if (samples.Count == 0) return [];
         var longest = samples.GroupBy(sample => sample.TimeLine).MaxBy(line => line.Count()).Key;
         var start = samples.First(sample => sample.TimeLine == longest).At;

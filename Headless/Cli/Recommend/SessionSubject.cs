@@ -24,7 +24,9 @@ sealed class SessionSubject : ISubject
 
     public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
     {
-        var replay = new SessionReplay(_path, _session, _truth, new ReplaySettings { Predictor = predictor, Blend = blendMs / 1000 });
+        // By the plan all of them show the same.
+        var settings = new ReplaySettings { Predictor = predictor, Blend = blendMs / 1000, FollowPlan = false };
+        var replay = new SessionReplay(_path, _session, _truth, settings);
         return half == Half.First ? replay.Run(0, _middle, cancellation) : replay.Run(_middle, _session.Events.Count, cancellation);
     }
 
@@ -34,7 +36,7 @@ sealed class SessionSubject : ISubject
         var ways = new double[session.Events.Count];
         for (var i = 0; i < ways.Length; i++)
         {
-            if (!session.Events[i].IsSample) continue;
+            if (session.Events[i].Kind != RecordedSession.EventKind.Sample) continue;
             foreach (var value in session.ValuesOf(session.Events[i]))
             {
                 ways[i] += Math.Abs(value.Position - last[value.Joint] ?? 0);

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Sessions;
+using Nowpose.Session;
 
 namespace Nowpose.Cli.Replay;
 
@@ -16,7 +17,9 @@ sealed class RecordedSession
     readonly List<Event> _events = [];
     readonly List<Value> _values = [];
     readonly List<double> _displayed = [];
+    readonly List<PlannedMotion> _plans = [];
     int _timeLine;
+    long _planned;
 
     RecordedSession(string path, SessionHeader header)
     {
@@ -56,13 +59,17 @@ sealed class RecordedSession
         switch (line)
         {
             case SampleLine sample when Array.IndexOf(NeverTaken, sample.Dropped) < 0: Add(sample); break;
+            case PlanLine { Dropped: null } plan: Add(plan); break;
             case FrameLine frame: Add(frame); break;
             case ClockLine { IsNewStart: true }: _timeLine++; break;
             case LostLine lost: Lost += lost.Count; break;
         }
-        if (_values.Count + _displayed.Count > MostNumbers)
+        if (_values.Count + _displayed.Count + _planned > MostNumbers)
             throw new InputException($"{_path}: is too long to be kept in memory; record shorter sessions");
     }
+
+    /// <summary>The set-points of a plan, of the header's joints.</summary>
+    public PlannedMotion PlanOf(in Event plan) => _plans[plan.First];
 
     void Add(SampleLine sample)
     {
@@ -70,7 +77,16 @@ sealed class RecordedSession
         for (var i = 0; i < sample.Names.Length; i++)
             if (_joints.TryGetValue(sample.Names[i], out var joint)) _values.Add(new Value(
                 joint, sample.Positions[i], sample.Velocities?[i] ?? double.NaN, sample.Accelerations?[i] ?? double.NaN));
-        _events.Add(new Event(true, sample.Stamp, true, _timeLine, first, _values.Count - first));
+        _events.Add(new Event(EventKind.Sample, sample.Stamp, true, _timeLine, first, _values.Count - first));
+    }
+
+    void Add(PlanLine line)
+    {
+        var plan = PlannedMotion.Of(line.Arrival, name => _joints.GetValueOrDefault(name, -1));
+        _events.Add(new Event(EventKind.Plan, plan.Stamp, true, _timeLine, _plans.Count, plan.Count));
+        _plans.Add(plan);
+        // Position, velocity and acceleration, in the message and in the paths that are made of it.
+        _planned += 6L * line.Arrival.Message.Names.Length * line.Arrival.Message.Points.Count;
     }
 
     void Add(FrameLine frame)
@@ -78,17 +94,24 @@ sealed class RecordedSession
         if (frame.Joints.Length != Header.Joints.Count)
             throw new InputException($"{_path}: a frame has {frame.Joints.Length} joints, the header {Header.Joints.Count}");
         Frames++;
-        _events.Add(new Event(false, frame.Light ?? default, frame.Light.HasValue, _timeLine, _displayed.Count, frame.Joints.Length));
+        _events.Add(new Event(EventKind.Frame, frame.Light ?? default, frame.Light.HasValue, _timeLine, _displayed.Count, frame.Joints.Length));
         _displayed.AddRange(frame.Joints);
     }
 
-    /// <summary>A sample that was taken, or a frame.</summary>
-    /// <param name="At">t_k of a sample, the moment of light of a frame.</param>
+    public enum EventKind
+    {
+        Sample,
+        Plan,
+        Frame,
+    }
+
+    /// <summary>A sample or a plan that was taken, or a frame.</summary>
+    /// <param name="At">t_k of a sample, the stamp of a plan, the moment of light of a frame.</param>
     /// <param name="IsTimed">Whether a frame knew its moment of light.</param>
     /// <param name="TimeLine">Grows when the session forgot all samples, for then control times began to mean something else.</param>
-    /// <param name="First">Where its joints begin.</param>
+    /// <param name="First">Where its joints begin; of a plan, its place among the plans.</param>
     /// <param name="Count">How many joints it has.</param>
-    public readonly record struct Event(bool IsSample, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
+    public readonly record struct Event(EventKind Kind, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
 
     /// <param name="Joint">Index into the header's joints.</param>
     /// <param name="Position">rad or m.</param>

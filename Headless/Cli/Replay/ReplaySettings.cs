@@ -30,5 +30,8 @@ public sealed class ReplaySettings
     /// <summary>Time constant in seconds within which a new section replaces the old one; 0 leaves the jump. Null: as it was recorded, 0 for a motion.</summary>
     public double? Blend { get; init; }
 
+    /// <summary>Whether the set-points of a recorded session are followed where it followed them; false: they are left out.</summary>
+    public bool FollowPlan { get; init; } = true;
+
     public int Seed { get; init; } = 1;
 }

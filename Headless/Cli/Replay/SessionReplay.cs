@@ -3,7 +3,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Plays a recorded session in virtual time to one predictor per joint: its samples as they came, its frames as they were.</summary>
+/// <summary>Plays a recorded session in virtual time to one predictor per joint: its samples and plans as they came, its frames as they were.</summary>
 /// <remarks>
 /// In the order of the file, which is the order in which the headset took them; with the limits, the horizon cap and the maximum
 /// gap of the recording. So the predictor that ran then says again what was displayed.
@@ -18,6 +18,7 @@ sealed class SessionReplay
     readonly SessionTruth _truth;
     readonly ReplaySettings _settings;
     readonly RandomStream _stampErrors;
+    readonly bool _followsPlans;
     readonly JointTrack[] _tracks;
     readonly int[] _samples;
     readonly AxisError[] _errors;
@@ -38,8 +39,9 @@ sealed class SessionReplay
         var own = session.Header.Prediction;
         var prediction = new PredictionSettings(
             settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
-            settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, speedShare: own.SpeedShare, accelerationLimit: own.AccelerationLimit,
-            jerkLimit: own.JerkLimit);
+            settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, own.FollowPlan && settings.FollowPlan, own.SpeedShare,
+            own.AccelerationLimit, own.JerkLimit);
+        _followsPlans = prediction.FollowsPlans;
         _tracks = [.. session.Header.Joints.Select(joint => new JointTrack(prediction, prediction.Bounded(joint.Limits, joint.Unit == "rad")))];
         _samples = new int[_tracks.Length];
         _errors = [.. _tracks.Select(_ => new AxisError())];
@@ -74,7 +76,8 @@ sealed class SessionReplay
     void Play(in RecordedSession.Event next)
     {
         if (next.TimeLine != _timeLine || _epoch == null) StartAnew(next);
-        if (next.IsSample) Take(next);
+        if (next.Kind == RecordedSession.EventKind.Sample) Take(next);
+        else if (next.Kind == RecordedSession.EventKind.Plan) Follow(next);
         else if (next.IsTimed) Show(next);
     }
 
@@ -88,7 +91,7 @@ sealed class SessionReplay
             _epoch = null;
         }
         _timeLine = next.TimeLine;
-        if (next.IsSample) _epoch ??= next.At;
+        if (next.Kind == RecordedSession.EventKind.Sample || IsFollowed(next)) _epoch ??= next.At;
     }
 
     void Take(in RecordedSession.Event sample)
@@ -100,6 +103,15 @@ sealed class SessionReplay
             _tracks[value.Joint].Add(new JointSample(told, value.Position, time, value.Velocity, value.Acceleration), out _);
             _samples[value.Joint]++;
         }
+    }
+
+    bool IsFollowed(in RecordedSession.Event next) => _followsPlans && next.Kind == RecordedSession.EventKind.Plan;
+
+    void Follow(in RecordedSession.Event next)
+    {
+        if (!IsFollowed(next)) return;
+        var plan = _session.PlanOf(next);
+        for (var i = 0; i < plan.Count; i++) _tracks[plan.JointAt(i)].Follow(plan.PathAt(i), Seconds(next.At));
     }
 
     void Show(in RecordedSession.Event frame)

@@ -9,7 +9,7 @@ sealed class SessionTruth
     {
         foreach (var sample in session.Events)
         {
-            if (!sample.IsSample) continue;
+            if (sample.Kind != RecordedSession.EventKind.Sample) continue;
             foreach (var value in session.ValuesOf(sample)) Of(value.Joint, sample.TimeLine, session).Add(sample.At, value.Position);
         }
         foreach (var truth in _truths.Values) truth.Complete();

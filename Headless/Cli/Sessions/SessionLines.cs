@@ -1,4 +1,5 @@
 using Nowpose.Kinematics;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
 
@@ -26,6 +27,7 @@ static class SessionLines
     {
         "sync" => ReadSync(line),
         "sample" => ReadSample(line),
+        "plan" => ReadPlan(line),
         "frame" => new FrameLine(
             HeadsetTime.FromNanoseconds(line.Whole("start_ns")),
             line.Has("light_ns") ? ControlTime.FromNanoseconds(line.Whole("light_ns")) : null,
@@ -41,9 +43,9 @@ static class SessionLines
         {
             return new PredictionSettings(
                 settings.Text("predictor"), settings.Number("horizon_cap_ms"), settings.Number("maximum_gap_ms"),
-                settings.NumberOr("blend_ms", 0), speedShare: settings.NumberOr("speed_share", 1),
-                accelerationLimit: settings.NumberOr("acceleration_limit", double.PositiveInfinity),
-                jerkLimit: settings.NumberOr("jerk_limit", double.PositiveInfinity));
+                settings.NumberOr("blend_ms", 0), settings.FlagOr("follow_plan", true), settings.NumberOr("speed_share", 1),
+                settings.NumberOr("acceleration_limit", double.PositiveInfinity),
+                settings.NumberOr("jerk_limit", double.PositiveInfinity));
         }
         catch (InputException fault) when (!fault.Message.StartsWith(line.Place, StringComparison.Ordinal))
         {
@@ -82,6 +84,24 @@ static class SessionLines
             HeadsetTime.FromNanoseconds(line.Whole("arrival_ns")), ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names,
             line.Numbers("position", names.Length), Optional(line, "velocity", names.Length),
             Optional(line, "acceleration", names.Length), line.TextOr("dropped", null));
+    }
+
+    static PlanLine ReadPlan(LineFields line)
+    {
+        var names = line.Texts("names");
+        var points = new List<JointTrajectoryPoint>();
+        foreach (var point in line.Objects("points"))
+        {
+            var time = new TimeSpan(point.Whole("time_from_start_ns") / NanosecondsPerTick);
+            if (time < TimeSpan.Zero || (points.Count > 0 && time <= points[^1].TimeFromStart))
+                throw point.Wrong("time_from_start_ns", $"of point {points.Count + 1} is not after the point before, or the stamp");
+            points.Add(new JointTrajectoryPoint(
+                time, point.Numbers("position", names.Length), Optional(point, "velocity", names.Length),
+                Optional(point, "acceleration", names.Length)));
+        }
+        var message = new JointTrajectoryMessage(ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names, points);
+        return new PlanLine(
+            new PlanArrival(message, HeadsetTime.FromNanoseconds(line.Whole("arrival_ns"))), line.TextOr("dropped", null));
     }
 
     static double[] Optional(LineFields line, string field, int count) =>

@@ -14,7 +14,7 @@ public class SessionFileManualTests
         var path = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N") + ".jsonl");
         try
         {
-            VirtualRecording.To(path, seconds: 20, jitterMs: 60, stepAfter: 12);
+            VirtualRecording.To(path, seconds: 20, jitterMs: 60, stepAfter: 12, planLagMs: 0);
 
             var (kinds, fields) = (new HashSet<string>(), new HashSet<string>());
             foreach (var line in File.ReadLines(path))
@@ -24,7 +24,7 @@ public class SessionFileManualTests
                 Collect(json.RootElement, fields);
             }
 
-            Assert.That(kinds, Is.SupersetOf(new[] { "session", "sync", "sample", "frame", "clock", "display", "statistics", "end" }));
+            Assert.That(kinds, Is.SupersetOf(new[] { "session", "sync", "sample", "plan", "frame", "clock", "display", "statistics", "end" }));
             Assert.That(kinds.Where(kind => !Page.Contains("| " + kind + " |", StringComparison.Ordinal)), Is.Empty);
             Assert.That(fields, Has.Count.GreaterThan(40));
             Assert.That(fields.Where(field => !Page.Contains("`" + field + "`", StringComparison.Ordinal)), Is.Empty);

@@ -12,6 +12,10 @@ public class SessionFileReaderTests
 
     const string Sample = """{"kind":"sample","arrival_ns":200,"stamp_ns":100,"names":["a"],"position":[0.5]}""";
 
+    const string Plan = """
+        {"kind":"plan","arrival_ns":200,"stamp_ns":100,"names":["a","b"],"points":[{"time_from_start_ns":0,"position":[1,2]},{"time_from_start_ns":500000000,"position":[0.5,0.75],"velocity":[null,2]}]}
+        """;
+
     static List<SessionLine> Read(string text)
     {
         using var file = new TemporaryFile(text, ".jsonl");
@@ -89,6 +93,33 @@ public class SessionFileReaderTests
         var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample + "\n" + line + "\n" + Sample + "\n"));
 
         Assert.That(fault.Message, Does.Contain(".jsonl:3: " + expected));
+    }
+
+    [Test]
+    public void Plan_Fields_AreTheMessage()
+    {
+        var line = (PlanLine)Read(Header + "\n" + Plan + "\n")[0];
+
+        var message = line.Arrival.Message;
+        Assert.That(line.Arrival.At.Nanoseconds, Is.EqualTo(200));
+        Assert.That(message.Stamp.Nanoseconds, Is.EqualTo(100));
+        Assert.That(message.Names, Is.EqualTo(new[] { "a", "b" }));
+        Assert.That(message.Points.Select(p => p.TimeFromStart.Ticks), Is.EqualTo(new[] { 0, 5_000_000 }));
+        Assert.That(message.Points[1].Positions, Is.EqualTo(new[] { 0.5, 0.75 }));
+        Assert.That(message.Points[1].Velocities, Is.EqualTo(new[] { double.NaN, 2 }));
+        Assert.That(message.Points[1].Accelerations, Is.Null);
+        Assert.That(line.Dropped, Is.Null);
+    }
+
+    [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is not after the point before")]
+    [TestCase("[0.5,0.75]", "[0.5]", "field 'position' 1 numbers; there must be 2")]
+    [TestCase("\"points\":[", "\"points\":[7,", "field 'points' 7 is no object")]
+    [TestCase("\"points\"", "\"dots\"", "field 'points' is missing")]
+    public void Plan_ThatIsWrong_IsNamedWithItsField(string right, string wrong, string expected)
+    {
+        var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Plan.Replace(right, wrong) + "\n" + Sample + "\n"));
+
+        Assert.That(fault.Message, Does.Contain(".jsonl:2: " + expected));
     }
 
     [TestCase("a.jsonl", true)]

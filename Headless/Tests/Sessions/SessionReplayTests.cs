@@ -2,6 +2,7 @@ using System.Text.Json;
 using Nowpose.Cli.Replay;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Prediction;
+using Nowpose.Session;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Sessions;
@@ -26,14 +27,16 @@ public class SessionReplayTests
     static Task<CliRun> Run(params string[] arguments) => CliRun.OfAsync(arguments);
 
     // What replay says of each joint in each frame, less what the frame displayed.
-    List<double> Differences(string predictor)
+    List<double> Differences(string predictor, bool followPlan = true, List<PredictionKind> seen = null)
     {
         var session = RecordedSession.Read(_path);
         var differences = new List<double>();
-        var replay = new SessionReplay(_path, session, new SessionTruth(session), new ReplaySettings { Predictor = predictor })
+        var settings = new ReplaySettings { Predictor = predictor, FollowPlan = followPlan };
+        var replay = new SessionReplay(_path, session, new SessionTruth(session), settings)
         {
             Predicted = (frame, positions, kinds) =>
             {
+                seen?.AddRange(kinds);
                 var displayed = session.DisplayedBy(frame);
                 for (var joint = 0; joint < positions.Length; joint++)
                     if (kinds[joint] != PredictionKind.None) differences.Add(Math.Abs(positions[joint] - displayed[joint]));
@@ -53,6 +56,56 @@ public class SessionReplayTests
 
         Assert.That(differences, Has.Count.GreaterThan(5000));
         Assert.That(differences.Max(), Is.EqualTo(0).Within(1e-12));
+    }
+
+    // The step ends the plan, and the next one comes within a quarter of a second.
+    [TestCase("adaptive", 0)]
+    [TestCase("quadratic", 60)]
+    public void Replay_OfASessionThatFollowedAPlan_SaysWhatWasDisplayed(string predictor, double lagMs)
+    {
+        VirtualRecording.To(_path, predictor: predictor, jitterMs: 20, loss: 0.05, stepAfter: 12, blendMs: 14, planLagMs: lagMs, planUntil: 15);
+        var kinds = new List<PredictionKind>();
+
+        var differences = Differences(predictor, seen: kinds);
+
+        Assert.That(kinds.Count(kind => kind == PredictionKind.Planned), Is.GreaterThan(1000));
+        Assert.That(kinds.Count(kind => kind == PredictionKind.Predicted), Is.GreaterThan(1000), "after the last plan");
+        Assert.That(differences.Max(), Is.EqualTo(0).Within(1e-12));
+        Assert.That(Differences(predictor, followPlan: false).Max(), Is.GreaterThan(1e-3), "the plan made a difference");
+    }
+
+    [TestCase("hold", true)]
+    [TestCase("quadratic", false)]
+    public void Replay_OfASessionThatDidNotWantThePlan_FollowsNone(string predictor, bool followPlan)
+    {
+        VirtualRecording.To(_path, planLagMs: 0, prediction: new PredictionSettings(predictor, followPlan: followPlan));
+        var kinds = new List<PredictionKind>();
+
+        var differences = Differences(predictor, seen: kinds);
+
+        Assert.That(File.ReadLines(_path).Count(line => line.StartsWith("{\"kind\":\"plan\"", StringComparison.Ordinal)), Is.GreaterThan(50));
+        Assert.That(kinds, Has.None.EqualTo(PredictionKind.Planned));
+        Assert.That(differences.Max(), Is.EqualTo(0).Within(1e-12));
+    }
+
+    [Test]
+    public void Replay_WithLimitsOfTheRobotAndOfTheSettings_SaysWhatWasDisplayed()
+    {
+        var prediction = new PredictionSettings("adaptive", speedShare: 0.9, accelerationLimit: 2.1, jerkLimit: 17);
+        VirtualRecording.To(_path, jitterMs: 20, loss: 0.02, stepAfter: 12, prediction: prediction);
+
+        var differences = Differences("adaptive");
+
+        Assert.That(RecordedSession.Read(_path).Header.Joints.Select(joint => joint.Limits.Velocity), Has.Some.LessThan(100));
+        Assert.That(differences.Max(), Is.EqualTo(0).Within(1e-12));
+        foreach (var limit in new[] { "\"velocity\":", "\"acceleration_limit\":", "\"jerk_limit\":", "\"speed_share\":" })
+        {
+            var recorded = File.ReadAllText(_path);
+            var header = recorded.IndexOf('\n');
+            File.WriteAllText(_path, recorded[..header].Replace(limit, "\"unknown\":") + recorded[header..]);
+            Assert.That(Differences("adaptive").Max(), Is.GreaterThan(1e-6), limit + " is of no effect on what is displayed");
+            File.WriteAllText(_path, recorded);
+        }
     }
 
     [Test]

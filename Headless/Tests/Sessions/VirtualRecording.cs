@@ -27,19 +27,25 @@ sealed class VirtualRecording
     public List<string> Exchanges { get; } = [];
 
     /// <summary>Records; the control clock steps by 300 ms at <paramref name="stepAfter"/>.</summary>
+    /// <param name="predictor">With <paramref name="blendMs"/> what is predicted by, where <paramref name="prediction"/> is null.</param>
+    /// <param name="planLagMs">How much later than its published set-points the robot is; null where it publishes none.</param>
+    /// <param name="planUntil">s; no set-points are published later.</param>
     /// <param name="jitterMs">Lets samples overtake each other where it exceeds the sampling interval.</param>
     public static VirtualRecording To(
         string path, double seconds = 20, string predictor = "quadratic", double jitterMs = 0, double loss = 0, double? stepAfter = null,
-        double blendMs = 0, int seed = 5, double samplingMs = 50)
+        double blendMs = 0, int seed = 5, double samplingMs = 50, double? planLagMs = null,
+        double planUntil = double.PositiveInfinity, PredictionSettings prediction = null)
     {
         var robot = RobotFiles.Load("youbot");
         var result = new VirtualRecording();
         var clock = new VirtualClock(Start, TimeSpan.FromSeconds(1_700_000_000), 37e-6);
         var settings = new VirtualCellSettings(samplingMs, 55, 105, jitterMs, loss, NetworkProfile.Wifi);
         var cell = new VirtualCell(new PickAndPlaceMotion(robot), clock, settings, seed, Start);
+        if (planLagMs.HasValue) cell.PlanLag = TimeSpan.FromMilliseconds(planLagMs.Value);
         using var session = new CompensationSession(
             new SessionSettings(
-                new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor, blendMs: blendMs)),
+                new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation),
+                prediction ?? new PredictionSettings(predictor, blendMs: blendMs)),
             robot, new StopwatchHeadsetClock());
         session.Clock.Judged += (in SyncExchange e, SyncVerdict _, SyncExchangeFault _) =>
             result.Exchanges.Add(FormattableString.Invariant($"{e.T1.Nanoseconds},{e.T2.Nanoseconds},{e.T3.Nanoseconds},{e.T4.Nanoseconds}"));
@@ -49,6 +55,7 @@ sealed class VirtualRecording
             {
                 var now = Start + TimeSpan.FromTicks((long)(i / 60.0 * TimeSpan.TicksPerSecond));
                 if (i / 60.0 >= stepAfter) clock.Set(now, TimeSpan.FromSeconds(1_700_000_000.3), 37e-6);
+                if (i / 60.0 >= planUntil) cell.PlanLag = null;
                 cell.Run(now, session);
                 result.Score(session.Tick(now), cell, i > 360);
                 // The ring holds ten seconds.

@@ -101,6 +101,14 @@ namespace Nowpose.Session
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
+        /// Each message of set-points with why it was of no use, <see cref="DropReason.None"/> when it could be, even if the settings
+        /// follow none. Raised within <see cref="Tick"/> once the clock is known, but where none of its joints is the robot's, or the
+        /// queue was full, already on the thread that received.
+        /// </summary>
+        /// <remarks>As of <see cref="SampleJudged"/>.</remarks>
+        public event Action<PlanArrival, DropReason> PlanJudged;
+
+        /// <summary>
         /// All samples are forgotten, for the clock stepped or became known; raised within <see cref="Tick"/>, before it takes
         /// others.
         /// </summary>
@@ -205,15 +213,14 @@ namespace Nowpose.Session
         /// <param name="arrival">When it arrived on the headset clock.</param>
         public void Planned(JointTrajectoryMessage message, HeadsetTime arrival)
         {
-            if (!_settings.Prediction.FollowPlan || _settings.Prediction.IsHold) return;
-            var plan = PlannedMotion.Of(Robot, message, arrival);
-            if (plan == null)
+            var plan = PlannedMotion.Of(new PlanArrival(message, arrival), Robot.IndexOfMovingJoint);
+            if (plan.Count == 0)
             {
-                Drops.Count(DropReason.UnknownJoint);
+                Judged(plan.Arrival, DropReason.UnknownJoint);
                 return;
             }
             _plans.Enqueue(plan);
-            if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out _)) Drops.Count(DropReason.SlowReader);
+            if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out var oldest)) Judged(oldest.Arrival, DropReason.SlowReader);
         }
 
         /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
@@ -342,14 +349,21 @@ namespace Nowpose.Session
 
         void Take(PlannedMotion plan, in ClockModel clock)
         {
-            if (StampRule.IsInFuture(plan.Stamp, clock.ToControl(plan.Arrival), clock.ErrorBound)) Drops.Count(DropReason.StampInFuture);
-            else _tracks.Follow(plan);
+            var isInFuture = StampRule.IsInFuture(plan.Stamp, clock.ToControl(plan.Arrival.At), clock.ErrorBound);
+            Judged(plan.Arrival, isInFuture ? DropReason.StampInFuture : DropReason.None);
+            if (!isInFuture && _settings.Prediction.FollowsPlans) _tracks.Follow(plan);
         }
 
         void Judged(in SampleArrival arrival, DropReason reason)
         {
             Drops.Count(reason);
             SampleJudged?.Invoke(arrival, reason);
+        }
+
+        void Judged(in PlanArrival arrival, DropReason reason)
+        {
+            Drops.Count(reason);
+            PlanJudged?.Invoke(arrival, reason);
         }
     }
 }

@@ -1,5 +1,5 @@
+using System;
 using System.Collections.Generic;
-using Nowpose.Kinematics;
 using Nowpose.Prediction.Planning;
 using Nowpose.Protocol;
 
@@ -11,19 +11,19 @@ namespace Nowpose.Session
         readonly int[] _joints;
         readonly PlannedPath[] _paths;
 
-        PlannedMotion(ControlTime stamp, HeadsetTime arrival, int[] joints, PlannedPath[] paths)
+        PlannedMotion(in PlanArrival arrival, int[] joints, PlannedPath[] paths)
         {
-            Stamp = stamp;
             Arrival = arrival;
             _joints = joints;
             _paths = paths;
         }
 
-        public ControlTime Stamp { get; }
+        /// <summary>What it was made of.</summary>
+        public PlanArrival Arrival { get; }
 
-        public HeadsetTime Arrival { get; }
+        public ControlTime Stamp => Arrival.Message.Stamp;
 
-        /// <summary>Joints of the robot that it is about.</summary>
+        /// <summary>Joints of the robot that it is about: 0 for a plan of another robot.</summary>
         public int Count => _joints.Length;
 
         /// <summary>Index of the moving joint.</summary>
@@ -32,20 +32,21 @@ namespace Nowpose.Session
         /// <summary>Null when the joint's plan is off.</summary>
         public PlannedPath PathAt(int i) => _paths[i];
 
-        /// <returns>Null when none of its joints belongs to the robot.</returns>
-        public static PlannedMotion Of(RobotModel robot, JointTrajectoryMessage message, HeadsetTime arrival)
+        /// <param name="jointOf">Index of the moving joint of a name; negative where the robot has none.</param>
+        public static PlannedMotion Of(in PlanArrival arrival, Func<string, int> jointOf)
         {
+            var message = arrival.Message;
             var joints = new List<int>();
             var paths = new List<PlannedPath>();
             var times = TimesOf(message.Points);
             for (var place = 0; place < message.Names.Length; place++)
             {
-                var joint = robot.IndexOfMovingJoint(message.Names[place]);
+                var joint = jointOf(message.Names[place]);
                 if (joint < 0) continue;
                 joints.Add(joint);
                 paths.Add(times.Length == 0 ? null : PathOf(message.Points, times, place));
             }
-            return joints.Count == 0 ? null : new PlannedMotion(message.Stamp, arrival, joints.ToArray(), paths.ToArray());
+            return new PlannedMotion(arrival, joints.ToArray(), paths.ToArray());
         }
 
         static double[] TimesOf(IReadOnlyList<JointTrajectoryPoint> points)

@@ -74,6 +74,8 @@ namespace Nowpose.Session
         /// <summary>Hold is what the others are compared with: the newest samples as they are, neither blended nor planned.</summary>
         internal bool IsHold => Predictor == "hold";
 
+        internal bool FollowsPlans => FollowPlan && !IsHold;
+
         /// <summary>A predictor for one joint, bounded by its limits.</summary>
         /// <param name="limits">As <see cref="Bounded"/>.</param>
         public IJointPredictor Create(in JointLimits limits) => Predictors.Create(Predictor, LimitsOf(limits));

@@ -54,7 +54,7 @@ namespace Nowpose.Recording
             var prediction = settings.Prediction;
             line.Open("settings", '{').Add("predictor", prediction.Predictor);
             line.Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds).Add("maximum_gap_ms", prediction.MaximumGap.TotalMilliseconds)
-                .Add("blend_ms", prediction.Blend.TotalMilliseconds).Add("speed_share", prediction.SpeedShare);
+                .Add("blend_ms", prediction.Blend.TotalMilliseconds).Add("follow_plan", prediction.FollowPlan).Add("speed_share", prediction.SpeedShare);
             AddLimit(line, "acceleration_limit", prediction.AccelerationLimit);
             AddLimit(line, "jerk_limit", prediction.JerkLimit);
             line.Add("visualisation_ms", settings.Visualisation.Length.TotalMilliseconds);

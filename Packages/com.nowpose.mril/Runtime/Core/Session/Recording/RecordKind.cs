@@ -9,6 +9,9 @@ namespace Nowpose.Recording
         /// <summary>A message with joint positions, as received.</summary>
         Sample,
 
+        /// <summary>A message of set-points, as received.</summary>
+        Plan,
+
         /// <summary>What one frame displayed.</summary>
         Frame,
 

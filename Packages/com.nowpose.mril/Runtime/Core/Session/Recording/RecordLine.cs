@@ -35,6 +35,7 @@ namespace Nowpose.Recording
             {
                 case RecordKind.Sync: WriteSync(record); break;
                 case RecordKind.Sample: WriteSample(record); break;
+                case RecordKind.Plan: WritePlan(record); break;
                 case RecordKind.Frame: WriteFrame(record); break;
                 case RecordKind.Clock: WriteClock(record); break;
                 case RecordKind.Display: WriteDisplay(record); break;
@@ -64,7 +65,24 @@ namespace Nowpose.Recording
                 .Add("names", message.Names).Add("position", message.Positions);
             if (message.Velocities != null) _line.Add("velocity", message.Velocities);
             if (message.Accelerations != null) _line.Add("acceleration", message.Accelerations);
-            if (record.Reason != DropReason.None) _line.Add("dropped", Reasons[(int)record.Reason]);
+            AddReason(record);
+        }
+
+        void WritePlan(SessionRecord record)
+        {
+            var message = record.Plan.Message;
+            _line.Begin("plan").Add("arrival_ns", record.Plan.At.Nanoseconds).Add("stamp_ns", message.Stamp.Nanoseconds)
+                .Add("names", message.Names).Open("points", '[');
+            for (var i = 0; i < message.Points.Count; i++)
+            {
+                var point = message.Points[i];
+                _line.OpenElement().Add("time_from_start_ns", Nanoseconds(point.TimeFromStart)).Add("position", point.Positions);
+                if (point.Velocities != null) _line.Add("velocity", point.Velocities);
+                if (point.Accelerations != null) _line.Add("acceleration", point.Accelerations);
+                _line.Close('}');
+            }
+            _line.Close(']');
+            AddReason(record);
         }
 
         void WriteFrame(SessionRecord record)
@@ -97,6 +115,11 @@ namespace Nowpose.Recording
         {
             _line.Begin("drops").Add("at_ns", record.At.Nanoseconds);
             DropsLine.Write(_line, record.Numbers);
+        }
+
+        void AddReason(SessionRecord record)
+        {
+            if (record.Reason != DropReason.None) _line.Add("dropped", Reasons[(int)record.Reason]);
         }
 
         void AddClock(SessionRecord record)

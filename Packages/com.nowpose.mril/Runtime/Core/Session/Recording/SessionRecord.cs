@@ -35,7 +35,10 @@ namespace Nowpose.Recording
         /// <summary>Sample. The message is kept, not copied: nobody writes into it.</summary>
         public SampleArrival Arrival { get; set; }
 
-        /// <inheritdoc cref="Arrival"/>
+        /// <summary>Plan. Kept, likewise.</summary>
+        public PlanArrival Plan { get; set; }
+
+        /// <summary>Sample, plan.</summary>
         public DropReason Reason { get; set; }
 
         /// <summary>Frame: the moment of light.</summary>

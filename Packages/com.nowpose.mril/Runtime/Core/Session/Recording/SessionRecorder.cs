@@ -7,7 +7,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Records a session to a file while it runs: exchanges, samples as received, frames, and how it does.</summary>
+    /// <summary>Records a session to a file while it runs: exchanges, samples and set-points as received, frames, and how it does.</summary>
     /// <remarks>
     /// Whoever is told of something copies it into a ring that was made before, allocates nothing and waits for nobody; a thread
     /// of its own formats and writes. What finds no room in the ring is lost and counted. The file is described in
@@ -71,6 +71,7 @@ namespace Nowpose.Recording
         {
             _session.Clock.Judged -= OnExchange;
             _session.SampleJudged -= OnSample;
+            _session.PlanJudged -= OnPlan;
             _session.StartedAnew -= OnStartedAnew;
             _session.Ticked -= OnFrame;
             _writer.Stop();
@@ -80,6 +81,7 @@ namespace Nowpose.Recording
         {
             _session.Clock.Judged += OnExchange;
             _session.SampleJudged += OnSample;
+            _session.PlanJudged += OnPlan;
             _session.StartedAnew += OnStartedAnew;
             _session.Ticked += OnFrame;
         }
@@ -97,6 +99,14 @@ namespace Nowpose.Recording
         {
             if (!TryClaim(RecordKind.Sample, out var record)) return;
             record.Arrival = arrival;
+            record.Reason = reason;
+            _ring.Publish(record);
+        }
+
+        void OnPlan(PlanArrival arrival, DropReason reason)
+        {
+            if (!TryClaim(RecordKind.Plan, out var record)) return;
+            record.Plan = arrival;
             record.Reason = reason;
             _ring.Publish(record);
         }

@@ -134,6 +134,43 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Plan_IsKeptAsReceived_BeforeTheFrameItActsIn()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session);
+            session.Clock.Add(Exchange(Start), out _);
+            var stamp = new ControlTime(Start.SinceEpoch);
+
+            session.Planned(new JointTrajectoryMessage(stamp, new[] { "elbow" }, new[]
+            {
+                new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1 / 3.0 }, new[] { double.NaN }),
+                new JointTrajectoryPoint(new TimeSpan(1234567), new[] { 0.5 }, null, new[] { -2e-7 }),
+            }), Start - Lengths.Ms(3));
+            session.Planned(new JointTrajectoryMessage(stamp, new[] { "wing" }, Array.Empty<JointTrajectoryPoint>()), Start);
+            session.Planned(new JointTrajectoryMessage(stamp + Lengths.Ms(5000), new[] { "elbow" }, Array.Empty<JointTrajectoryPoint>()), Start);
+            session.Tick(Start);
+            run.Close();
+
+            var plans = run.Of("plan");
+            Assert.That(
+                plans.Select(p => (string)p["dropped"]), Is.EqualTo(new[] { "unknown_joint", null, "stamp_in_future" }),
+                "the first is judged where it arrives");
+            var plan = plans[1];
+            Assert.That((long)plan["arrival_ns"], Is.EqualTo((Start - Lengths.Ms(3)).Nanoseconds));
+            Assert.That((long)plan["stamp_ns"], Is.EqualTo(stamp.Nanoseconds));
+            Assert.That(plan["names"].Select(n => (string)n), Is.EqualTo(new[] { "elbow" }));
+            Assert.That(plan["points"].Select(p => (long)p["time_from_start_ns"]), Is.EqualTo(new[] { 0, 123_456_700 }));
+            Assert.That((double)plan["points"][0]["position"][0], Is.EqualTo(1 / 3.0), "to the last digit");
+            Assert.That((double?)plan["points"][0]["velocity"][0], Is.Null);
+            Assert.That(plan["points"][0]["acceleration"], Is.Null);
+            Assert.That((double)plan["points"][1]["acceleration"][0], Is.EqualTo(-2e-7));
+            Assert.That(plans[2]["points"], Is.Empty);
+            var kinds = run.Lines.Select(l => (string)l["kind"]).ToList();
+            Assert.That(kinds.LastIndexOf("plan"), Is.LessThan(kinds.IndexOf("frame")));
+            Assert.That((bool)run.Lines[0]["settings"]["follow_plan"]);
+        }
+
+        [Test]
         public void ClockStep_AndChangeOfTheDisplay_HaveLinesBeforeTheFrameTheyActIn()
         {
             var session = NewSession();
