@@ -1,9 +1,12 @@
 using Nowpose.Gateway.Robots;
 using Nowpose.Latency;
+using Nowpose.Motion;
 using Nowpose.Network;
+using Nowpose.Prediction;
 using Nowpose.Protocol;
 using Nowpose.Recording;
 using Nowpose.Session;
+using Nowpose.Simulation;
 using Nowpose.Sync;
 using NUnit.Framework;
 
@@ -16,6 +19,7 @@ public class TickAllocationTests
     [TestCase("quadratic", true)]
     [TestCase("quadratic-h4", false)]
     [TestCase("cubic", false)]
+    [TestCase("adaptive", true)]
     public void TickAndFill_WarmWithSamplesComing_AllocateNothing(string predictor, bool isRecorded)
     {
         var robot = RobotFiles.Load("youbot");
@@ -46,6 +50,41 @@ public class TickAllocationTests
         Assert.That(allocated, Is.EqualTo(0));
         Assert.That(statistics.Samples, Is.GreaterThan(600));
         Assert.That(statistics.RenderTime, Is.Not.Null);
+    }
+
+    [TestCase("quadratic", false)]
+    [TestCase("adaptive", true)]
+    public void TickAndFill_FollowingAPlan_AllocateNothing(string predictor, bool isRecorded)
+    {
+        var robot = RobotFiles.Load("youbot");
+        var start = HeadsetTime.FromSeconds(10);
+        var conditions = new VirtualCellSettings(50, 55, 105, 0, 0, NetworkProfile.Wifi);
+        var clock = new VirtualClock(start, TimeSpan.FromSeconds(1000), 37e-6);
+        var cell = new VirtualCell(new PickAndPlaceMotion(robot), clock, conditions, seed: 3, start) { PlanLag = TimeSpan.FromMilliseconds(40) };
+        using var session = new CompensationSession(
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40)), new PredictionSettings(predictor)),
+            robot, new StopwatchHeadsetClock());
+        using var recorder = isRecorded ? new SessionRecorder(session, new RecordingSettings("nowhere", () => Stream.Null)) : null;
+        var statistics = new SessionStatistics();
+        var (plans, planned, allocated) = (0, 0, 0L);
+        session.PlanJudged += (_, _) => plans++;
+        for (var frame = 0; frame < 2000; frame++)
+        {
+            var now = start + TimeSpan.FromTicks(frame * TimeSpan.TicksPerSecond / 60);
+            cell.Run(now, session);
+
+            var before = GC.GetAllocatedBytesForCurrentThread();
+            var shown = session.Tick(now);
+            session.Fill(statistics, now);
+            if (frame < 500) continue;
+            allocated += GC.GetAllocatedBytesForCurrentThread() - before;
+            if (shown.Kinds[0] == PredictionKind.Planned) planned++;
+        }
+
+        Assert.That(allocated, Is.EqualTo(0), "seed 3");
+        Assert.That(plans, Is.GreaterThan(100), "each is taken within a frame");
+        Assert.That(planned, Is.GreaterThan(1000), "frames of the 1500");
     }
 
     static double[] Positions(int count, int frame) => [.. Enumerable.Range(0, count).Select(joint => 0.005 * Math.Sin(frame * 0.05 + joint))];
