@@ -25,6 +25,8 @@ namespace Nowpose.Prediction.Gating
 
         public void Add(double candidateError, double fallbackError)
         {
+            // Nothing beyond the range of numbers may stay in the means.
+            if (!(candidateError * candidateError + fallbackError * fallbackError < double.PositiveInfinity)) return;
             _candidateSquare = Keeping * _candidateSquare + (1 - Keeping) * candidateError * candidateError;
             _fallbackSquare = Keeping * _fallbackSquare + (1 - Keeping) * fallbackError * fallbackError;
             _scores++;

@@ -14,6 +14,9 @@ namespace Nowpose.Prediction.Repetition
 
         const int Neighbours = 4;
 
+        /// <summary>A sample so near to a grid point, in steps, is on it.</summary>
+        const double Rounding = 1e-6;
+
         readonly double[] _points = new double[Capacity];
         readonly double[] _times = new double[Neighbours];
         readonly double[] _positions = new double[Neighbours];
@@ -84,8 +87,6 @@ namespace Nowpose.Prediction.Repetition
 
         /// <summary>Whether <see cref="At"/> knows the position at an index.</summary>
         public bool Covers(double index) => index >= First + 1 && index < Count - 2;
-
-        const double Rounding = 1e-6;
 
         double TimeOf(long index) => _start + index * Step;
 

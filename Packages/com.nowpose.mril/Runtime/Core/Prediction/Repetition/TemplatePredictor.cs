@@ -26,20 +26,12 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>The grid is no finer than this, s.</summary>
         const double FinestStep = 0.02;
 
-        const int Refinements = 3;
-
-        /// <summary>A match may lie so far from where the longer memory finds it, s.</summary>
-        const double Reach = 0.4;
-
-        /// <summary>The longer memory is left only for a match whose square is this much better.</summary>
-        const double MuchBetter = 0.1;
-
         /// <summary>A way below this share of the greatest lately is rest.</summary>
         const double RestShare = 1e-3;
 
         const int FewestMoving = 2;
-        const int NearbySamples = 6;
         const double Fading = 0.998;
+        const double GreatestWayOfSense = 1e50;
 
         /// <summary>A match whose square is this much worse than the best's is no match.</summary>
         const double WorstMatch = 3;
@@ -51,6 +43,7 @@ namespace Nowpose.Prediction.Repetition
         readonly SampleHistory _newest = new SampleHistory(MostSamples);
         readonly MotionHistory _history = new MotionHistory();
         readonly LagSearch _search = new LagSearch();
+        readonly MotionOverlay _overlay;
         readonly double[] _lags = new double[LagSearch.Kept];
         readonly double[] _errors = new double[LagSearch.Kept];
         readonly double[] _offsets = new double[LagSearch.Kept];
@@ -65,6 +58,7 @@ namespace Nowpose.Prediction.Repetition
         public TemplatePredictor(PredictionLimits limits)
         {
             _limits = limits ?? throw new ArgumentNullException(nameof(limits));
+            _overlay = new MotionOverlay(_history, _newest);
             Reset();
         }
 
@@ -111,13 +105,16 @@ namespace Nowpose.Prediction.Repetition
             _greatestWay = 0;
         }
 
-        int LeastSteps => (int)Math.Ceiling(ForecastGrid.Span / _history.Step) + StepsBesideSpan;
+        // Nearer than this the history does not know yet what followed.
+        int LeastLag => (int)Math.Ceiling(ForecastGrid.Span / _history.Step) + StepsBesideSpan;
 
         void Follow()
         {
             _matches = 0;
             var interval = _newest[0].Time - _newest[1].Time;
-            if (interval > _limits.MaximumGap) Restart();
+            var way = Math.Abs(_newest[0].Position - _newest[1].Position);
+            // What overflows when it is squared would be remembered for ever.
+            if (interval > _limits.MaximumGap || !(way < GreatestWayOfSense)) Restart();
             if (_interval == 0)
             {
                 Begin();
@@ -130,8 +127,8 @@ namespace Nowpose.Prediction.Repetition
                 return;
             }
             _history.Add(_newest[0].Time, _newest[0].Position);
-            _search.Follow(_history, LeastSteps, Math.Exp(-_history.Step / Forgetting));
-            _greatestWay = Math.Max(Fading * _greatestWay, Math.Abs(_newest[0].Position - _newest[1].Position));
+            _search.Follow(_history, LeastLag, Math.Exp(-_history.Step / Forgetting));
+            _greatestWay = Math.Max(Fading * _greatestWay, way);
             Match();
         }
 
@@ -152,23 +149,14 @@ namespace Nowpose.Prediction.Repetition
             var least = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
             {
-                var lag = Settled(_search.Lags[i], samples, i);
-                var nearby = Settled(Nearby(_search.Lags[i], samples), samples, i);
-                var own = Fit(lag, samples, i);
-                if (Fit(nearby, samples, i) < MuchBetter * own) lag = nearby;
-                if (double.IsPositiveInfinity(Fit(lag, samples, i))) continue;
-                _lags[_matches] = lag;
-                _errors[_matches] = _errors[i];
-                _offsets[_matches] = _offsets[i];
+                if (!_overlay.TryFind(_search.Lags[i], LeastLag, samples)) continue;
+                _lags[_matches] = _overlay.Lag;
+                _errors[_matches] = _overlay.MeanSquare;
+                // What the newest samples lie off the history goes on lying off.
+                _offsets[_matches] = _overlay.Offset;
                 least = Math.Min(least, _errors[_matches++]);
             }
             if (_matches > 0) Tabulate(least);
-        }
-
-        double Settled(double lag, int samples, int place)
-        {
-            for (var step = 0; step < Refinements; step++) lag = Refined(lag, samples, place);
-            return lag;
         }
 
         // In motion the samples since its start decide: how long the joint rested before is not how it moves now.
@@ -179,70 +167,6 @@ namespace Nowpose.Prediction.Repetition
             var moving = 0;
             while (moving + 1 < full && Math.Abs(_newest[moving].Position - _newest[moving + 1].Position) > RestShare * _greatestWay) moving++;
             return moving < FewestMoving ? full : Math.Min(full, moving + 2);
-        }
-
-        // A dwell that was longer or shorter than last time has moved the match by as much.
-        int Nearby(int lag, int samples)
-        {
-            var best = lag;
-            var least = double.PositiveInfinity;
-            var reach = (int)(Reach / _history.Step);
-            for (var shift = Math.Max(-reach, LeastSteps - lag); shift <= reach; shift++)
-            {
-                var cost = Nearness(lag + shift, samples);
-                // The one that the longer memory found wins where all are alike.
-                if (cost > least || (cost == least && Math.Abs(shift) >= Math.Abs(best - lag))) continue;
-                least = cost;
-                best = lag + shift;
-            }
-            return best;
-        }
-
-        // One step of Gauss and Newton: the shift at which the history would fit the newest samples better.
-        double Refined(double lag, int samples, int place)
-        {
-            double pull = 0, stiffness = 0;
-            for (var i = 0; i < samples; i++)
-            {
-                var index = _history.IndexOf(_newest[i].Time) - lag;
-                if (!_history.Covers(index)) return lag;
-                var error = _newest[i].Position - _history.At(index, out var speed);
-                pull += error * speed;
-                stiffness += speed * speed;
-            }
-            if (!(stiffness > 0)) return lag;
-            return Math.Max(lag - Math.Min(Math.Max(pull / stiffness, -1), 1), LeastSteps);
-        }
-
-        // Every so manieth sample is enough to find the neighbourhood.
-        double Nearness(double lag, int samples)
-        {
-            var stride = 1 + (samples - 1) / NearbySamples;
-            var sum = 0.0;
-            for (var i = 0; i < samples; i += stride)
-            {
-                var index = _history.IndexOf(_newest[i].Time) - lag;
-                if (!_history.Covers(index)) return double.PositiveInfinity;
-                var error = _newest[i].Position - _history.At(index, out _);
-                sum += error * error;
-            }
-            return sum;
-        }
-
-        double Fit(double lag, int samples, int place)
-        {
-            var sum = 0.0;
-            _offsets[place] = 0;
-            for (var i = 0; i < samples; i++)
-            {
-                var index = _history.IndexOf(_newest[i].Time) - lag;
-                if (!_history.Covers(index)) return double.PositiveInfinity;
-                var error = _newest[i].Position - _history.At(index, out _);
-                sum += error * error;
-                // What the newest two lie off the history goes on lying off.
-                if (i < 2) _offsets[place] += error / 2;
-            }
-            return _errors[place] = sum / samples;
         }
 
         void Tabulate(double least)

@@ -40,6 +40,7 @@ namespace Nowpose.Prediction.Stacking
         const double LongestInterval = 0.3;
         const double LeastShare = 1e-3;
         const double Epsilon = 1e-6;
+        const double GreatestSquareOfSense = 1e100;
 
         readonly PredictionLimits _limits;
         readonly SampleHistory _history = new SampleHistory(LongestWindow);
@@ -81,6 +82,7 @@ namespace Nowpose.Prediction.Stacking
         /// <inheritdoc/>
         public SampleOutcome Add(in JointSample sample)
         {
+            if (IsBeyondSense(sample.Position)) Reset();
             var outcome = _history.Add(sample);
             if (outcome == SampleOutcome.Accepted) TakeNewest();
             else if (outcome == SampleOutcome.Late) Renew();
@@ -138,6 +140,13 @@ namespace Nowpose.Prediction.Stacking
             Score();
             _weights = Choose(speed);
             Forecast(_snapshots.Append());
+        }
+
+        // What overflows when it is squared would be remembered for ever.
+        bool IsBeyondSense(double position)
+        {
+            var way = _history.Count == 0 ? position : position - Hold;
+            return !(way * way < GreatestSquareOfSense);
         }
 
         (double Interval, double Speed) Increment(int age)
