@@ -12,6 +12,9 @@ namespace Nowpose.Prediction.Stamps
         /// <summary>Less scatter than this does no harm, s.</summary>
         const double LeastDeviation = 0.3e-3;
 
+        /// <summary>In deviations; scatter alone stays within two where it is uniform.</summary>
+        const double GreatestLead = 3;
+
         readonly IJointPredictor _inner;
         readonly StampLine _line = new StampLine();
         readonly StampJudge _judge = new StampJudge();
@@ -63,7 +66,9 @@ namespace Nowpose.Prediction.Stamps
             var onLine = isNewest ? _line.Newest : _line.Nearest(sample.Time);
             if (isNewest) _judge.Add(sample.Time, onLine, sample.Position);
             var isScattered = _line.Deviation > LeastDeviation && !_line.IsScatteredOut;
-            return isScattered && _judge.PrefersLine ? onLine : sample.Time;
+            // A stamp may be late by any delay, but none comes before its time: then the beat has changed.
+            var isEarly = sample.Time < onLine - GreatestLead * _line.Deviation;
+            return isScattered && !isEarly && _judge.PrefersLine ? onLine : sample.Time;
         }
     }
 }

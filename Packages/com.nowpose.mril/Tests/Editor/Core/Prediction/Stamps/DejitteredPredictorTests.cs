@@ -85,6 +85,40 @@ namespace Nowpose.Tests
             Assert.That(worst, Is.LessThan(0.002), "seed " + Seed);
         }
 
+        [TestCase(0.05, 0.02)]
+        [TestCase(0.1, 0.05)]
+        public void Add_SourceBecomesFaster_IsFollowedAtOnce(double before, double after)
+        {
+            var predictor = new DejitteredPredictor(_taken);
+            var random = new Random(Seed);
+            var t = 0.0;
+            var worst = 0.0;
+            for (var k = 0; k < 400; k++)
+            {
+                t += k < 200 ? before : after;
+                predictor.Add(new JointSample(t + 0.001 * random.NextDouble(), Motion(t), t));
+                if (k >= 200) worst = Math.Max(worst, Math.Abs(_taken.Newest.Time - t));
+            }
+
+            Assert.That(worst, Is.LessThan(0.01), "seed " + Seed);
+        }
+
+        [Test]
+        public void Add_StampThatIsLateNowAndThen_IsPutOnTheBeat()
+        {
+            var predictor = new DejitteredPredictor(_taken);
+            var random = new Random(Seed);
+            var worst = 0.0;
+            for (var k = 0; k < 400; k++)
+            {
+                var late = random.NextDouble() < 0.05 ? 0.02 : 0;
+                predictor.Add(new JointSample(k * 0.05 + late, Motion(k * 0.05), k * 0.05));
+                if (k > 100) worst = Math.Max(worst, Math.Abs(_taken.Newest.Time - k * 0.05));
+            }
+
+            Assert.That(worst, Is.LessThan(0.004), "seed " + Seed);
+        }
+
         [Test]
         public void Reset_ForgetsTheBeat()
         {
