@@ -1,5 +1,12 @@
 using BenchmarkDotNet.Running;
 using Nowpose.Benchmarks;
+using Nowpose.Benchmarks.Comparison;
+
+if (args is ["tune"])
+{
+    Tuning.Run(Console.Out);
+    return 0;
+}
 
 // BenchmarkDotNet looks for the project below the current directory, which may be anywhere.
 Environment.CurrentDirectory = Path.GetFullPath("../../..", AppContext.BaseDirectory);

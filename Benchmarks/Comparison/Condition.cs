@@ -1,0 +1,22 @@
+using Nowpose.Studies;
+
+namespace Nowpose.Benchmarks.Comparison;
+
+/// <summary>A kind of motion and how its samples are taken and travel.</summary>
+/// <param name="Name">For tables.</param>
+/// <param name="Motion">By seed.</param>
+public sealed record Condition(string Name, Func<int, AxisMotion> Motion, StudySettings Settings)
+{
+    /// <summary>RMS error over that of hold, all seeds together.</summary>
+    public double Ratio(Candidate candidate, IEnumerable<int> seeds)
+    {
+        var (predicted, held) = (0.0, 0.0);
+        foreach (var seed in seeds)
+        {
+            var result = PredictionStudy.Run(Motion(seed), Settings with { Seed = seed }, candidate.Create);
+            predicted += result.Predicted.Rms * result.Predicted.Rms;
+            held += result.Held.Rms * result.Held.Rms;
+        }
+        return Math.Sqrt(predicted / held);
+    }
+}

@@ -1,0 +1,18 @@
+namespace Nowpose.Benchmarks.Comparison;
+
+/// <summary>Each candidate's error under each condition, RMS over that of hold.</summary>
+public sealed class ErrorStudy
+{
+    readonly Dictionary<(string Candidate, string Condition), double> _ratios;
+
+    public ErrorStudy(IEnumerable<int> seeds) => _ratios = (
+        from candidate in Candidates.All.AsParallel()
+        from condition in Conditions.All
+        select (Key: (candidate.Name, condition.Name), Ratio: condition.Ratio(candidate, seeds)))
+        .ToDictionary(result => result.Key, result => result.Ratio);
+
+    public double this[Candidate candidate, Condition condition] => _ratios[(candidate.Name, condition.Name)];
+
+    /// <summary>Geometric mean over all conditions, so that each counts alike.</summary>
+    public double Mean(Candidate candidate) => Means.Geometric(Conditions.All.Select(condition => this[candidate, condition]));
+}

@@ -1,0 +1,70 @@
+using System.Globalization;
+using Nowpose.Prediction;
+
+namespace Nowpose.Benchmarks.Comparison;
+
+/// <summary>Finds the competitors' constants: least geometric mean of the errors under all conditions, on the tuning seeds.</summary>
+/// <remarks>One constant after the other over a grid of a factor √2, until nothing changes any more.</remarks>
+static class Tuning
+{
+    const int MostRounds = 6;
+    const int StepsEachWay = 6;
+
+    // Constants that no longer matter run off without end: of those as good as the best the nearest is taken.
+    const double AsGood = 1.0005;
+
+    public static void Run(TextWriter to)
+    {
+        to.WriteLine($"Tuned on seeds {string.Join(", ", Conditions.TuningSeeds)}; RMS over hold:");
+        Report(to, "Kalman (jerk to noise, s⁻⁵)", [1e10], x => Candidates.Kalman(x[0]));
+        Report(to, "double exponential (time constant, s)", [0.01], x => Candidates.DoubleExponential(x[0]));
+        Report(to, "One-Euro (least cut-off Hz, Hz per mm/s, velocity's cut-off Hz)", [4, 0.01, 30], x => Candidates.OneEuro(x[0], x[1], x[2]));
+    }
+
+    static void Report(TextWriter to, string name, double[] start, Func<double[], IJointPredictor> create)
+    {
+        to.WriteLine(name);
+        Report(to, "all conditions, geometric mean", start, create, Conditions.All);
+        foreach (var condition in Conditions.All) Report(to, condition.Name, start, create, [condition]);
+    }
+
+    static void Report(TextWriter to, string name, double[] start, Func<double[], IJointPredictor> create, IReadOnlyList<Condition> conditions)
+    {
+        double[] constants = [.. start];
+        var least = double.PositiveInfinity;
+        for (var round = 0; round < MostRounds; round++)
+        {
+            var before = least;
+            for (var i = 0; i < constants.Length; i++) least = Improve(constants, i, create, conditions);
+            if (!(least * AsGood < before)) break;
+        }
+        to.WriteLine(string.Create(CultureInfo.InvariantCulture,
+            $"  {name}: {string.Join(", ", constants.Select(value => value.ToString("G3", CultureInfo.InvariantCulture)))} leaves {least:0.000}"));
+    }
+
+    // The best of the grid around the constant's value; the constant is set to it.
+    static double Improve(double[] constants, int index, Func<double[], IJointPredictor> create, IReadOnlyList<Condition> conditions)
+    {
+        var centre = constants[index];
+        var tried = Enumerable.Range(-StepsEachWay, 2 * StepsEachWay + 1).AsParallel()
+            .Select(step =>
+            {
+                double[] values = [.. constants];
+                values[index] = centre * Math.Pow(2, step / 2.0);
+                return (Step: step, Value: values[index], Error: Mean(() => create(values), conditions));
+            })
+            // Where a constant has lost its sense; and NaN would be the least of all.
+            .Where(result => double.IsFinite(result.Error))
+            .ToList();
+        var least = tried.Min(result => result.Error);
+        var best = tried.Where(result => result.Error <= AsGood * least).MinBy(result => Math.Abs(result.Step));
+        constants[index] = best.Value;
+        return best.Error;
+    }
+
+    static double Mean(Func<IJointPredictor> create, IReadOnlyList<Condition> conditions)
+    {
+        var candidate = new Candidate("tried", create);
+        return Means.Geometric(conditions.Select(condition => condition.Ratio(candidate, Conditions.TuningSeeds)));
+    }
+}

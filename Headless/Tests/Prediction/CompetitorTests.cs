@@ -1,0 +1,94 @@
+using Nowpose.Benchmarks.Comparison;
+using Nowpose.Benchmarks.Competitors;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Prediction;
+
+/// <summary>What others do is what their authors meant: a comparison with a broken filter would flatter us.</summary>
+public class CompetitorTests
+{
+    const double Interval = 0.05;
+    const double Ahead = 0.1;
+    const int Samples = 60;
+    const int Lost = 40;
+
+    [TestCase("MathNet")]
+    [TestCase("Kalman")]
+    [TestCase("double-exponential")]
+    public void Line_OneSampleLost_IsPredictedExactly(string name)
+    {
+        Assert.That(ErrorOf(name, t => 30 - 400 * t), Is.LessThan(1e-6));
+    }
+
+    [TestCase("MathNet", 1e-6)]
+    [TestCase("Kalman", 1e-3)]
+    public void Parabola_OneSampleLost_IsPredictedExactly(string name, double within)
+    {
+        Assert.That(ErrorOf(name, t => 30 - 400 * t + 900 * t * t), Is.LessThan(within));
+    }
+
+    [Test]
+    public void Parabola_DoubleExponential_IsBehind()
+    {
+        // Two samples' straight line, 100 ms ahead: a (h² + h T) / 2.
+        Assert.That(ErrorOf("double-exponential", t => 900 * t * t), Is.EqualTo(900 * (Ahead * Ahead + Ahead * Interval)).Within(0.5));
+    }
+
+    [Test]
+    public void MathNet_SamplesOutOfOrder_IsTheQuadratic()
+    {
+        const int seed = 5;
+        var random = new Random(seed);
+        var (theirs, ours) = (new PolynomialFitPredictor(), Predictors.Create("quadratic", PredictionLimits.Unlimited));
+
+        for (var i = 0; i < Samples; i++)
+        {
+            var sample = new JointSample((i + 1.5 * random.NextDouble()) * Interval, 100 * random.NextDouble());
+            Assert.That(theirs.Add(sample), Is.EqualTo(ours.Add(sample)), $"seed {seed}, sample {i}");
+            var expected = ours.At(ours.NewestTime + Ahead).Position;
+
+            Assert.That(theirs.At(theirs.NewestTime + Ahead).Position, Is.EqualTo(expected).Within(1e-9 * (1000 + Math.Abs(expected))), $"seed {seed}, sample {i}");
+        }
+    }
+
+    [Test]
+    public void OneEuro_NoiseAtRest_IsSmoothed()
+    {
+        // A low pass of 1 Hz takes in a = 0.24 of each sample and keeps √(a / (2 − a)) = 0.37 of white noise.
+        Assert.That(NoiseLeft(new OneEuroPredictor(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));
+    }
+
+    [Test]
+    public void Kalman_NoiseAtRest_IsSmoothedTheMoreTheStifferItIs()
+    {
+        var (stiff, limp) = (NoiseLeft(new KalmanPredictor(1e3), Ahead), NoiseLeft(new KalmanPredictor(1e9), Ahead));
+
+        Assert.That(stiff, Is.LessThan(2));
+        Assert.That(limp, Is.GreaterThan(2 * stiff));
+    }
+
+    static double ErrorOf(string name, Func<double, double> motion)
+    {
+        var predictor = Candidates.Named(name).Create();
+        for (var i = 0; i < Samples; i++)
+            if (i != Lost) predictor.Add(new JointSample(i * Interval, motion(i * Interval)));
+        var time = (Samples - 1) * Interval + Ahead;
+        return Math.Abs(predictor.At(time).Position - motion(time));
+    }
+
+    // RMS of what is shown of noise with standard deviation 1.
+    static double NoiseLeft(IJointPredictor predictor, double ahead)
+    {
+        const int count = 4000;
+        var random = new Random(9);
+        var squares = 0.0;
+        for (var i = 0; i < count; i++)
+        {
+            predictor.Add(new JointSample(i * Interval, Math.Sqrt(12) * (random.NextDouble() - 0.5)));
+            var shown = predictor.At(i * Interval + ahead).Position;
+            if (i > count / 10) squares += shown * shown;
+        }
+        return Math.Sqrt(squares / (0.9 * count));
+    }
+}
