@@ -28,18 +28,15 @@ public class FrameBenchmarks
 
     readonly HeadsetTime[] _starts = new HeadsetTime[Frames];
     readonly double[] _horizons = new double[Frames];
+    VirtualSession _experienced;
     int _next;
 
-    [GlobalSetup]
+    [GlobalSetup(Targets = [nameof(Tick), nameof(Predict), nameof(Solve)])]
     public void Prepare()
     {
         for (var i = 0; i < Samples; i++) Sample(i);
-        for (var i = 0; i < Frames; i++)
-        {
-            _horizons[i] = 0.075 + 0.05 * i / (Frames - 1);
-            _starts[i] = _virtual.NewestSample + TimeSpan.FromSeconds(_horizons[i]) - VirtualSession.Visualisation.Length;
-            RequireAgreement(i);
-        }
+        SetFrames(_virtual);
+        for (var i = 0; i < Frames; i++) RequireAgreement(i);
     }
 
     [GlobalSetup(Target = nameof(SolveOnOneThread))]
@@ -49,8 +46,19 @@ public class FrameBenchmarks
         Prepare();
     }
 
-    [Benchmark(Description = "Frame: session tick, 7 joints and all link poses")]
+    [GlobalSetup(Target = nameof(TickDefault))]
+    public void PrepareDefault()
+    {
+        _experienced = VirtualSession.Experienced();
+        SetFrames(_experienced);
+        if (TickDefault().State != PoseState.Current) throw new InvalidOperationException("the default predictor's pose is not current");
+    }
+
+    [Benchmark(Description = "Frame: session tick, 7 quadratic joints and all link poses")]
     public DisplayFrame Tick() => _virtual.Session.Tick(_starts[NextFrame()]);
+
+    [Benchmark(Description = "– the same with adaptive ones")]
+    public DisplayFrame TickDefault() => _experienced.Session.Tick(_starts[NextFrame()]);
 
     [Benchmark(Description = "– of it predictors and forward kinematics")]
     public double Predict()
@@ -72,6 +80,15 @@ public class FrameBenchmarks
 
     [Benchmark(Description = "– the same with MathNet kept to one thread")]
     public double SolveOnOneThread() => Solve();
+
+    void SetFrames(VirtualSession session)
+    {
+        for (var i = 0; i < Frames; i++)
+        {
+            _horizons[i] = 0.075 + 0.05 * i / (Frames - 1);
+            _starts[i] = session.NewestSample + TimeSpan.FromSeconds(_horizons[i]) - VirtualSession.Visualisation.Length;
+        }
+    }
 
     int NextFrame() => _next = (_next + 1) % Frames;
 

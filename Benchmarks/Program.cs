@@ -12,13 +12,15 @@ if (args is ["tune"])
 Environment.CurrentDirectory = Path.GetFullPath("../../..", AppContext.BaseDirectory);
 
 // Without arguments everything runs; BenchmarkDotNet's own arguments choose, such as --filter *Frame*.
-var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(SampleBenchmarks), typeof(ExchangeBenchmarks), typeof(SceneBenchmarks)])
+var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(SampleBenchmarks), typeof(PredictorBenchmarks), typeof(ExchangeBenchmarks),
+        typeof(SceneBenchmarks)])
     .Run(args.Length > 0 ? args : ["--filter", "*"], MeasurementSettings.Create())
     .ToList();
 if (summaries.Count == 0) return 1;
 
 ResultTable.Write(summaries, Console.Out);
-var tooSlow = FrameLimit.Exceeded(summaries);
+ComparisonTable.Write(CostTable.Of(summaries), Console.Out);
+var tooSlow = FrameLimit.Exceeded(summaries) ?? SampleLimit.Exceeded(summaries);
 if (tooSlow != null)
 {
     Console.Error.WriteLine("error: " + tooSlow);

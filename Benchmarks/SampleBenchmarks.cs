@@ -10,6 +10,8 @@ public class SampleBenchmarks
 {
     const int Positions = 128;
 
+    const double QuickInterval = 0.01;
+
     readonly VirtualSession _virtual = new();
     readonly IJointPredictor[] _predictors = VirtualSession.CreatePredictors();
     readonly double[][] _positions =
@@ -18,9 +20,11 @@ public class SampleBenchmarks
         RosTopics.JointStates,
         new JointStateMessage(ControlTime.FromSeconds(1234.567), SevenJointArm.JointNames, SevenJointArm.PositionsAt(1)),
         RosTimeForm.Sec);
+    VirtualSession _experienced;
+    SampledJoint[] _joints;
     long _samples;
 
-    [GlobalSetup]
+    [GlobalSetup(Targets = [nameof(Read), nameof(Solve), nameof(Take)])]
     public void Prepare()
     {
         if (Read()?.JointState?.Positions.Length != SevenJointArm.JointNames.Length)
@@ -29,10 +33,19 @@ public class SampleBenchmarks
         if (Take().State != PoseState.Current) throw new InvalidOperationException("the samples are not taken");
     }
 
+    [GlobalSetup(Target = nameof(TakeWithDefault))]
+    public void PrepareSession() => _experienced = VirtualSession.Experienced();
+
+    [GlobalSetup(Target = nameof(SolveDefault))]
+    public void PrepareDefault() => _joints = Joints(VirtualSession.SampleSeconds);
+
+    [GlobalSetup(Target = nameof(SolveDefaultAt100Hz))]
+    public void PrepareDefaultAt100Hz() => _joints = Joints(QuickInterval);
+
     [Benchmark(Description = "Sample: JSON of 7 joints read and checked")]
     public RosbridgeMessage Read() => RosbridgeReader.TryRead(_text, out var message, out _) ? message : null;
 
-    [Benchmark(Description = "Sample: 7 predictors solve")]
+    [Benchmark(Description = "Sample: 7 quadratic predictors solve")]
     public SampleOutcome Solve()
     {
         var outcome = SampleOutcome.Accepted;
@@ -42,7 +55,26 @@ public class SampleBenchmarks
         return outcome;
     }
 
+    [Benchmark(Description = "Sample: 7 adaptive predictors solve, every 50 ms")]
+    public SampleOutcome SolveDefault()
+    {
+        var outcome = SampleOutcome.Accepted;
+        for (var i = 0; i < _joints.Length; i++) outcome = _joints[i].Add();
+        return outcome;
+    }
+
+    [Benchmark(Description = "Sample: 7 adaptive predictors solve, every 10 ms")]
+    public SampleOutcome SolveDefaultAt100Hz() => SolveDefault();
+
     /// <summary>With the message object itself, 48 bytes, which reading it has already made.</summary>
-    [Benchmark(Description = "Frame that takes a sample: queue, solve, tick")]
+    [Benchmark(Description = "Frame that takes a sample: queue, 7 quadratic predictors, tick")]
     public DisplayFrame Take() => _virtual.Session.Tick(_virtual.Sample());
+
+    [Benchmark(Description = "– the same with adaptive ones")]
+    public DisplayFrame TakeWithDefault() => _experienced.Session.Tick(_experienced.Sample());
+
+    static SampledJoint[] Joints(double interval) =>
+    [
+        .. VirtualSession.CreatePredictors(PredictionSettings.Default).Select((predictor, joint) => new SampledJoint(predictor, joint, interval))
+    ];
 }

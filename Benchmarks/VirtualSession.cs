@@ -12,7 +12,7 @@ sealed class VirtualSession
 {
     public const double SampleSeconds = 0.05;
 
-    static readonly PredictionSettings Prediction = new("quadratic");
+    static readonly PredictionSettings Quadratic = new("quadratic");
     static readonly ClockOffset Offset = new(TimeSpan.FromSeconds(-1234.5));
     static readonly TimeSpan ApplicationLatency = TimeSpan.FromMilliseconds(35);
 
@@ -22,10 +22,12 @@ sealed class VirtualSession
         [.. Enumerable.Range(0, 128).Select(sample => SevenJointArm.PositionsAt(sample * SampleSeconds))];
     long _samples;
 
-    public VirtualSession()
+    public VirtualSession() : this(Quadratic) { }
+
+    public VirtualSession(PredictionSettings prediction)
     {
         Session = new CompensationSession(
-            new SessionSettings(new ConnectionSettings("127.0.0.1"), Visualisation, Prediction),
+            new SessionSettings(new ConnectionSettings("127.0.0.1"), Visualisation, prediction),
             SevenJointArm.Model, new StopwatchHeadsetClock());
         for (var exchange = 0; exchange < 50; exchange++) Exchange(HeadsetTime.FromSeconds(exchange * 0.2));
         NewestSample = HeadsetTime.FromSeconds(10);
@@ -37,9 +39,19 @@ sealed class VirtualSession
     /// <summary>t_k of the newest sample, as the headset clock shows it.</summary>
     public HeadsetTime NewestSample { get; private set; }
 
-    /// <summary>Predictors like the session's own, to be measured without it.</summary>
-    public static IJointPredictor[] CreatePredictors() =>
-        [.. SevenJointArm.Model.MovingJoints.Select(joint => Prediction.Create(joint.Limits))];
+    /// <summary>Quadratic predictors like the session's own, to be measured without it.</summary>
+    public static IJointPredictor[] CreatePredictors() => CreatePredictors(Quadratic);
+
+    public static IJointPredictor[] CreatePredictors(PredictionSettings prediction) =>
+        [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits))];
+
+    /// <summary>A session with the default predictor that has seen more of the motion than it remembers.</summary>
+    public static VirtualSession Experienced()
+    {
+        var session = new VirtualSession(PredictionSettings.Default);
+        for (var sample = 0; sample * SampleSeconds < SampledJoint.SecondsSeen; sample++) session.Session.Tick(session.Sample());
+        return session;
+    }
 
     /// <summary>The next sample arrives.</summary>
     /// <returns>When.</returns>

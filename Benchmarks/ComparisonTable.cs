@@ -1,0 +1,42 @@
+using System.Globalization;
+using Nowpose.Benchmarks.Comparison;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>Error and cost of all candidates side by side, as one Markdown table.</summary>
+static class ComparisonTable
+{
+    public static void Write(CostTable costs, TextWriter to)
+    {
+        if (costs.IsEmpty) return;
+        var errors = new ErrorStudy(Conditions.CheckingSeeds);
+        var baseline = Candidates.Named(Candidates.Baseline);
+
+        to.WriteLine();
+        to.WriteLine("| RMS error ÷ hold's | " + string.Join(" | ", Candidates.All.Select(candidate => candidate.Name)) + " |");
+        to.WriteLine("| --- |" + string.Concat(Candidates.All.Select(_ => " ---: |")));
+        foreach (var condition in Conditions.All) Row(to, condition.Name, candidate => Share(errors[candidate, condition]));
+        Row(to, "geometric mean", candidate => Share(errors.Mean(candidate)));
+        Row(to, "– ÷ quadratic's", candidate => Ratio(errors.Mean(candidate) / errors.Mean(baseline)));
+        Row(to, "a joint's sample, ns", candidate => Number(costs.Sample(candidate)?.Nanoseconds));
+        Row(to, "– ÷ quadratic's", candidate => Ratio(costs.Sample(candidate)?.Nanoseconds / costs.Sample(baseline)?.Nanoseconds));
+        Row(to, "a joint's frame, ns", candidate => Number(costs.Frame(candidate)?.Nanoseconds));
+        Row(to, "– ÷ quadratic's", candidate => Ratio(costs.Frame(candidate)?.Nanoseconds / costs.Frame(baseline)?.Nanoseconds));
+        Row(to, "allocated by a sample, B", candidate => Number(costs.Sample(candidate)?.Bytes));
+        Row(to, "allocated by a frame, B", candidate => Number(costs.Frame(candidate)?.Bytes));
+        to.WriteLine();
+        to.WriteLine($"Errors on seeds {string.Join(", ", Conditions.CheckingSeeds)}; constants of the last three tuned on {string.Join(", ", Conditions.TuningSeeds)}.");
+    }
+
+    static void Row(TextWriter to, string name, Func<Candidate, string> cell) =>
+        to.WriteLine($"| {name} | " + string.Join(" | ", Candidates.All.Select(cell)) + " |");
+
+    static string Share(double value) => value.ToString("0.000", CultureInfo.InvariantCulture);
+
+    // Two digits where there are no more before the point; empty where it was not measured.
+    static string Ratio(double? value) => Text(value, value < 1 ? "0.00" : value < 10 ? "0.0" : "0");
+
+    static string Number(double? value) => Text(value, value is > 0 and < 10 ? "0.0" : "0");
+
+    static string Text(double? value, string format) => value?.ToString(format, CultureInfo.InvariantCulture) ?? "";
+}

@@ -1,0 +1,32 @@
+using BenchmarkDotNet.Reports;
+using Nowpose.Benchmarks.Comparison;
+
+namespace Nowpose.Benchmarks;
+
+/// <summary>What each candidate's sample and frame of one joint cost, as far as they were measured.</summary>
+sealed class CostTable
+{
+    readonly Dictionary<(string Candidate, string Method), Cost> _costs = [];
+
+    /// <summary>Whether a measurement belongs here.</summary>
+    public static bool Holds(BenchmarkReport report) => report.BenchmarkCase.Descriptor.Type == typeof(PredictorBenchmarks);
+
+    public static CostTable Of(IEnumerable<Summary> summaries)
+    {
+        var table = new CostTable();
+        foreach (var report in summaries.SelectMany(summary => summary.Reports).Where(Holds))
+            if (report.ResultStatistics is { } times)
+                table._costs[((string)report.BenchmarkCase.Parameters[nameof(PredictorBenchmarks.Predictor)],
+                    report.BenchmarkCase.Descriptor.WorkloadMethod.Name)] =
+                    new Cost(times.Median, report.GcStats.GetBytesAllocatedPerOperation(report.BenchmarkCase) ?? 0);
+        return table;
+    }
+
+    public bool IsEmpty => _costs.Count == 0;
+
+    public Cost? Sample(Candidate candidate) => Find(candidate, nameof(PredictorBenchmarks.Add));
+
+    public Cost? Frame(Candidate candidate) => Find(candidate, nameof(PredictorBenchmarks.At));
+
+    Cost? Find(Candidate candidate, string method) => _costs.TryGetValue((candidate.Name, method), out var cost) ? cost : null;
+}
