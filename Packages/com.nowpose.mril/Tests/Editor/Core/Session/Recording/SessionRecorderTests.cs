@@ -274,6 +274,62 @@ namespace Nowpose.Tests
             recorder.Dispose();
         }
 
+        [TestCase(0)]
+        [TestCase(300)]
+        [TestCase(20_000)]
+        public void Disk_FullMidway_EndsTheRecordingAndNotTheSession(int room)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
+            var disk = new FullDisk(room);
+            var recorder = new SessionRecorder(simulated.Session, new RecordingSettings("disk", () => disk));
+            // Two seconds of lines are more than there is room for.
+            simulated.Run(2, (_, __) => { });
+            Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
+            simulated.Run(6, (_, __) => { });
+            var (bytes, lost) = (disk.ToArray(), recorder.LostLines);
+
+            var states = new List<PoseState>();
+            simulated.Run(10, (frame, _) => states.Add(frame.State));
+            recorder.Dispose();
+
+            Assert.That(states, Is.All.EqualTo(PoseState.Current));
+            Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
+            Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed), "still");
+            Assert.That(disk.IsClosed);
+            Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "once by writing, once by closing: nobody goes on trying");
+            Assert.That(recorder.LostLines, Is.EqualTo(lost), "nothing is collected that nobody will write");
+            var text = System.Text.Encoding.UTF8.GetString(bytes);
+            Assert.That(bytes.Length, Is.EqualTo(recorder.Bytes).And.LessThanOrEqualTo(room));
+            var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
+            Assert.That(lines.Count, room < 1000 ? Is.EqualTo(0) : Is.GreaterThan(30), "what fitted is there");
+        }
+
+        [Test]
+        public void Path_ThatMayNotBeWritten_EndsTheRecordingAndNotTheSession()
+        {
+            // Nobody may write to a folder as to a file, an administrator neither.
+            var folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N")));
+            try
+            {
+                var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
+                var recorder = new SessionRecorder(simulated.Session, new RecordingSettings(folder.FullName));
+                Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));
+
+                var last = PoseState.Incomplete;
+                simulated.Run(8, (frame, _) => last = frame.State);
+                recorder.Dispose();
+
+                Assert.That(last, Is.EqualTo(PoseState.Current));
+                Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed));
+                Assert.That(recorder.Problem, Does.StartWith("recording " + folder.FullName + " has stopped: ").And.Not.Contain("\n"));
+                Assert.That(recorder.LostLines, Is.EqualTo(0));
+            }
+            finally
+            {
+                folder.Delete(true);
+            }
+        }
+
         [Test]
         public void Path_InAFolderThatDoesNotExist_IsMade()
         {
