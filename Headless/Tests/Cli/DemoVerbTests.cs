@@ -73,6 +73,24 @@ public class DemoVerbTests
     }
 
     [Test]
+    public async Task Demo_Trajectory_IsShownRecordedAndReplayed()
+    {
+        var run = await CliRun.OfAsync("demo", "--trajectory", "--seconds", "6", "--out", _folder);
+        var session = Path.Combine(_folder, "session.jsonl");
+        var replay = await CliRun.OfAsync("replay", session, "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        // No prediction comes near; what is left is the clock's error, of which a busy machine has more.
+        Assert.That(Result().GetProperty("tool_error_mm").GetProperty("reduction").GetDouble(), Is.GreaterThan(0.96));
+        Assert.That(Result().GetProperty("dropped").GetInt32(), Is.EqualTo(0));
+        Assert.That(Result().GetProperty("frame").GetProperty("allocated_bytes_per_frame").GetDouble(), Is.EqualTo(0));
+        var plans = File.ReadLines(session).Count(line => line.StartsWith("{\"kind\":\"plan\"", StringComparison.Ordinal));
+        Assert.That(plans, Is.InRange(15, 26), "four a second");
+        Assert.That(replay.ExitStatus, Is.EqualTo(0), replay.Errors);
+        Assert.That(JsonDocument.Parse(replay.Output).RootElement.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.96));
+    }
+
+    [Test]
     public async Task Demo_RecordingOnAnotherRobot_PlaysItsColumns()
     {
         // At rest at both ends, where the motion turns back.
