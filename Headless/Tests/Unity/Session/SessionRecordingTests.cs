@@ -155,6 +155,20 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
+    public async Task File_AtItsGreatestSize_IsSaidOnceAndTheSessionGoesOn()
+    {
+        Play(megabytes: 0.02);
+        _cell.Run(2, _session);
+        await Soon.BecomesAsync(() => !_recording.IsRecording, "the file is full");
+        _cell.Run(3, _session);
+
+        Assert.That(_cell.Messages.Count(m => m.Contains("greatest size, 0.02 MB", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_recording.Problem, Does.Contain("has stopped").And.Contain(_recording.Path));
+        Assert.That(Files, Has.Length.EqualTo(1), "no other is begun");
+        Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current));
+    }
+
+    [Test]
     public void Size_OutOfRange_IsSaidOnce()
     {
         Play(megabytes: -1);

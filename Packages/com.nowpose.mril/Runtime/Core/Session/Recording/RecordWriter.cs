@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Concurrent;
 using System.Diagnostics;
+using System.Globalization;
 using System.IO;
 using System.Text;
 using System.Threading;
@@ -99,7 +100,7 @@ namespace Nowpose.Recording
                 if (!TryDrain(stream))
                 {
                     _problem = "recording " + _settings.Path + " has stopped: it has reached its greatest size, "
-                        + _settings.MaximumBytes / 1_000_000 + " MB";
+                        + (_settings.MaximumBytes / 1e6).ToString("0.###", CultureInfo.InvariantCulture) + " MB";
                     break;
                 }
                 if (asked > 0 || _sinceFlush.Elapsed >= FlushInterval) Flush(stream, asked);
