@@ -45,7 +45,7 @@ namespace Nowpose.Prediction.Gating
             if (!(shareOfSquare > 0 && shareOfSquare <= 1))
                 throw new ArgumentOutOfRangeException(nameof(shareOfSquare), shareOfSquare, "above 0, at most 1");
             _moving = new ForecastRecord(shareOfSquare, 10);
-            _resting = new ForecastRecord(shareOfSquare, 4);
+            _resting = new ForecastRecord(shareOfSquare, 12);
             _candidate = candidate ?? throw new ArgumentNullException(nameof(candidate));
             _fallback = fallback ?? throw new ArgumentNullException(nameof(fallback));
             Reset();
