@@ -12,12 +12,15 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Points kept: two minutes at 20 ms.</summary>
         public const int Capacity = 6000;
 
+        /// <summary>A power of two above it: the place of an index costs no division, of which a sample would take thousands.</summary>
+        const int RingSize = 8192;
+
         const int Neighbours = 4;
 
         /// <summary>A sample so near to a grid point, in steps, is on it.</summary>
         const double Rounding = 1e-6;
 
-        readonly double[] _points = new double[Capacity];
+        readonly double[] _points = new double[RingSize];
         readonly double[] _times = new double[Neighbours];
         readonly double[] _positions = new double[Neighbours];
         int _samples;
@@ -33,7 +36,7 @@ namespace Nowpose.Prediction.Repetition
         public long First => Math.Max(0, Count - Capacity);
 
         /// <summary>Position at a grid point between <see cref="First"/> and the last.</summary>
-        public double this[long index] => _points[index % Capacity];
+        public double this[long index] => _points[index & (RingSize - 1)];
 
         /// <summary>Starts anew with another grid.</summary>
         /// <param name="step">s.</param>
@@ -65,7 +68,7 @@ namespace Nowpose.Prediction.Repetition
                 }
                 _samples++;
             }
-            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) _points[Count % Capacity] = Between(TimeOf(Count));
+            for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) _points[Count & (RingSize - 1)] = Between(TimeOf(Count));
         }
 
         /// <summary>Grid points, with fractions, at a time.</summary>
