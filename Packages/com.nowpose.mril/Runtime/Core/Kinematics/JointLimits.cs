@@ -8,7 +8,7 @@ namespace Nowpose.Kinematics
     {
         public JointLimits(
             double lower, double upper, double velocity, double effort, double acceleration = double.PositiveInfinity,
-            double jerk = double.PositiveInfinity)
+            double jerk = double.PositiveInfinity, bool isEndless = false)
         {
             Lower = lower;
             Upper = upper;
@@ -16,6 +16,7 @@ namespace Nowpose.Kinematics
             Effort = effort;
             Acceleration = acceleration;
             Jerk = jerk;
+            IsEndless = isEndless;
         }
 
         public static JointLimits None { get; } = new JointLimits(
@@ -37,6 +38,9 @@ namespace Nowpose.Kinematics
 
         /// <summary>Greatest jerk in either direction, above 0; not part of most URDFs.</summary>
         public double Jerk { get; }
+
+        /// <summary>Whether the joint turns without end: its angle may come back from π to −π.</summary>
+        public bool IsEndless { get; }
 
         public bool Contains(double position) => position >= Lower && position <= Upper;
 

@@ -88,7 +88,8 @@ namespace Nowpose.Prediction
             else if (isPlanned != _wasPlanned) Carry();
             _wasPlanned = isPlanned;
             _shownAt = time;
-            _shown = _limits.Clamp(section.Position + _blend.At(time));
+            var shown = section.Position + _blend.At(time);
+            _shown = _limits.Clamp(double.IsFinite(shown) ? shown : section.Position);
             return new JointPrediction(_shown, section.Kind);
         }
 

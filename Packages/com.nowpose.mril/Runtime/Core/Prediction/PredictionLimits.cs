@@ -13,10 +13,12 @@ namespace Nowpose.Prediction
         /// <param name="velocity">Greatest speed, per second, positive; infinity where it is not known.</param>
         /// <param name="acceleration">Greatest acceleration, per second squared, positive; infinity where it is not known.</param>
         /// <param name="jerk">Greatest jerk, per second cubed, positive; infinity where it is not known.</param>
+        /// <param name="isEndless">As <see cref="IsEndless"/>.</param>
         /// <exception cref="ArgumentException">A value is outside its range, or lower is above upper.</exception>
         public PredictionLimits(double lower = double.NegativeInfinity, double upper = double.PositiveInfinity,
             double horizonCap = 0.3, double maximumGap = 0.5, double velocity = double.PositiveInfinity,
-            double acceleration = double.PositiveInfinity, double jerk = double.PositiveInfinity)
+            double acceleration = double.PositiveInfinity, double jerk = double.PositiveInfinity,
+            bool isEndless = false)
         {
             if (!(lower <= upper) || double.IsPositiveInfinity(lower) || double.IsNegativeInfinity(upper))
                 throw new ArgumentException("position limits " + lower + " to " + upper + ": lower must not exceed upper");
@@ -36,6 +38,7 @@ namespace Nowpose.Prediction
             Velocity = velocity;
             Acceleration = acceleration;
             Jerk = jerk;
+            IsEndless = isEndless;
         }
 
         /// <summary>Neither joint limits nor horizon cap nor gap rule: the bare polynomial, for studies.</summary>
@@ -68,6 +71,9 @@ namespace Nowpose.Prediction
 
         /// <summary>Greatest jerk, rad/s³ or m/s³.</summary>
         public double Jerk { get; }
+
+        /// <summary>Whether positions are angles in rad of a joint that turns without end, and may come back from π to −π.</summary>
+        public bool IsEndless { get; }
 
         internal double Clamp(double position) => position < Lower ? Lower : position > Upper ? Upper : position;
 

@@ -28,7 +28,10 @@ namespace Nowpose.Prediction
         /// <param name="name">One of <see cref="Names"/>, or a degree with another history h: linear-h4.</param>
         /// <param name="limits">Bounds of time and position.</param>
         /// <exception cref="InputException">There is no predictor of that name.</exception>
-        public static IJointPredictor Create(string name, PredictionLimits limits)
+        public static IJointPredictor Create(string name, PredictionLimits limits) =>
+            limits.IsEndless ? new UnwrappedPredictor(Plain(name, limits)) : Plain(name, limits);
+
+        static IJointPredictor Plain(string name, PredictionLimits limits)
         {
             switch (name)
             {
@@ -52,7 +55,8 @@ namespace Nowpose.Prediction
         {
             IJointPredictor ahead = new StackedPredictor(limits);
             if (ProfilePredictor.HasLimits(limits)) ahead = new GatedPredictor(new ProfilePredictor(limits), ahead, ProfileGate);
-            return new DejitteredPredictor(new InterpolatingPredictor(new GatedPredictor(new TemplatePredictor(limits), ahead, TemplateGate), limits));
+            ahead = new ThinnedPredictor(new GatedPredictor(new TemplatePredictor(limits), ahead, TemplateGate));
+            return new DejitteredPredictor(new InterpolatingPredictor(ahead, limits));
         }
     }
 }

@@ -85,11 +85,12 @@ namespace Nowpose.Session
         public JointLimits Bounded(in JointLimits limits, bool isRevolute) => new JointLimits(
             limits.Lower, limits.Upper, limits.Velocity * SpeedShare, limits.Effort,
             isRevolute ? Math.Min(limits.Acceleration, AccelerationLimit) : limits.Acceleration,
-            isRevolute ? Math.Min(limits.Jerk, JerkLimit) : limits.Jerk);
+            isRevolute ? Math.Min(limits.Jerk, JerkLimit) : limits.Jerk,
+            isRevolute && double.IsInfinity(limits.Lower) && double.IsInfinity(limits.Upper));
 
         internal PredictionLimits LimitsOf(in JointLimits limits) => new PredictionLimits(
             limits.Lower, limits.Upper, ClockTicks.Seconds(HorizonCap), ClockTicks.Seconds(MaximumGap), limits.Velocity,
-            limits.Acceleration, limits.Jerk);
+            limits.Acceleration, limits.Jerk, limits.IsEndless);
 
         static double RequireLimit(double value, string name, string unit) =>
             double.IsPositiveInfinity(value) ? value : SettingRange.Require(value, LeastLimit, GreatestLimit, name, unit);

@@ -16,6 +16,7 @@ namespace Nowpose.Prediction.Gating
         const double RestShare = 1e-3;
 
         const double Forgetting = 0.998;
+        const double UsualKeeping = 0.98;
         const double HorizonLearning = 0.02;
         const double LeastHorizon = 0.01;
         const double GreatestHorizon = 0.45;
@@ -27,11 +28,13 @@ namespace Nowpose.Prediction.Gating
         readonly IJointPredictor _candidate;
         readonly IJointPredictor _fallback;
         readonly PendingForecasts _pending = new PendingForecasts();
+        readonly OutlierBound _outliers = new OutlierBound();
         readonly ForecastRecord _moving;
         readonly ForecastRecord _resting;
         double _horizon;
         double _asked;
         double _interval;
+        double _usualSquare;
         double _greatestSquare;
         double _greatestWay;
         bool _isAtRest;
@@ -98,7 +101,8 @@ namespace Nowpose.Prediction.Gating
             _horizon = FirstHorizon;
             _asked = double.NegativeInfinity;
             _interval = FirstInterval;
-            _greatestSquare = _greatestWay = 0;
+            _outliers.Reset();
+            _usualSquare = _greatestSquare = _greatestWay = 0;
             _isAtRest = true;
         }
 
@@ -115,11 +119,21 @@ namespace Nowpose.Prediction.Gating
             {
                 // A forecast for a time between two samples is judged by the line between them; mostly it is at the sample.
                 var truth = Hold - (Hold - positionBefore) * Math.Min((NewestTime - forecast.Time) / interval, 1);
-                var square = Math.Max(Square(truth - forecast.Held), Square(forecast.Candidate - forecast.Held));
-                _greatestSquare = Math.Max(Forgetting * _greatestSquare, square);
-                if (square > LeastShareOfSquare * _greatestSquare)
-                    Record(forecast.IsAtRest).Add(forecast.Candidate - truth, forecast.Fallback - truth);
+                Judge(forecast, truth);
             }
+        }
+
+        void Judge(in PendingForecasts.Forecast forecast, double truth)
+        {
+            var way = Math.Abs(truth - forecast.Held);
+            var bound = _usualSquare > 0 ? _outliers.Of(Math.Sqrt(_usualSquare), way) : double.PositiveInfinity;
+            var credited = Math.Min(way, bound);
+            _usualSquare = _usualSquare > 0 ? UsualKeeping * _usualSquare + (1 - UsualKeeping) * credited * credited : credited * credited;
+            var greatest = Math.Min(Math.Max(way, Math.Abs(forecast.Candidate - forecast.Held)), bound);
+            _greatestSquare = Math.Max(Forgetting * _greatestSquare, greatest * greatest);
+            if (greatest * greatest > LeastShareOfSquare * _greatestSquare)
+                // An outlier of the fallback's proves nothing for the candidate; its own may well close the gate.
+                Record(forecast.IsAtRest).Add(forecast.Candidate - truth, Math.Min(Math.Abs(forecast.Fallback - truth), bound));
         }
 
         void Forecast()
@@ -131,7 +145,5 @@ namespace Nowpose.Prediction.Gating
             if (candidate.Kind == PredictionKind.None) return;
             _pending.Add(new PendingForecasts.Forecast(time, Hold, candidate.Position, _fallback.At(time).Position, _isAtRest));
         }
-
-        static double Square(double x) => x * x;
     }
 }

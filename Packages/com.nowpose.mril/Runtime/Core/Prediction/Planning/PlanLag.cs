@@ -24,6 +24,8 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Standard deviations beyond which the joint does not follow.</summary>
         const double Gate = 5;
 
+        const double GreatestVariance = 1e100;
+
         double _varLag, _covariance, _varOffset;
         double _time;
         bool _isBegun;
@@ -58,7 +60,8 @@ namespace Nowpose.Prediction.Planning
             var lagGain = -velocity * _varLag + _covariance;
             var offsetGain = -velocity * _covariance + _varOffset;
             var variance = -velocity * lagGain + offsetGain + noise * noise;
-            if (difference * difference > Gate * Gate * variance) return PlanVerdict.NotFollowed;
+            // Also what is no number: a plan of 1e200 must not stay in the filter.
+            if (!(difference * difference <= Gate * Gate * variance) || !(variance < GreatestVariance)) return PlanVerdict.NotFollowed;
             (lagGain, offsetGain) = (lagGain / variance, offsetGain / variance);
             Lag += lagGain * difference;
             Offset += offsetGain * difference;

@@ -64,7 +64,8 @@ namespace Nowpose.Prediction.Planning
                 _isPlanned = time - NewestTime <= _limits.HorizonCap && _plan.IsFollowedAt(time, NewestTime);
             }
             if (!_isPlanned || !_plan.HasPlan) return prediction;
-            return new JointPrediction(_limits.Clamp(_plan.At(time)), PredictionKind.Planned);
+            var planned = _plan.At(time);
+            return double.IsFinite(planned) ? new JointPrediction(_limits.Clamp(planned), PredictionKind.Planned) : prediction;
         }
 
         /// <inheritdoc/>

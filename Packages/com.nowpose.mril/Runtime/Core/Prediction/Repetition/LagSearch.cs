@@ -11,6 +11,8 @@ namespace Nowpose.Prediction.Repetition
     {
         public const int Kept = 3;
 
+        const int PointsPerChoice = 3;
+
         readonly double[] _costs = new double[MotionHistory.Capacity];
         long _taken;
 
@@ -31,9 +33,12 @@ namespace Nowpose.Prediction.Repetition
         /// <param name="keeping">What the sum keeps per grid step, 0 to 1.</param>
         public void Follow(MotionHistory history, int leastLag, double keeping)
         {
-            if (_taken == history.Count) return;
-            for (; _taken < history.Count; _taken++) Take(history, leastLag, keeping);
-            Choose(history, leastLag);
+            for (; _taken < history.Count; _taken++)
+            {
+                Take(history, leastLag, keeping);
+                // A lag stays what it is while the motion repeats.
+                if (_taken % PointsPerChoice == 0) Choose(history, leastLag);
+            }
         }
 
         void Take(MotionHistory history, int leastLag, double keeping)

@@ -17,6 +17,9 @@ namespace Nowpose.Prediction.Repetition
 
         const int Neighbours = 4;
 
+        /// <summary>There and back by so many times the greatest way in one direction is no motion.</summary>
+        const double SpikeWays = 1.3;
+
         /// <summary>A sample so near to a grid point, in steps, is on it.</summary>
         const double Rounding = 1e-6;
 
@@ -24,6 +27,7 @@ namespace Nowpose.Prediction.Repetition
         readonly double[] _times = new double[Neighbours];
         readonly double[] _positions = new double[Neighbours];
         int _samples;
+        double _greatestWay;
         double _start;
 
         /// <summary>Grid step, s.</summary>
@@ -45,6 +49,7 @@ namespace Nowpose.Prediction.Repetition
             Step = step;
             Count = 0;
             _samples = 0;
+            _greatestWay = 0;
         }
 
         /// <summary>Takes a sample newer than all before.</summary>
@@ -68,7 +73,18 @@ namespace Nowpose.Prediction.Repetition
                 }
                 _samples++;
             }
+            if (_samples == Neighbours) TakeOutSpike();
             for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) _points[Count & (RingSize - 1)] = Between(TimeOf(Count));
+        }
+
+        // One wrong sample would come back whenever the motion before it does.
+        void TakeOutSpike()
+        {
+            double to = _positions[1] - _positions[2], from = _positions[0] - _positions[1];
+            var less = Math.Min(Math.Abs(to), Math.Abs(from));
+            if (to * from >= 0) _greatestWay = Math.Max(_greatestWay, less);
+            else if (_greatestWay > 0 && less > SpikeWays * _greatestWay)
+                _positions[1] = _positions[2] + (_positions[0] - _positions[2]) * (_times[1] - _times[2]) / (_times[0] - _times[2]);
         }
 
         /// <summary>Grid points, with fractions, at a time.</summary>

@@ -32,6 +32,11 @@ namespace Nowpose.Prediction.Repetition
         const int FewestMoving = 2;
         const double Fading = 0.998;
         const double GreatestWayOfSense = 1e50;
+        const double IntervalLearning = 0.05;
+        const double LongestShare = 3;
+
+        /// <summary>The history is not filled over a longer one, s.</summary>
+        const double LongestGap = 2;
 
         /// <summary>A match whose square is this much worse than the best's is no match.</summary>
         const double WorstMatch = 3;
@@ -52,7 +57,9 @@ namespace Nowpose.Prediction.Repetition
         double _interval;
         double _rhythm;
         double _greatestWay;
+        double _least;
         int _matches;
+        int _rested;
 
         /// <param name="limits">Bounds of time and position.</param>
         public TemplatePredictor(PredictionLimits limits)
@@ -103,6 +110,7 @@ namespace Nowpose.Prediction.Repetition
             _search.Reset();
             _matches = 0;
             _greatestWay = 0;
+            _rested = 0;
         }
 
         // Nearer than this the history does not know yet what followed.
@@ -110,17 +118,19 @@ namespace Nowpose.Prediction.Repetition
 
         void Follow()
         {
+            var before = _matches;
             _matches = 0;
             var interval = _newest[0].Time - _newest[1].Time;
             var way = Math.Abs(_newest[0].Position - _newest[1].Position);
             // What overflows when it is squared would be remembered for ever.
-            if (interval > _limits.MaximumGap || !(way < GreatestWayOfSense)) Restart();
+            if (interval > Math.Min(_limits.MaximumGap, LongestGap) || !(way < GreatestWayOfSense)) Restart();
             if (_interval == 0)
             {
                 Begin();
                 return;
             }
-            _interval += 0.05 * (interval - _interval);
+            // One gap is no other rhythm.
+            _interval += IntervalLearning * (Math.Min(interval, LongestShare * _rhythm) - _interval);
             if (_interval > RhythmChange * _rhythm || _interval * RhythmChange < _rhythm)
             {
                 Restart();
@@ -129,7 +139,18 @@ namespace Nowpose.Prediction.Repetition
             _history.Add(_newest[0].Time, _newest[0].Position);
             _search.Follow(_history, LeastLag, Math.Exp(-_history.Step / Forgetting));
             _greatestWay = Math.Max(Fading * _greatestWay, way);
-            Match();
+            _rested = way <= RestShare * _greatestWay ? _rested + 1 : 0;
+            if (before > 0 && _rested > FewestSamples) Rest(before);
+            else Match();
+        }
+
+        // After a while at rest nothing tells one place from another: the matches stay what they were, and time goes on.
+        void Rest(int matches)
+        {
+            for (var i = 0; i < matches; i++)
+                if (!KnowsWhatFollowed(_lags[i])) return;
+            _matches = matches;
+            Tabulate(_least);
         }
 
         // The grid takes the samples' own rhythm, so that it falls on them and interpolates nothing.
@@ -146,18 +167,21 @@ namespace Nowpose.Prediction.Repetition
         void Match()
         {
             var samples = SamplesInWindow();
-            var least = double.PositiveInfinity;
+            _least = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
             {
-                if (!_overlay.TryFind(_search.Lags[i], LeastLag, samples)) continue;
+                if (!_overlay.TryFind(_search.Lags[i], LeastLag, samples) || !KnowsWhatFollowed(_overlay.Lag)) continue;
                 _lags[_matches] = _overlay.Lag;
                 _errors[_matches] = _overlay.MeanSquare;
                 // What the newest samples lie off the history goes on lying off.
                 _offsets[_matches] = _overlay.Offset;
-                least = Math.Min(least, _errors[_matches++]);
+                _least = Math.Min(_least, _errors[_matches++]);
             }
-            if (_matches > 0) Tabulate(least);
+            if (_matches > 0) Tabulate(_least);
         }
+
+        bool KnowsWhatFollowed(double lag) => _history.Covers(_history.IndexOf(NewestTime) - lag)
+            && _history.Covers(_history.IndexOf(NewestTime + ForecastGrid.Span) - lag);
 
         // In motion the samples since its start decide: how long the joint rested before is not how it moves now.
         int SamplesInWindow()

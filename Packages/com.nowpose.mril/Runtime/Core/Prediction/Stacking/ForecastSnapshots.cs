@@ -3,7 +3,7 @@ namespace Nowpose.Prediction.Stacking
     /// <summary>Forecasts as they were made, kept until the samples that they are about have come.</summary>
     sealed class ForecastSnapshots
     {
-        const int Capacity = 40;
+        const int Capacity = 64;
 
         readonly Snapshot[] _snapshots = new Snapshot[Capacity];
         int _first;

@@ -88,6 +88,12 @@ namespace Nowpose.Prediction.Stacking
                 else FillProcess(history, tables, i);
         }
 
+        /// <summary>Forgets the rhythm of the samples.</summary>
+        public void Reset()
+        {
+            foreach (var process in _processes) process.Reset();
+        }
+
         static void FillLine(double[] tables, int forecast, double speed)
         {
             var start = forecast * ForecastGrid.Points;

@@ -42,6 +42,9 @@ namespace Nowpose.Prediction.Stacking
         const double Epsilon = 1e-6;
         const double GreatestSquareOfSense = 1e100;
 
+        /// <summary>Share of the memory that must be filled before anything counts as an outlier.</summary>
+        const double LeastEvidence = 0.02;
+
         readonly PredictionLimits _limits;
         readonly SampleHistory _history = new SampleHistory(LongestWindow);
         readonly ShockDetector _shocks = new ShockDetector();
@@ -55,6 +58,7 @@ namespace Nowpose.Prediction.Stacking
         readonly double[] _priorWhenTold = Forecasters.PriorWhenTold();
         readonly double[] _line = Forecasters.Only(Forecasters.Linear);
         readonly double[] _hold = Forecasters.Only(Forecasters.Hold);
+        readonly OutlierBound _outliers = new OutlierBound();
         readonly double[] _errors = new double[Forecasters.Count];
         readonly double[] _table = new double[ForecastGrid.Points];
         double[] _weights;
@@ -112,7 +116,9 @@ namespace Nowpose.Prediction.Stacking
             _history.Clear();
             _shocks.Reset();
             _standstill.Reset();
+            _forecasters.Reset();
             _snapshots.Clear();
+            _outliers.Reset();
             _overall.Reset(_prior);
             _moving.Reset(_prior);
             _resting.Reset(_prior);
@@ -215,13 +221,7 @@ namespace Nowpose.Prediction.Stacking
         {
             var ahead = _history.NewestTime - snapshot.Time;
             if (share < LeastShare || snapshot.Shocks != _shocks.Count || ahead > ForecastGrid.Span) return false;
-            var mixture = 0.0;
-            for (var i = 0; i < Forecasters.Count; i++)
-            {
-                _errors[i] = ForecastGrid.Read(snapshot.Tables, i * ForecastGrid.Points, ahead) + snapshot.Position - Hold;
-                mixture += _overall.Values[i] * _errors[i];
-            }
-            var square = Math.Max(_errors[Forecasters.Hold] * _errors[Forecasters.Hold], mixture * mixture);
+            var square = ErrorsOf(snapshot, ahead);
             var keeping = Math.Exp(-_interval * share / Memory);
             _greatestSquare = Math.Max(_greatestSquare * keeping, square);
             var isTelling = square > LeastShareOfSquare * _greatestSquare;
@@ -232,6 +232,22 @@ namespace Nowpose.Prediction.Stacking
         }
 
         double[] PriorNow => double.IsNaN(_history[0].Acceleration) ? _prior : _priorWhenTold;
+
+        // Fills the errors, within what is credited; their square is that of hold, or of the mixture where that is greater.
+        double ErrorsOf(ForecastSnapshots.Snapshot snapshot, double ahead)
+        {
+            var mixture = 0.0;
+            for (var i = 0; i < Forecasters.Count; i++)
+            {
+                _errors[i] = ForecastGrid.Read(snapshot.Tables, i * ForecastGrid.Points, ahead) + snapshot.Position - Hold;
+                mixture += _overall.Values[i] * _errors[i];
+            }
+            var greatest = Math.Max(Math.Abs(_errors[Forecasters.Hold]), Math.Abs(mixture));
+            if (_overall.Evidence < LeastEvidence) return greatest * greatest;
+            var bound = _outliers.Of(Math.Sqrt(_overall.MeanSquare(Forecasters.Hold)), greatest);
+            for (var i = 0; i < Forecasters.Count; i++) _errors[i] = Math.Min(Math.Max(_errors[i], -bound), bound);
+            return Math.Min(greatest, bound) * Math.Min(greatest, bound);
+        }
 
         // What is far faster than anything scored meets weights learned from noise, or none: the first start would be lost.
         double[] Choose(double speed)

@@ -95,7 +95,8 @@ IsOnlyNoise = IsAtRest && IsNoise(history);
         {
             var logarithm = Math.Log(Math.Max(range, LeastShare * _greatestRange + Tiny));
             if (!_knowsNoise) _logarithm = logarithm;
-            _knowsNoise = true;
+            // As long as nothing has ever moved, nothing is known of the noise.
+            _knowsNoise = _greatestRange > 0;
             var share = logarithm > _logarithm ? Quantile : Quantile - 1;
             _logarithm += Learning * Math.Min(interval, LongestLearning) / LongestLearning * share;
         }

@@ -12,12 +12,16 @@ namespace Nowpose.Prediction.Stamps
         /// <summary>Less scatter than this does no harm, s.</summary>
         const double LeastDeviation = 0.3e-3;
 
+        /// <summary>Stamps that scatter by less are not late now and then, s.</summary>
+        const double CleanDeviation = 1e-3;
+
         /// <summary>In deviations; scatter alone stays within two where it is uniform.</summary>
         const double GreatestLead = 3;
 
         readonly IJointPredictor _inner;
         readonly StampLine _line = new StampLine();
         readonly StampJudge _judge = new StampJudge();
+        readonly BeatWatch _watch = new BeatWatch();
         JointSample _newest;
         bool _hasSample;
 
@@ -37,7 +41,7 @@ namespace Nowpose.Prediction.Stamps
         public SampleOutcome Add(in JointSample sample)
         {
             var isNewest = !_hasSample || sample.Order > _newest.Order;
-            if (isNewest) _line.Add(sample.Time);
+            if (isNewest) Follow(sample.Time);
             var time = Corrected(sample, isNewest);
             var outcome = _inner.Add(new JointSample(time, sample.Position, time, sample.Velocity, sample.Acceleration));
             if (!isNewest) return outcome;
@@ -57,7 +61,16 @@ namespace Nowpose.Prediction.Stamps
             _hasSample = false;
             _line.Reset();
             _judge.Reset();
+            _watch.Reset();
             _inner.Reset();
+        }
+
+        void Follow(double stamp)
+        {
+            _line.Add(stamp);
+            if (!_line.IsKnown || !_watch.Add(stamp - _line.Newest, _line.Deviation, LeastDeviation)) return;
+            _line.Reset();
+            _line.Add(stamp);
         }
 
         double Corrected(in JointSample sample, bool isNewest)
@@ -66,9 +79,11 @@ namespace Nowpose.Prediction.Stamps
             var onLine = isNewest ? _line.Newest : _line.Nearest(sample.Time);
             if (isNewest) _judge.Add(sample.Time, onLine, sample.Position);
             var isScattered = _line.Deviation > LeastDeviation && !_line.IsScatteredOut;
-            // A stamp may be late by any delay, but none comes before its time: then the beat has changed.
-            var isEarly = sample.Time < onLine - GreatestLead * _line.Deviation;
-            return isScattered && !isEarly && _judge.PrefersLine ? onLine : sample.Time;
+            // A stamp may be late by any delay, but none comes before its time: then the beat has changed. So it has when the
+            // stamps were nearly clean, or one after the other is late.
+            var off = sample.Time - onLine;
+            var isOffBeat = (off < 0 || _line.Deviation < CleanDeviation || _watch.Run > 1) && Math.Abs(off) > GreatestLead * _line.Deviation;
+            return isScattered && !isOffBeat && _judge.PrefersLine ? onLine : sample.Time;
         }
     }
 }

@@ -100,6 +100,7 @@ namespace Nowpose.Prediction.Stamps
                 best = lost;
             }
             Number(span / (_count - 1 + best));
+            if (!IsKnown) Reset();
         }
 
         void Number(double interval)

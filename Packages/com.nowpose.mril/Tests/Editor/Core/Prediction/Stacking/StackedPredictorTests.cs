@@ -104,7 +104,7 @@ namespace Nowpose.Tests
                 used.Add(Sample(k));
                 fresh.Add(Sample(k));
 
-                Assert.That(used.At(k * Interval + 0.1).Position, Is.EqualTo(fresh.At(k * Interval + 0.1).Position));
+                Assert.That(used.At(k * Interval + 0.1).Position, Is.EqualTo(fresh.At(k * Interval + 0.1).Position).Within(1e-9));
             }
         }
 

@@ -1,0 +1,90 @@
+using System;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    /// <summary>What plants do now and then, and what must not spoil the prediction for long.</summary>
+    public class AdaptiveInTheFieldTests
+    {
+        const double Latency = 0.1;
+
+        [TestCase(0.5)]
+        [TestCase(2 * Math.PI)]
+        [TestCase(1000)]
+        [TestCase(1e40)]
+        public void OneWrongSample_IsForgottenWithinSeconds(double glitch)
+        {
+            var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
+            double Rms(double from, double to) => Run(predictor, k => k * 0.05, (k, x) => k == 400 ? x + glitch : x, from, to);
+
+            Rms(0, 40);
+            var soon = Rms(40, 80);
+            var later = Rms(80, 140);
+
+            Assert.That(soon, Is.LessThan(0.03), "hold errs by 0.3");
+            Assert.That(later, Is.LessThan(0.006));
+        }
+
+        [TestCase(0.05, 0.06, 0)]
+        [TestCase(0.02, 0.0205, 0)]
+        [TestCase(0.05, 0.051, 0)]
+        [TestCase(0.05, 0.02, 0)]
+        [TestCase(0.1, 0.05, 0)]
+        [TestCase(0.05, 0.05, 0.01)]
+        [TestCase(0.02, 0.02, 0.008)]
+        public void AnotherBeat_DoesNotShow(double before, double after, double shift)
+        {
+            var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
+            var turn = (int)(30 / before);
+            var worst = 0.0;
+
+            Run(predictor, k => k < turn ? k * before : turn * before + shift + (k - turn) * after, (_, x) => x, 0, 60,
+                (t, error) => worst = t > 20 ? Math.Max(worst, Math.Abs(error)) : 0);
+
+            Assert.That(worst, Is.LessThan(0.08), "hold errs by 0.3");
+        }
+
+        [Test]
+        public void PositionsThatNeverChangeAtFirst_LeaveRestQuietLater()
+        {
+            const double noise = 1e-4;
+            var random = new Random(4);
+            var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
+            double squares = 0, count = 0;
+            for (var k = 0; k < 1600; k++)
+            {
+                var t = k * 0.05;
+                var truth = t < 5 ? 0 : t < 35 ? Motion(t - 5) - Motion(0) : Motion(30) - Motion(0);
+                predictor.Add(new JointSample(t, truth + (t < 5 ? 0 : noise * 2 * (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5))));
+                if (t < 40) continue;
+                squares += Math.Pow(predictor.At(t + Latency).Position - truth, 2);
+                count++;
+            }
+
+            Assert.That(Math.Sqrt(squares / count), Is.LessThan(8 * noise), "seed 4");
+        }
+
+        static double Motion(double t) => Math.Sin(2 * t) + 0.4 * Math.Sin(5.1 * t + 1);
+
+        double _time;
+        int _next;
+
+        // Frames at 60 Hz from one time to another; the samples of before have been given already.
+        double Run(
+            IJointPredictor predictor, Func<int, double> timeOf, Func<int, double, double> told, double from, double to,
+            Action<double, double> look = null)
+        {
+            if (from == 0) (_time, _next) = (0, 0);
+            double squares = 0, count = 0;
+            for (; _time < to; _time += 1 / 60.0, count++)
+            {
+                for (; timeOf(_next) + Latency <= _time; _next++) predictor.Add(new JointSample(timeOf(_next), told(_next, Motion(timeOf(_next)))));
+                var error = predictor.At(_time).Position - Motion(_time);
+                squares += error * error;
+                look?.Invoke(_time, error);
+            }
+            return Math.Sqrt(squares / count);
+        }
+    }
+}
