@@ -2,3 +2,9 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket")]
 [assembly: InternalsVisibleTo("Nowpose.Cli")]
+
+// What tells an overtaken sample from a clock that went back has laws of its own, which a whole session would blur.
+[assembly: InternalsVisibleTo("Nowpose.Tests")]
+
+// Only this package's repository has it: the same in the studies' simulated conditions.
+[assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]

@@ -26,10 +26,13 @@ namespace Nowpose.Protocol
         }
 
         /// <summary>Counts one drop; <see cref="DropReason.None"/> is not one.</summary>
-        public void Count(DropReason reason)
+        public void Count(DropReason reason) => Count(reason, 1);
+
+        /// <summary>Counts so many drops for the same reason; <see cref="DropReason.None"/> is not one.</summary>
+        public void Count(DropReason reason, int drops)
         {
             if (reason != DropReason.None)
-                Interlocked.Increment(ref _counts[(int)reason]);
+                Interlocked.Add(ref _counts[(int)reason], drops);
         }
 
         /// <summary>The reasons that occurred, with their counts, in the order of the enumeration.</summary>

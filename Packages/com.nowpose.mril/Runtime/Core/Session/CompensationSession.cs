@@ -65,6 +65,7 @@ namespace Nowpose.Session
             _tracks = new JointTracks(robot, settings.Prediction);
             _frame = new DisplayFrame(robot, _tracks);
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
+            _tracks.StartedAnew += _hindcast.StartAnew;
         }
 
         public RobotModel Robot { get; }
@@ -337,9 +338,9 @@ namespace Nowpose.Session
                 Judged(arrival, DropReason.StampInFuture);
                 return;
             }
-            var reason = _tracks.Add(arrival.Message, out var overtaken);
+            var reason = _tracks.Add(arrival.Message, out var useless);
             Judged(arrival, reason);
-            Drops.Count(overtaken);
+            useless.CountIn(Drops);
             if (reason != DropReason.None) return;
             _samples++;
             _hindcast.Add(arrival.Message);

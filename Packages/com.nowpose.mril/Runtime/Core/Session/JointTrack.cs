@@ -1,21 +1,24 @@
+using System;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Planning;
 
 namespace Nowpose.Session
 {
-    /// <summary>One joint's samples on their way to its predictor: tells a sample that was overtaken from a clock that went back.</summary>
+    /// <summary>One joint's samples on their way to its predictor: tells samples that were overtaken from a clock that went back.</summary>
     /// <remarks>
-    /// Both arrive with a stamp that is not newer than the newest. Taking a sample of a stepped clock for an overtaken one
-    /// tears the section apart, so a late sample waits for the next: if that one is newer, it was overtaken and goes to
-    /// its place; if that one is late too, the source's time went back and the history starts anew with the two.
+    /// Both arrive with stamps that are not newer than the newest. Taking a sample of a stepped clock for an overtaken one tears
+    /// the section apart, and taking an overtaken one for a stepped clock throws away all that was learned. So late samples wait:
+    /// when a newer one comes they were overtaken and go to their places; when they tell by their number, or by positions
+    /// where the joint was not, that time went back, the history starts anew with them.
     /// </remarks>
     sealed class JointTrack
     {
         readonly BlendedPredictor _predictor;
         readonly PlannedPredictor _planned;
-        JointSample _late;
-        bool _hasLate;
+        readonly LateSamples _late = new LateSamples();
+        readonly RecentSamples _recent = new RecentSamples();
+        double _newestOrder = double.NegativeInfinity;
 
         public JointTrack(PredictionSettings settings, JointLimits joint)
         {
@@ -32,19 +35,25 @@ namespace Nowpose.Session
         /// <summary>The newest sample's position.</summary>
         public double Hold => _predictor.Hold;
 
+        /// <summary>Whether the last sample added told that the source's time went back: all before is forgotten.</summary>
+        public bool HasStartedAnew { get; private set; }
+
         public JointPrediction At(double time) => _predictor.At(time);
 
-        /// <param name="overtaken">What became of the sample that had waited for this one; late while there was none, or it still waits.</param>
-        public SampleOutcome Add(in JointSample sample, out SampleOutcome overtaken)
+        /// <param name="useless">Samples that had waited, and were of no use now that they came to their places.</param>
+        /// <returns>Late when it waits.</returns>
+        public SampleOutcome Add(in JointSample sample, out UselessSamples useless)
         {
-            overtaken = SampleOutcome.Late;
-            if (sample.Order > _predictor.NewestTime) return AddNewer(sample, out overtaken);
+            useless = default;
+            HasStartedAnew = false;
+            if (sample.Order > _newestOrder) return AddNewer(sample, out useless);
             // The same message twice, or a source that stamps more coarsely than it samples: neither is about time going back.
-            if (sample.Order == _predictor.NewestTime) return SampleOutcome.Duplicate;
-            if (_hasLate) return StartAnew(sample);
-            _late = sample;
-            _hasLate = true;
-            return SampleOutcome.Late;
+            if (sample.Order == _newestOrder || _recent.Contains(sample) || _late.Contains(sample)) return SampleOutcome.Duplicate;
+            if (!_late.IsContinuedBy(sample)) TakeLate(out useless);
+            _late.Add(sample, _recent.Contradict(sample));
+            if (!_late.TellThatTimeWentBack(_newestOrder)) return SampleOutcome.Late;
+            StartAnew();
+            return SampleOutcome.Accepted;
         }
 
         /// <param name="path">Null when what was planned is off.</param>
@@ -58,23 +67,42 @@ namespace Nowpose.Session
 
         public void Reset()
         {
+            Forget();
+            _late.Clear();
+        }
+
+        SampleOutcome AddNewer(in JointSample sample, out UselessSamples useless)
+        {
+            TakeLate(out useless);
+            return Take(sample);
+        }
+
+        void TakeLate(out UselessSamples useless)
+        {
+            useless = default;
+            foreach (ref readonly var late in _late.All) useless = useless.With(Take(late));
+            _late.Clear();
+        }
+
+        void StartAnew()
+        {
+            Forget();
+            TakeLate(out _);
+            HasStartedAnew = true;
+        }
+
+        SampleOutcome Take(in JointSample sample)
+        {
+            _newestOrder = Math.Max(_newestOrder, sample.Order);
+            _recent.Add(sample);
+            return _predictor.Add(sample);
+        }
+
+        void Forget()
+        {
             _predictor.Reset();
-            _hasLate = false;
-        }
-
-        SampleOutcome AddNewer(in JointSample sample, out SampleOutcome overtaken)
-        {
-            overtaken = _hasLate ? _predictor.Add(_late) : SampleOutcome.Late;
-            _hasLate = false;
-            return _predictor.Add(sample);
-        }
-
-        SampleOutcome StartAnew(in JointSample sample)
-        {
-            var first = _late;
-            Reset();
-            _predictor.Add(first);
-            return _predictor.Add(sample);
+            _recent.Clear();
+            _newestOrder = double.NegativeInfinity;
         }
     }
 }

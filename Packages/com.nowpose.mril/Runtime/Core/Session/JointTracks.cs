@@ -47,22 +47,24 @@ namespace Nowpose.Session
         /// <summary>Control time of the newest sample of any joint at the last <see cref="Predict"/>; null while there is none.</summary>
         public ControlTime? Newest { get; private set; }
 
-        /// <param name="overtaken">
-        /// Why an earlier message that had waited for this one was of no use; <see cref="DropReason.None"/> otherwise.
-        /// </param>
+        /// <summary>A joint's source went back in time and its samples of before are forgotten; raised within <see cref="Add"/>.</summary>
+        public event Action<int> StartedAnew;
+
+        /// <param name="useless">Earlier messages that had waited for this one, and were of no use.</param>
         /// <returns>Why the message was of no use; <see cref="DropReason.None"/> when a joint took its sample.</returns>
-        public DropReason Add(JointStateMessage message, out DropReason overtaken)
+        public DropReason Add(JointStateMessage message, out UselessSamples useless)
         {
             var time = SecondsOf(message.Stamp);
             var reason = DropReason.UnknownJoint;
-            overtaken = DropReason.None;
+            useless = default;
             for (var i = 0; i < message.Names.Length; i++)
             {
                 var joint = _robot.IndexOfMovingJoint(message.Names[i]);
                 if (joint < 0) continue;
                 var each = ReasonOf(_tracks[joint].Add(Sample(time, message, i), out var waited));
                 if (reason != DropReason.None) reason = each;
-                if (overtaken == DropReason.None) overtaken = ReasonOf(waited);
+                useless = UselessSamples.Most(useless, waited);
+                if (_tracks[joint].HasStartedAnew) StartedAnew?.Invoke(joint);
             }
             return reason;
         }

@@ -92,6 +92,16 @@ namespace Nowpose.Session
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
         }
 
+        /// <summary>A joint's source went back in time: its samples from now on lie on another time line than those before.</summary>
+        /// <param name="joint">Index among the robot's moving joints.</param>
+        public void StartAnew(int joint)
+        {
+            if (_placeOfJoint[joint] < 0) return;
+            _tracks[_placeOfJoint[joint]] = default;
+            // Of those that wait, the joint would tell some twice and others never.
+            _frames.Clear();
+        }
+
         /// <summary>From the next frame on, the errors of a new run are counted.</summary>
         public void RestartRun()
         {

@@ -385,6 +385,29 @@ namespace Nowpose.Tests
             Assert.That(session.Statistics(default).Samples, Is.EqualTo(1000));
         }
 
+        [Test]
+        public void Received_SamplesOvertakenInARow_AreUsedAndLoseNothing()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            foreach (var at in new[] { 1.0, 1.02, 1.04, 1.06, 1.14, 1.08, 1.1, 1.12, 1.16 }) Send(session, at, at);
+
+            session.Tick(HeadsetTime.FromSeconds(1));
+
+            Assert.That(session.Drops.Total, Is.EqualTo(0));
+            Assert.That(session.Statistics(default).Samples, Is.EqualTo(9));
+        }
+
+        [Test]
+        public void Received_UselessSamplesInARow_AreCountedByTheMessage()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            foreach (var at in new[] { 1.0, 1.04, 1.08, 1.12, 1.16, 1.06, 1.02, 1.2 }) Send(session, at, at);
+
+            session.Tick(HeadsetTime.FromSeconds(1));
+
+            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(2), "a quadratic looks back over three; two joints each");
+        }
+
         [TestCase("", "host: ''")]
         [TestCase("not a host", "host: 'not a host'")]
         [TestCase("192.168.0.5", "is not this machine")]

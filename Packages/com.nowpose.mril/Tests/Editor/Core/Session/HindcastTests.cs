@@ -221,6 +221,35 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Statistics_StampsGoBack_JudgeFramesAtOnceAgain()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
+            simulated.Run(8);
+            simulated.IsSamplingByTest = true;
+            void Send(TimeSpan ahead)
+            {
+                var now = HeadsetTime.FromSeconds(simulated.Now);
+                simulated.Session.Received(new JointStateMessage(
+                    simulated.Link.TrueOffset(now).ToControl(now) + ahead, new[] { "shoulder", "elbow" },
+                    new[] { Math.Sin(3 * simulated.Now), 0 }), now);
+                simulated.Run(0.02);
+            }
+            // As long as all that is known of the error is forgotten.
+            for (var i = 0; i < 600; i++) Send(Lengths.Ms(900));
+            var before = Statistics(simulated).HoldErrorMm;
+            var sent = 0;
+
+            while (Statistics(simulated).HoldErrorMm == null && sent < 100)
+            {
+                Send(TimeSpan.Zero);
+                sent++;
+            }
+
+            Assert.That(before, Is.Null, "nobody can judge frames older than the samples");
+            Assert.That(sent * 20, Is.LessThan(500), "ms; 900 until the stamps are newer than the newest of before");
+        }
+
+        [Test]
         public void Statistics_OneJointSilent_WaitForIt()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };

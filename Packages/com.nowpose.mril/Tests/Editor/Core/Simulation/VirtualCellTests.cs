@@ -149,7 +149,7 @@ namespace Nowpose.Tests
 
             run.Run(30);
 
-            Assert.That(run.Errors.Count, Is.LessThan(run.Frames / 2), "current");
+            Assert.That(run.Errors.Count, Is.LessThan(0.6 * run.Frames), "current");
             if (run.Errors.Count > 0) Assert.That(Rms(run.Errors), Is.LessThan(0.7 * Rms(run.HoldErrors)), "what is called current is better than the hold");
         }
 
