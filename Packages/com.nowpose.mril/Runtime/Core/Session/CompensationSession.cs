@@ -18,7 +18,10 @@ namespace Nowpose.Session
     /// </remarks>
     public sealed class CompensationSession : IRosbridgeListener, IDisposable
     {
-        /// <summary>So many messages may wait for the next frame; beyond, the oldest go. Ten seconds at 100 Hz.</summary>
+        /// <summary>
+        /// So many messages may wait for the next frame; beyond, the oldest go. Ten seconds at 100 Hz: enough for the newest of a
+        /// joint that speaks seldom. How many of them a frame solves is for <see cref="SampleBacklog"/> to say.
+        /// </summary>
         const int QueueLength = 1000;
 
         const double MillimetresPerMetre = 1000;
@@ -37,6 +40,7 @@ namespace Nowpose.Session
         readonly HindcastMonitor _hindcast;
         readonly ApplicationLatency _latency = new ApplicationLatency();
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
+        readonly SampleBacklog _backlog;
         readonly ConcurrentQueue<PlannedMotion> _plans = new ConcurrentQueue<PlannedMotion>();
         readonly object _gate = new object();
         VisualisationLatency _visualisation;
@@ -66,6 +70,7 @@ namespace Nowpose.Session
             _frame = new DisplayFrame(robot, _tracks);
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
             _tracks.StartedAnew += _hindcast.StartAnew;
+            _backlog = new SampleBacklog(robot, QueueLength);
         }
 
         public RobotModel Robot { get; }
@@ -177,7 +182,7 @@ namespace Nowpose.Session
             {
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
                 ForgetWhatAnotherClockStamped(start, clock);
-                while (_arrivals.TryDequeue(out var arrival)) Take(arrival, clock);
+                TakeArrivals(clock);
                 // Their stamps can be judged, and mean anything, only with the clock; a source may not send them again for long.
                 while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
                 var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;
@@ -329,6 +334,15 @@ namespace Nowpose.Session
 
         bool IsTrusted(in ClockModel clock) => clock.State == ClockState.Synchronised
             || (clock.State == ClockState.Holdover && clock.ErrorBound <= _settings.Clock.GreatestHoldoverError);
+
+        void TakeArrivals(in ClockModel clock)
+        {
+            _backlog.TakeFrom(_arrivals);
+            for (var i = 0; i < _backlog.Count; i++)
+                if (_backlog.IsWorthwhile(i)) Take(_backlog[i], clock);
+                else Judged(_backlog[i], DropReason.SlowReader);
+            _backlog.Clear();
+        }
 
         void Take(in SampleArrival arrival, in ClockModel clock)
         {

@@ -381,8 +381,39 @@ namespace Nowpose.Tests
 
             session.Tick(default);
 
-            Assert.That(session.Drops[DropReason.SlowReader], Is.EqualTo(100));
-            Assert.That(session.Statistics(default).Samples, Is.EqualTo(1000));
+            Assert.That(session.Drops[DropReason.SlowReader], Is.EqualTo(1080));
+            Assert.That(session.Statistics(default).Samples, Is.EqualTo(20));
+        }
+
+        [Test]
+        public void Tick_ThousandMessagesWait_SolvesTheNewestOfEachJointAndCountsTheOthers()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            var judged = new List<(ControlTime Stamp, DropReason Reason)>();
+            session.SampleJudged += (arrival, reason) => judged.Add((arrival.Message.Stamp, reason));
+            session.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "grip" }, new[] { 0.02 }), default);
+            for (var i = 1; i < 1000; i++) Send(session, 1 + i * 0.01, i * 0.001);
+
+            var frame = session.Tick(HeadsetTime.FromSeconds(20));
+
+            Assert.That(frame.Joints[Shoulder], Is.EqualTo(0.999));
+            Assert.That(frame.Joints[TestRobot.Model.IndexOfMovingJoint("grip")], Is.EqualTo(0.02), "the only one it sent");
+            Assert.That(session.Statistics(default).Samples, Is.EqualTo(21));
+            Assert.That(session.Drops[DropReason.SlowReader], Is.EqualTo(979));
+            Assert.That(judged.Select(j => j.Stamp), Is.Ordered.And.Exactly(1000).Items, "each is told of, in the order of arrival");
+            Assert.That(judged.Skip(980).Select(j => j.Reason), Is.All.EqualTo(DropReason.None));
+        }
+
+        [Test]
+        public void Tick_FewMessagesWait_TakesThemAll()
+        {
+            var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
+            for (var i = 0; i < 30; i++) Send(session, 1 + i * 0.01, i * 0.001);
+
+            session.Tick(default);
+
+            Assert.That(session.Statistics(default).Samples, Is.EqualTo(30));
+            Assert.That(session.Drops.Total, Is.EqualTo(0));
         }
 
         [Test]
