@@ -9,6 +9,9 @@ sealed class MotionRecordingReader : IDisposable
 {
     const int LongestShownValue = 40;
 
+    /// <summary>So that differences of any two are finite.</summary>
+    const double GreatestValue = 8e307;
+
     readonly string _path;
     readonly CsvParser _csv;
     readonly List<double> _times = [];
@@ -109,6 +112,8 @@ sealed class MotionRecordingReader : IDisposable
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
             throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a number (a point is the decimal sign)");
         if (!double.IsFinite(value)) throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a finite number");
+        if (Math.Abs(value) > GreatestValue)
+            throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is too large; up to {GreatestValue:0e+0} are allowed");
         return value;
     }
 

@@ -36,6 +36,8 @@ static class RecommendTable
         var reduction = Percent(verdict.Recommended.Reduction, "0");
         console.WriteLine($"It takes {reduction} of the error away ({Percent(verdict.Recommended.First.Reduction, "0")} and "
             + $"{Percent(verdict.Recommended.Second.Reduction, "0")} in the halves).");
+        // Interrupted before it was tried.
+        if (blend.Share == null) return;
         console.WriteLine(Text($"Use blend {blend.RecommendedMs:0} ms: ")
             + $"{PredictionSettings.DefaultBlendMs} ms cost {Percent(blend.Share)} of RMS error ({Percent(blend.ShareOfHalves[0])} and "
             + $"{Percent(blend.ShareOfHalves[1])} in the halves), and take the jumps between predictions.");

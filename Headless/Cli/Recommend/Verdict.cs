@@ -22,6 +22,9 @@ sealed class Verdict
         Recommended = Trials.FirstOrDefault(trial => IsBetter(trial, Default)) ?? Default;
     }
 
+    /// <summary>Whoever errs so much more or less overall is told apart, whatever the halves say.</summary>
+    const double GreatestTie = 0.5;
+
     public ISubject Subject { get; }
 
     /// <summary>The best one first.</summary>
@@ -32,7 +35,7 @@ sealed class Verdict
     public Trial Recommended { get; }
 
     /// <summary>Whether a candidate and the recommended one each win on one half: nobody can tell which is better.</summary>
-    public bool IsTie(Trial trial) => trial != Recommended
+    public bool IsTie(Trial trial) => trial != Recommended && Math.Abs(trial.GainOver(Recommended) ?? 0) < GreatestTie
         && trial.IsBetterThan(Recommended, Half.First) != trial.IsBetterThan(Recommended, Half.Second);
 
     /// <summary>In one sentence.</summary>

@@ -4,12 +4,16 @@ namespace Nowpose.Cli.Figures.Clocks;
 sealed class ClockRuns
 {
     readonly ClockInstant[,][] _runs;
+    readonly Lazy<ClockErrors>[] _errors;
 
     public ClockRuns(FigureSettings settings)
     {
         Seconds = settings.ClockSeconds;
         Logs = [.. Enumerable.Range(0, settings.ClockRuns).Select(i => new SimulatedExchanges(settings.Seed * 1000 + i, Seconds))];
         _runs = new ClockInstant[ClockMethod.All.Count, Logs.Count][];
+        // Sorted once: figures ask row by row.
+        _errors = [.. Enumerable.Range(0, ClockMethod.All.Count).Select(
+            m => new Lazy<ClockErrors>(() => ClockErrors.Of([.. Logs.Select((log, l) => (_runs[m, l], log))])))];
         Work = [.. from m in Enumerable.Range(0, ClockMethod.All.Count) from l in Enumerable.Range(0, Logs.Count)
             select (Action)(() => _runs[m, l] = ClockRun.Of(ClockMethod.All[m], Logs[l], Seconds))];
     }
@@ -25,5 +29,5 @@ sealed class ClockRuns
     public IReadOnlyList<ClockInstant> First(int method) => _runs[method, 0];
 
     /// <summary>By method, over all logs.</summary>
-    public ClockErrors Errors(int method) => ClockErrors.Of([.. Logs.Select((log, l) => (_runs[method, l], log))]);
+    public ClockErrors Errors(int method) => _errors[method].Value;
 }

@@ -55,7 +55,9 @@ namespace Nowpose.Session
                 add("error/" + joint.Joint, joint.Error?.Rms);
                 add("error_p95/" + joint.Joint, joint.Error?.P95);
                 add("error_hold/" + joint.Joint, joint.Error?.HoldRms);
+                add("error_hold_p95/" + joint.Joint, joint.Error?.HoldP95);
                 add("reduction/" + joint.Joint, joint.Error?.Reduction);
+                add("reduction_uncertainty/" + joint.Joint, joint.Error?.ReductionUncertainty);
             }
         }
 

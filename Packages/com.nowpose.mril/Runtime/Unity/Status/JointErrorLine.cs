@@ -10,18 +10,17 @@ namespace Nowpose.Unity
     sealed class JointErrorLine
     {
         readonly StringBuilder _builder = new StringBuilder();
-        int?[] _percents = Array.Empty<int?>();
+        (int? Reduction, int? Uncertainty)[] _percents = Array.Empty<(int?, int?)>();
         string _text = "";
 
-        /// <summary>"arm_joint_1 92 %, …" from the base on; a joint that rests, or is not known yet, has no number. Empty without joints.</summary>
+        /// <summary>"arm_joint_1 92 ± 3 %, …" from the base on; a joint that rests, or is not known yet, has no number. Empty without joints.</summary>
         public string Of(IReadOnlyList<JointError> joints)
         {
             var isSame = joints.Count == _percents.Length;
-            if (!isSame) _percents = new int?[joints.Count];
+            if (!isSame) _percents = new (int?, int?)[joints.Count];
             for (var i = 0; i < joints.Count; i++)
             {
-                var reduction = joints[i].Error?.Reduction;
-                var percent = reduction.HasValue ? (int)Math.Round(100 * reduction.Value) : (int?)null;
+                var percent = (Percent(joints[i].Error?.Reduction), Percent(joints[i].Error?.ReductionUncertainty));
                 isSame &= percent == _percents[i];
                 _percents[i] = percent;
             }
@@ -34,10 +33,18 @@ namespace Nowpose.Unity
             for (var i = 0; i < joints.Count; i++)
             {
                 if (i > 0) _builder.Append(", ");
-                var percent = _percents[i].HasValue ? _percents[i].Value.ToString(CultureInfo.InvariantCulture) + " %" : NumberTexts.Unknown;
-                _builder.Append(joints[i].Joint).Append(' ').Append(percent);
+                _builder.Append(joints[i].Joint).Append(' ').Append(Text(_percents[i]));
             }
             return _builder.ToString();
         }
+
+        static string Text((int? Reduction, int? Uncertainty) percent)
+        {
+            if (!percent.Reduction.HasValue) return NumberTexts.Unknown;
+            var interval = percent.Uncertainty.HasValue ? " ± " + percent.Uncertainty.Value.ToString(CultureInfo.InvariantCulture) : "";
+            return percent.Reduction.Value.ToString(CultureInfo.InvariantCulture) + interval + " %";
+        }
+
+        static int? Percent(double? share) => share.HasValue ? (int)Math.Round(100 * share.Value) : (int?)null;
     }
 }

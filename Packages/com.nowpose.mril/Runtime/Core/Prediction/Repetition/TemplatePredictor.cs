@@ -30,6 +30,10 @@ namespace Nowpose.Prediction.Repetition
         const double RestShare = 1e-3;
 
         const int FewestMoving = 2;
+
+        /// <summary>After so many samples at rest another search finds nothing new.</summary>
+        const int LongRest = 16;
+
         const double Fading = 0.998;
         const double GreatestWayOfSense = 1e50;
         const double IntervalLearning = 0.05;
@@ -140,7 +144,7 @@ namespace Nowpose.Prediction.Repetition
             _search.Follow(_history, LeastLag, Math.Exp(-_history.Step / Forgetting));
             _greatestWay = Math.Max(Fading * _greatestWay, way);
             _rested = way <= RestShare * _greatestWay ? _rested + 1 : 0;
-            if (before > 0 && _rested > FewestSamples) Rest(before);
+            if (before > 0 && _rested > LongRest) Rest(before);
             else Match();
         }
 

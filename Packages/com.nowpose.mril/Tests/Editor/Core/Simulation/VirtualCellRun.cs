@@ -28,12 +28,17 @@ namespace Nowpose.Tests
         {
             _fps = fps;
             Clock = new VirtualClock(Start, TimeSpan.FromSeconds(1000), 37e-6);
-            Cell = new VirtualCell(new PickAndPlaceMotion(Robot), Clock, settings, seed, Start);
+            var motion = new PickAndPlaceMotion(Robot);
+            CycleSeconds = motion.CycleSeconds;
+            Cell = new VirtualCell(motion, Clock, settings, seed, Start);
             Session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor)),
                 Robot, new StopwatchHeadsetClock());
             Session.SampleTaken += (arrival, _) => Taken.Add(arrival);
         }
+
+        /// <summary>After this long the motion repeats, s.</summary>
+        public double CycleSeconds { get; }
 
         public VirtualCell Cell { get; }
         public VirtualClock Clock { get; }
