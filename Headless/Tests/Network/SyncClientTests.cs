@@ -17,7 +17,7 @@ public class SyncClientTests
     (SyncClient Client, ClockSynchroniser Clock) Connect(int port, CertificatePin pin = null)
     {
         var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
-        return (new SyncClient(new ConnectionSettings("127.0.0.1", port, pin: pin), new StopwatchHeadsetClock(), clock, _faults, new ExchangePace(Quick, Quick)), clock);
+        return (new SyncClient(new ConnectionSettings("127.0.0.1", port, pin: pin), new StopwatchHeadsetClock(), clock, _faults, new ExchangePace(Quick, Quick, new Random(1))), clock);
     }
 
     static SyncFrame Reply(SyncFrame request, long t2Ns = 1000, long t3Ns = 2000, uint? sequence = null, long? t1Ns = null) =>
@@ -190,7 +190,7 @@ public class SyncClientTests
         using var server = new FakeSyncServer(_ => []);
         var client = new SyncClient(
             new ConnectionSettings("127.0.0.1", server.Port), clock,
-            new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default), _faults, new ExchangePace(Quick, Quick));
+            new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default), _faults, new ExchangePace(Quick, Quick, new Random(1)));
         await clock.Asked.Bounded();
 
         client.Dispose();

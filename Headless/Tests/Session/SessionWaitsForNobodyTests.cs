@@ -123,7 +123,7 @@ public class SessionWaitsForNobodyTests
         var settings = new ConnectionSettings("127.0.0.1", deaf.Port, deaf.Port);
         var synchroniser = new ClockSynchroniser(
             new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
-        var sync = new SyncClient(settings, clock, synchroniser, new SyncFaultCounters(), new ExchangePace(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2)));
+        var sync = new SyncClient(settings, clock, synchroniser, new SyncFaultCounters(), new ExchangePace(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1)));
         var rosbridge = new RosbridgeClient(() => WebSocketLinks.Create(settings, clock), clock, Session("127.0.0.1", 1, 1));
         await Task.Run(AMoment);
 

@@ -90,7 +90,8 @@ namespace Nowpose.Session
         public string RobotDescriptionFault => _descriptionFault;
 
         /// <summary>When to exchange, for whoever feeds <see cref="Clock"/>; each caller gets one of its own.</summary>
-        public ExchangePace NewExchangePace() => new ExchangePace(_settings.SyncInterval, _settings.Clock.HoldoverAfter);
+        /// <param name="random">As of <see cref="ExchangePace"/>.</param>
+        public ExchangePace NewExchangePace(Random random) => new ExchangePace(_settings.SyncInterval, _settings.Clock.HoldoverAfter, random);
 
         /// <summary>Takes sync exchanges; the network feeds it, and so may a test. A frame follows it without going back.</summary>
         public ClockSynchroniser Clock => _synchroniser;
@@ -154,7 +155,7 @@ namespace Nowpose.Session
         public void Connect()
         {
             if (_syncClient != null) return;
-            _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, SyncFaults, NewExchangePace());
+            _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, SyncFaults, NewExchangePace(new Random()));
             _rosbridgeClient = new RosbridgeClient(() => _newLink(_settings.Connection, _clock), _clock, this);
         }
 

@@ -14,6 +14,7 @@ namespace Nowpose.Simulation
         static readonly TimeSpan Turnaround = new TimeSpan(200);
 
         readonly VirtualClock _clock;
+        readonly int _paceSeed;
         readonly VirtualPath _up;
         readonly VirtualPath _down;
         SyncExchange? _underway;
@@ -25,6 +26,7 @@ namespace Nowpose.Simulation
         public VirtualExchanges(VirtualClock clock, int seed, HeadsetTime start)
         {
             _clock = clock;
+            _paceSeed = seed + 4;
             _up = new VirtualPath(network => network.Up(seed), seed + 1);
             _down = new VirtualPath(network => network.Down(seed + 2), seed + 3);
             _next = start;
@@ -39,7 +41,7 @@ namespace Nowpose.Simulation
                 if (_session != null) _next = now;
                 _underway = null;
                 _session = session;
-                _pace = session.NewExchangePace();
+                _pace = session.NewExchangePace(new Random(_paceSeed));
             }
             if (_next < from) _next = from;
             while (true)

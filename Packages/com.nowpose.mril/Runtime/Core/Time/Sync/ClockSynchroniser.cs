@@ -37,6 +37,9 @@ namespace Nowpose.Sync
         /// <summary>Round-trip time of the newest exchange that was used; zero before the first.</summary>
         public TimeSpan RoundTripTime => _belief.RoundTripTime;
 
+        /// <summary>Resolution of the control clock as the newest exchange that was used says; zero before the first, and when unknown.</summary>
+        public TimeSpan Resolution => _belief.Resolution;
+
         /// <summary>One standard error of the offset, at the newest exchange; zero before the first.</summary>
         public TimeSpan OffsetError => _belief.Line.OffsetError;
 
@@ -127,7 +130,8 @@ namespace Nowpose.Sync
             var contradiction = (exchange.Offset - model.OffsetAt(exchange.T4)).Duration() + exchange.RoundTripTime.Duration();
             var bound = contradiction > _belief.Bound ? contradiction : _belief.Bound;
             _belief = new Belief(
-                _belief.Line, isSerious ? ClockState.Converging : _belief.State, bound, _belief.RoundTripTime, _belief.Steps, isStepSuspected: true);
+                _belief.Line, isSerious ? ClockState.Converging : _belief.State, bound, _belief.RoundTripTime, _belief.Resolution, _belief.Steps,
+                isStepSuspected: true);
         }
 
         void Publish(in SyncExchange exchange, bool stepped)
@@ -135,8 +139,8 @@ namespace Nowpose.Sync
             var line = _estimator.Line;
             var bound = _envelope.GreatestError(line) + exchange.ServerErrorBound + _detector.Suspicion;
             _belief = new Belief(
-                line, StateOf(line, exchange.ServerSynchronised), bound, exchange.RoundTripTime, _belief.Steps + (stepped ? 1 : 0),
-                _detector.Suspicion > TimeSpan.Zero);
+                line, StateOf(line, exchange.ServerSynchronised), bound, exchange.RoundTripTime, exchange.Resolution,
+                _belief.Steps + (stepped ? 1 : 0), _detector.Suspicion > TimeSpan.Zero);
         }
 
         ClockState StateOf(in ClockLine line, bool isServerSynchronised)
@@ -150,14 +154,16 @@ namespace Nowpose.Sync
 
         sealed class Belief
         {
-            public static readonly Belief None = new Belief(default, ClockState.Unsynchronised, TimeSpan.Zero, TimeSpan.Zero, 0, false);
+            public static readonly Belief None = new Belief(default, ClockState.Unsynchronised, TimeSpan.Zero, TimeSpan.Zero, TimeSpan.Zero, 0, false);
 
-            public Belief(in ClockLine line, ClockState state, TimeSpan bound, TimeSpan roundTripTime, int steps, bool isStepSuspected)
+            public Belief(
+                in ClockLine line, ClockState state, TimeSpan bound, TimeSpan roundTripTime, TimeSpan resolution, int steps, bool isStepSuspected)
             {
                 Line = line;
                 State = state;
                 Bound = bound;
                 RoundTripTime = roundTripTime;
+                Resolution = resolution;
                 Steps = steps;
                 IsStepSuspected = isStepSuspected;
             }
@@ -166,6 +172,7 @@ namespace Nowpose.Sync
             public ClockState State { get; }
             public TimeSpan Bound { get; }
             public TimeSpan RoundTripTime { get; }
+            public TimeSpan Resolution { get; }
             public int Steps { get; }
             public bool IsStepSuspected { get; }
         }

@@ -27,6 +27,7 @@ namespace Nowpose.Sync
         static readonly TimeSpan Calm = ClockTicks.Span(10e-6), Uneasy = ClockTicks.Span(25e-6);
 
         readonly TimeSpan _quick, _usual, _slow, _silence;
+        readonly Random _random;
         HeadsetTime? _last;
         int _quickLeft;
         bool _isCalm;
@@ -35,8 +36,10 @@ namespace Nowpose.Sync
         /// <param name="silence">
         /// A pause after which the clock is in holdover: the next exchanges are quick then, and two slow ones fit into it.
         /// </param>
-        public ExchangePace(TimeSpan usual, TimeSpan silence)
+        /// <param name="random">Spreads exchanges over the steps of a coarse control clock; this one's own.</param>
+        public ExchangePace(TimeSpan usual, TimeSpan silence, Random random)
         {
+            _random = random;
             _usual = usual;
             _quick = Least(usual, Greatest(Shortest, new TimeSpan(usual.Ticks / QuickFactor)));
             _slow = Greatest(usual, Least(Least(Longest, new TimeSpan(silence.Ticks / 2)), new TimeSpan(usual.Ticks * SlowFactor)));
@@ -52,9 +55,13 @@ namespace Nowpose.Sync
             else if (_quickLeft > 0) _quickLeft--;
             _last = now;
             _isCalm = clock.ModelAt(now).State == ClockState.Synchronised && clock.OffsetError < (_isCalm ? Uneasy : Calm);
-            if (clock.Exchanges < QuickAtStart || _quickLeft > 0 || clock.IsStepSuspected) return _quick;
-            return _isCalm ? _slow : _usual;
+            var isQuick = clock.Exchanges < QuickAtStart || _quickLeft > 0 || clock.IsStepSuspected;
+            return (isQuick ? _quick : _isCalm ? _slow : _usual) + Dither(clock.Resolution);
         }
+
+        // Exchanges that meet a coarse clock at the same part of its step again and again see its rate as their own.
+        // No more than the quick pace, lest a wild resolution make it slow: several pauses together spread over a longer step too.
+        TimeSpan Dither(TimeSpan resolution) => new TimeSpan((long)(Least(resolution, _quick).Ticks * _random.NextDouble()));
 
         static TimeSpan Least(TimeSpan a, TimeSpan b) => a < b ? a : b;
         static TimeSpan Greatest(TimeSpan a, TimeSpan b) => a > b ? a : b;

@@ -45,6 +45,7 @@ namespace Nowpose.Sync
         readonly EnvelopeSide _below = new EnvelopeSide(1, History);
         readonly EnvelopeSide _above = new EnvelopeSide(-1, History);
         readonly EnvelopeFit _fit;
+        readonly UnmetPart _unmetPart = new UnmetPart();
         OffsetCurve _curve;
         double _expectedSkew, _steadySkew;
         double _skewDoubt = SkewPrior;
@@ -80,12 +81,13 @@ namespace Nowpose.Sync
             var roundTrip = Collect(newest.Received, middle);
             var running = ClockTicks.Seconds(newest.Received - _start);
             // A clock that runs faster than the prior thinks possible would leave residuals that make the data seem poor.
-            var proven = ProvenSkew.Of(_history);
+            var proven = ProvenSkew.Of(_history, exchange.Resolution);
+            var unmet = ClockTicks.Seconds(_unmetPart.Of(_history, exchange.Resolution));
             _fit.Solve(
-                ClockTicks.Seconds(roundTrip), new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend), proven.Nearest(_expectedSkew),
-                Math.Min(SkewPrior, _skewDoubt + SkewWander * running));
+                ClockTicks.Seconds(roundTrip + exchange.Resolution), unmet, new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend),
+                proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewDoubt + SkewWander * running));
             _curve = _fit.Curve;
-            Line = LineAt(newest.Received, middle, running);
+            Line = LineAt(newest.Received, middle, running, unmet);
         }
 
         // Returns the least round trip.
@@ -122,14 +124,16 @@ namespace Nowpose.Sync
             }
         }
 
-        ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running)
+        ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running, double unmet)
         {
             var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
             var skew = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
             var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
             // Half of the time there was, at first.
             _steadySkew += (skew - _steadySkew) * Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewPatience, running / 2)));
-            var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew));
+            // Off by half the part at one end and by half at the other, the other way: that is no standard error, but all there can be.
+            var hidden = unmet / Math.Max(1e-3, span) / 3;
+            var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
             return new ClockLine(
                 reference, offset, skew, ClockTicks.Span(_fit.OffsetError), skewError, _exchanges);

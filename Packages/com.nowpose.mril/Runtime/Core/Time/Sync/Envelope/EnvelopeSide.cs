@@ -19,6 +19,9 @@ namespace Nowpose.Sync
         /// <summary>Smallest scale, s: without it a few equal stamps would count for all others.</summary>
         const double LeastScale = 3e-6;
 
+        /// <summary>Scale of bounds that leave a part of a coarse clock's step unmet, in lengths of that part: half of it is too small.</summary>
+        const double UnmetShare = 0.1;
+
         /// <summary>a = this · age², 1/s: as if the skew changed by 2 ppm within 50 s in a way that no slope and bend can follow.</summary>
         const double AgeGrowth = 2e-8;
 
@@ -85,8 +88,9 @@ namespace Nowpose.Sync
         }
 
         /// <summary>Weighs the blocks by a curve, which knows the height of neither side.</summary>
-        /// <param name="roundTrip">The least there was, s.</param>
-        public void Weigh(OffsetCurve curve, double roundTrip)
+        /// <param name="roundTrip">As of <see cref="EnvelopeFit.Solve"/>, s.</param>
+        /// <param name="unmet">As of <see cref="UnmetPart"/>, s.</param>
+        public void Weigh(OffsetCurve curve, double roundTrip, double unmet)
         {
             var growth = Growth();
             for (var i = 0; i < Count; i++)
@@ -96,7 +100,8 @@ namespace Nowpose.Sync
             }
             var punctual = _quantile.Of(_behind, _recency, Count, PunctualShare);
             for (var i = 0; i < Count; i++) _behind[i] = Math.Max(0, punctual - _behind[i]);
-            _scale = _quantile.Of(_behind, _recency, Count, ScaleShare) + LeastScale + roundTrip / Math.Pow(Count, YouthPower);
+            _scale = _quantile.Of(_behind, _recency, Count, ScaleShare) + LeastScale + UnmetShare * unmet
+                + roundTrip / Math.Pow(Count, YouthPower);
 
             growth = Growth();
             for (var i = 0; i < Count; i++)

@@ -17,7 +17,8 @@ namespace Nowpose.Sync
         }
 
         /// <summary>Of a history of at least one exchange.</summary>
-        public static ProvenSkew Of(BoundsHistory history)
+        /// <param name="resolution">Of the control clock: half of it is what each bound may be wrong, either way.</param>
+        public static ProvenSkew Of(BoundsHistory history, TimeSpan resolution)
         {
             var part = (history.Count + 3) / 4;
             var late = Quickest(history, 0, part);
@@ -26,8 +27,8 @@ namespace Nowpose.Sync
             var least = ClockTicks.Seconds(late.Sent - early.Received);
             var greatest = ClockTicks.Seconds(late.Received - early.Sent);
             if (!(least > 0)) return new ProvenSkew(double.NegativeInfinity, double.PositiveInfinity);
-            var fell = (late.Least - early.Greatest) / (double)TimeSpan.TicksPerSecond;
-            var rose = (late.Greatest - early.Least) / (double)TimeSpan.TicksPerSecond;
+            var fell = (late.Least - early.Greatest - resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
+            var rose = (late.Greatest - early.Least + resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
             return new ProvenSkew(fell / least, rose / greatest);
         }
 

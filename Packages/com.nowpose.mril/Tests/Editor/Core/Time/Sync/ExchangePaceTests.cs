@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Protocol;
 using Nowpose.Simulation;
@@ -10,51 +9,6 @@ namespace Nowpose.Tests
 {
     public class ExchangePaceTests
     {
-        static readonly TimeSpan Usual = TimeSpan.FromMilliseconds(200);
-
-        /// <summary>Exchanges as the client does: the next when the pace says so, but not before the last one has ended.</summary>
-        sealed class PacedRun
-        {
-            readonly ExchangePace _pace;
-            double _now;
-
-            public PacedRun(double usualMs = 200) => _pace = new ExchangePace(Lengths.Ms(usualMs), TimeSpan.FromSeconds(2));
-
-            public ClockSynchroniser Clock { get; } = new ClockSynchroniser(new EnvelopeClockEstimator(), ClockSettings.Default);
-            public List<(double At, double PauseMs)> Exchanges { get; } = new List<(double, double)>();
-            public List<(double At, double ErrorMs)> Errors { get; } = new List<(double, double)>();
-
-            public void Run(SimulatedLink link, double until)
-            {
-                while (_now < until)
-                {
-                    var start = HeadsetTime.FromSeconds(_now);
-                    while (!link.TryExchange(start, out _)) start += Usual;
-                    link.TryExchange(start, out var exchange);
-                    Clock.Add(exchange, out _);
-                    var pause = _pace.Next(Clock, exchange.T4);
-                    Exchanges.Add((_now, pause.TotalMilliseconds));
-                    var next = Math.Max((start + pause).SinceEpoch.TotalSeconds, exchange.T4.SinceEpoch.TotalSeconds);
-                    for (var s = exchange.T4.SinceEpoch.TotalSeconds; s < next; s += 0.05)
-                    {
-                        var at = HeadsetTime.FromSeconds(s);
-                        Errors.Add((s, (Clock.ModelAt(at).OffsetAt(at) - link.TrueOffset(at)).TotalMilliseconds));
-                    }
-                    _now = next;
-                }
-            }
-
-            public void Sleep(double until) => _now = until;
-
-            public IEnumerable<double> Pauses(double from, double to) => Exchanges.Where(e => e.At >= from && e.At < to).Select(e => e.PauseMs);
-
-            public double P95Ms(double from)
-            {
-                var sorted = Errors.Where(e => e.At >= from).Select(e => Math.Abs(e.ErrorMs)).OrderBy(e => e).ToArray();
-                return sorted[(int)(0.95 * (sorted.Length - 1))];
-            }
-        }
-
         static SimulatedLink Link(string network, int seed = 400) => new SimulatedLink(NetworkProfile.Named(network), seed, 35, 2, driftPeriod: 400);
 
         [Test]
@@ -133,6 +87,34 @@ namespace Nowpose.Tests
             var pauses = run.Pauses(0, double.MaxValue).ToArray();
             Assert.That(pauses.Min(), Is.GreaterThanOrEqualTo(2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond));
             Assert.That(pauses.Max(), Is.LessThan(ProtocolLimits.SyncSilence.TotalMilliseconds / 2));
+        }
+
+        [TestCase(1)]
+        [TestCase(10)]
+        public void Next_CoarseControlClock_SpreadsExchangesOverItsStep(double resolutionMs)
+        {
+            var link = Link("lan");
+            link.Resolution = Lengths.Ms(resolutionMs);
+            var run = new PacedRun();
+
+            run.Run(link, 4);
+
+            var parts = run.Exchanges.Select(e => e.At * 1000 % resolutionMs / resolutionMs).ToArray();
+            for (var quarter = 0; quarter < 4; quarter++)
+                Assert.That(parts.Count(p => (int)(4 * p) == quarter), Is.GreaterThan(parts.Length / 10), "quarter " + quarter);
+            Assert.That(run.Pauses(0.1, 4), Is.All.InRange(50, 50 + resolutionMs));
+        }
+
+        [Test]
+        public void Next_ServerThatClaimsAnAbsurdResolution_IsStillQuick()
+        {
+            var link = Link("lan");
+            link.Resolution = TimeSpan.FromSeconds(4);
+            var run = new PacedRun();
+
+            run.Run(link, 4);
+
+            Assert.That(run.Pauses(0, 4), Is.All.InRange(50, 100));
         }
     }
 }
