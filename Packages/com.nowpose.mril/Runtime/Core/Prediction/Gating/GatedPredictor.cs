@@ -17,23 +17,14 @@ namespace Nowpose.Prediction.Gating
 
         const double Forgetting = 0.998;
         const double UsualKeeping = 0.98;
-        const double HorizonLearning = 0.02;
-        const double LeastHorizon = 0.01;
-        const double GreatestHorizon = 0.45;
-        const double FirstHorizon = 0.125;
-        const double IntervalLearning = 0.1;
-        const double FirstInterval = 0.05;
-        const double LongestInterval = 0.3;
 
         readonly IJointPredictor _candidate;
         readonly IJointPredictor _fallback;
+        readonly ForecastHorizon _horizon = new ForecastHorizon();
         readonly PendingForecasts _pending = new PendingForecasts();
         readonly OutlierBound _outliers = new OutlierBound();
         readonly ForecastRecord _moving;
         readonly ForecastRecord _resting;
-        double _horizon;
-        double _asked;
-        double _interval;
         double _usualSquare;
         double _greatestSquare;
         double _greatestWay;
@@ -81,10 +72,7 @@ namespace Nowpose.Prediction.Gating
         {
             var fallback = _fallback.At(time);
             if (fallback.Kind == PredictionKind.None) return fallback;
-            var ahead = time - NewestTime;
-            // As the mixture: a moment that was shown, asked about once more, tells of no other horizon.
-            if (ahead > 0 && time != _asked) _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
-            if (ahead > 0) _asked = time;
+            _horizon.Ask(time, time - NewestTime);
             if (!IsOpen) return fallback;
             var candidate = _candidate.At(time);
             return candidate.Kind == PredictionKind.None ? fallback : candidate;
@@ -98,9 +86,7 @@ namespace Nowpose.Prediction.Gating
             _pending.Clear();
             _moving.Reset();
             _resting.Reset();
-            _horizon = FirstHorizon;
-            _asked = double.NegativeInfinity;
-            _interval = FirstInterval;
+            _horizon.Reset();
             _outliers.Reset();
             _usualSquare = _greatestSquare = _greatestWay = 0;
             _isAtRest = true;
@@ -111,7 +97,7 @@ namespace Nowpose.Prediction.Gating
         void Score(double timeBefore, double positionBefore)
         {
             var interval = NewestTime - timeBefore;
-            _interval += IntervalLearning * (Math.Min(interval, LongestInterval) - _interval);
+            _horizon.Sample(interval);
             var way = Math.Abs(Hold - positionBefore);
             _greatestWay = Math.Max(Forgetting * _greatestWay, way);
             _isAtRest = way <= RestShare * _greatestWay;
@@ -138,8 +124,8 @@ namespace Nowpose.Prediction.Gating
 
         void Forecast()
         {
-            var intervals = Math.Max(1, Math.Round(_horizon / _interval));
-            var time = NewestTime + intervals * _interval;
+            var intervals = Math.Max(1, Math.Round(_horizon.Seconds / _horizon.Interval));
+            var time = NewestTime + intervals * _horizon.Interval;
             var candidate = _candidate.At(time);
             // Without a word it is neither right nor wrong: the other speaks.
             if (candidate.Kind == PredictionKind.None) return;

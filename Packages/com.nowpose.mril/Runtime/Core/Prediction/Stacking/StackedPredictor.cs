@@ -31,13 +31,6 @@ namespace Nowpose.Prediction.Stacking
         /// <summary>Of two speeds the one is a start or a stop when it is this share of the other.</summary>
         const double StartShare = 0.1;
 
-        const double HorizonLearning = 0.02;
-        const double LeastHorizon = 0.01;
-        const double GreatestHorizon = 0.45;
-        const double FirstHorizon = 0.125;
-        const double IntervalLearning = 0.1;
-        const double FirstInterval = 0.05;
-        const double LongestInterval = 0.3;
         const double LeastShare = 1e-3;
         const double Epsilon = 1e-6;
         const double GreatestSquareOfSense = 1e100;
@@ -46,6 +39,7 @@ namespace Nowpose.Prediction.Stacking
         const double LeastEvidence = 0.02;
 
         readonly PredictionLimits _limits;
+        readonly ForecastHorizon _horizon = new ForecastHorizon();
         readonly SampleHistory _history = new SampleHistory(LongestWindow);
         readonly ShockDetector _shocks = new ShockDetector();
         readonly StandstillDetector _standstill = new StandstillDetector();
@@ -63,10 +57,6 @@ namespace Nowpose.Prediction.Stacking
         readonly double[] _table = new double[ForecastGrid.Points];
         double[] _weights;
         int _connected;
-        double _horizon;
-        double _asked;
-        double _askedBefore;
-        double _interval;
         double _greatestSquare;
         double _start;
 
@@ -99,11 +89,7 @@ namespace Nowpose.Prediction.Stacking
         {
             if (_history.Count == 0) return default;
             var ahead = time - _history.NewestTime;
-            // Whoever asks once more about a moment that was shown shows nothing new.
-            // Twice, for between the two somebody may ask for a forecast.
-            if (ahead > 0 && time != _asked && time != _askedBefore)
-                _horizon += HorizonLearning * (Math.Min(Math.Max(ahead, LeastHorizon), GreatestHorizon) - _horizon);
-            if (ahead > 0 && time != _asked) (_askedBefore, _asked) = (_asked, time);
+            _horizon.Ask(time, ahead);
             var kind = _connected < 2 || ahead > _limits.HorizonCap ? PredictionKind.Held
                 : ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var position = Hold + ForecastGrid.Read(_table, 0, Math.Min(ahead, _limits.HorizonCap));
@@ -124,9 +110,7 @@ namespace Nowpose.Prediction.Stacking
             _resting.Reset(_prior);
             Array.Clear(_table, 0, _table.Length);
             _weights = _prior;
-            _horizon = FirstHorizon;
-            _asked = _askedBefore = double.NegativeInfinity;
-            _interval = FirstInterval;
+            _horizon.Reset();
             _greatestSquare = 1e-12;
             _start = 0;
         }
@@ -137,7 +121,7 @@ namespace Nowpose.Prediction.Stacking
             if (_history.Count >= 2)
             {
                 (interval, speed) = Increment(0);
-                _interval += IntervalLearning * (Math.Min(interval, LongestInterval) - _interval);
+                _horizon.Sample(interval);
             }
             if (_history.Count >= 3) (intervalBefore, speedBefore) = Increment(1);
             _shocks.Add(_history.Count, interval, speed, intervalBefore, speedBefore);
@@ -196,22 +180,22 @@ namespace Nowpose.Prediction.Stacking
         {
             var now = _history.NewestTime;
             var older = _snapshots.Count - 1;
-            while (older >= 0 && now - _snapshots[older].Time < _horizon - Epsilon) older--;
+            while (older >= 0 && now - _snapshots[older].Time < _horizon.Seconds - Epsilon) older--;
             if (older < 0) return;
             var age = now - _snapshots[older].Time;
             var learned = false;
             if (older + 1 < _snapshots.Count)
             {
                 var younger = now - _snapshots[older + 1].Time;
-                var share = (_horizon - younger) / (age - younger);
+                var share = (_horizon.Seconds - younger) / (age - younger);
                 learned |= Learn(_snapshots[older], share);
                 learned |= Learn(_snapshots[older + 1], 1 - share);
             }
-            else if (age < 1.5 * _horizon + _interval) learned = Learn(_snapshots[older], 1);
+            else if (age < 1.5 * _horizon.Seconds + _horizon.Interval) learned = Learn(_snapshots[older], 1);
             _snapshots.Drop(older);
             if (!learned) return;
 
-            var sampleShare = 1 - Math.Exp(-_interval / Memory);
+            var sampleShare = 1 - Math.Exp(-_horizon.Interval / Memory);
             _overall.Solve(PriorNow, sampleShare);
             _resting.Solve(_overall.Values, sampleShare);
             _moving.Solve(_overall.Values, sampleShare);
@@ -222,7 +206,7 @@ namespace Nowpose.Prediction.Stacking
             var ahead = _history.NewestTime - snapshot.Time;
             if (share < LeastShare || snapshot.Shocks != _shocks.Count || ahead > ForecastGrid.Span) return false;
             var square = ErrorsOf(snapshot, ahead);
-            var keeping = Math.Exp(-_interval * share / Memory);
+            var keeping = Math.Exp(-_horizon.Interval * share / Memory);
             _greatestSquare = Math.Max(_greatestSquare * keeping, square);
             var isTelling = square > LeastShareOfSquare * _greatestSquare;
             if (isTelling) _overall.Learn(_errors, keeping);
@@ -254,11 +238,11 @@ namespace Nowpose.Prediction.Stacking
         {
             var heldSquare = _overall.MeanSquare(Forecasters.Hold);
             if (_standstill.IsAtRest) heldSquare = Math.Max(heldSquare, _resting.MeanSquare(Forecasters.Hold));
-            var way = speed * _horizon;
+            var way = speed * _horizon.Seconds;
             if (_standstill.IsOnlyNoise) return _hold;
             if (way * way <= UnheardOf * heldSquare) return (_standstill.IsAtRest ? _resting : _moving).Values;
             var sinceStart = _history.NewestTime - _start;
-            return sinceStart < Math.Max(StartSeconds, 1.01 * _interval) + 1e-4 ? _line : PriorNow;
+            return sinceStart < Math.Max(StartSeconds, 1.01 * _horizon.Interval) + 1e-4 ? _line : PriorNow;
         }
     }
 }
