@@ -55,8 +55,8 @@ namespace Nowpose.Prediction
         {
             IJointPredictor ahead = new StackedPredictor(limits);
             if (ProfilePredictor.HasLimits(limits)) ahead = new GatedPredictor(new ProfilePredictor(limits), ahead, ProfileGate);
-            ahead = new ThinnedPredictor(new GatedPredictor(new TemplatePredictor(limits), ahead, TemplateGate));
-            return new DejitteredPredictor(new InterpolatingPredictor(ahead, limits));
+            ahead = new GatedPredictor(new TemplatePredictor(limits), ahead, TemplateGate);
+            return new DejitteredPredictor(new ThinnedPredictor(new InterpolatingPredictor(ahead, limits)));
         }
     }
 }
