@@ -1,17 +1,21 @@
 using System;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Tests
 {
     public class ConstantLatencyMonitorTests
     {
-        const double Limit = SimulatedDisplay.TrueLimitMs;
+        static readonly double Limit = new DisplayPipeline(1).TrueLimit.TotalMilliseconds;
         const RenderTimeSourceKind Source = RenderTimeSourceKind.DisplayGpuTime;
+        static readonly DisplayPipelineSettings Display = new DisplayPipelineSettings();
         static readonly int[] Seeds = Enumerable.Range(1, 20).ToArray();
 
-        static ConstantLatencyMonitor Monitor(double limitMs = Limit) =>
+        static ConstantLatencyMonitor Monitor() => Monitor(Limit);
+
+        static ConstantLatencyMonitor Monitor(double limitMs) =>
             new ConstantLatencyMonitor(new ConstantLatencyRange(limitMs, Source));
 
         static void Add(ConstantLatencyMonitor monitor, double renderMs, int frames = 1, RenderTimeSourceKind source = Source)
@@ -23,11 +27,11 @@ namespace Nowpose.Tests
         static (double Monitor, double SingleFrame) FlipsPerMinute(double renderMs, int seed, double minutes)
         {
             var monitor = Monitor();
-            var display = new SimulatedDisplay(seed);
+            var display = new DisplayPipeline(seed);
             var (flips, singleFlips, wasOutside, wasSingle) = (0, 0, false, false);
             for (var frame = 0; frame < minutes * 3600; frame++)
             {
-                var render = display.Next(SimulatedDisplay.LoadOf(renderMs)).RenderMs;
+                var render = display.Next(Display.VerticesOf(renderMs)).RenderTime.TotalMilliseconds;
                 Add(monitor, render);
                 var (isOutside, isSingle) = (monitor.State == RangeState.Outside, render > Limit);
                 if (isOutside != wasOutside) flips++;
@@ -43,12 +47,12 @@ namespace Nowpose.Tests
             foreach (var seed in Seeds)
             {
                 var monitor = Monitor();
-                var display = new SimulatedDisplay(seed);
-                for (var frame = 0; frame < 200; frame++) Add(monitor, display.Next(0.7).RenderMs);
+                var display = new DisplayPipeline(seed);
+                for (var frame = 0; frame < 200; frame++) Add(monitor, display.Next(700_000).RenderTime.TotalMilliseconds);
                 var before = monitor.State;
                 var frames = 0;
                 for (; monitor.State != RangeState.Outside && frames < 100; frames++)
-                    Add(monitor, display.Next(SimulatedDisplay.LoadOf(renderMs)).RenderMs);
+                    Add(monitor, display.Next(Display.VerticesOf(renderMs)).RenderTime.TotalMilliseconds);
 
                 Assert.That(before, Is.EqualTo(RangeState.Inside), "seed " + seed);
                 Assert.That(frames, Is.InRange(2, renderMs > 17 ? 10 : 25), "seed " + seed + "; near the limit single frames are below it");
@@ -77,14 +81,14 @@ namespace Nowpose.Tests
         public void Add_LoadThatComesAndGoes_AgreesWithTheLatencyOfTheDisplay()
         {
             var monitor = Monitor();
-            var display = new SimulatedDisplay(1);
+            var display = new DisplayPipeline(1);
             var (longer, wrong) = (0, 0);
             const int frames = 36_000;
             for (var frame = 0; frame < frames; frame++)
             {
-                var (render, visualisation) = display.Next(frame / 300 % 2 == 0 ? 0.7 : 1.6);
-                Add(monitor, render);
-                var isLonger = visualisation > SimulatedDisplay.RefreshMs * 1.01;
+                var shown = display.Next(frame / 300 % 2 == 0 ? 700_000 : 1_600_000);
+                Add(monitor, shown.RenderTime.TotalMilliseconds);
+                var isLonger = shown.Visualisation.TotalMilliseconds > Display.PlateauMs + 1;
                 if (isLonger) longer++;
                 if (isLonger != (monitor.State == RangeState.Outside)) wrong++;
             }

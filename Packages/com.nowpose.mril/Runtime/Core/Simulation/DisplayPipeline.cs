@@ -1,0 +1,60 @@
+using System;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>A display behind a GPU that works frames off in order, so that L_visu is constant up to a render time and longer beyond.</summary>
+    /// <remarks>
+    /// The effect of Schnierle &amp; Röck 2022, Figs 10 and 11. A frame is triggered at a refresh and seen at the first one before
+    /// which it is done by the latch; two frames may be under way, then the program waits for the older one, so frames that
+    /// take longer than a refresh queue up. Render times grow with the load and scatter a little, and one frame in a hundred is
+    /// much slower. Seeded; allocates nothing once made; not thread-safe.
+    /// </remarks>
+    public sealed class DisplayPipeline
+    {
+        readonly DisplayPipelineSettings _settings;
+        readonly Random _random;
+        long _nextTrigger;
+        double _gpuFreeMs, _doneBeforeMs;
+
+        /// <param name="settings">Null for the defaults.</param>
+        public DisplayPipeline(int seed, DisplayPipelineSettings settings = null)
+        {
+            _settings = settings ?? new DisplayPipelineSettings();
+            _random = new Random(seed);
+        }
+
+        /// <summary>A render time that is always taken leaves L_visu as it is up to here.</summary>
+        public TimeSpan TrueLimit => Span(_settings.RefreshMs - _settings.LatchMs);
+
+        /// <summary>When the next frame is going to start, since the pipeline began.</summary>
+        public TimeSpan NextStart => Span(_nextTrigger * _settings.RefreshMs);
+
+        /// <summary>Renders the next frame.</summary>
+        /// <param name="vertices">The load, 0 or more.</param>
+        public PipelineFrame Next(double vertices)
+        {
+            if (!(vertices >= 0 && vertices < 1e9))
+                throw new ArgumentOutOfRangeException(nameof(vertices), vertices, "a frame has 0 to a billion vertices");
+            var renderMs = (_settings.BaseMs + _settings.MsPerMillion * vertices / 1e6) * Slowness();
+            var trigger = _nextTrigger;
+            var startMs = trigger * _settings.RefreshMs;
+            _doneBeforeMs = _gpuFreeMs;
+            _gpuFreeMs = Math.Max(_gpuFreeMs, startMs) + renderMs;
+            _nextTrigger = Math.Max(trigger + 1, RefreshAfter(_doneBeforeMs));
+            var shownMs = RefreshAfter(_gpuFreeMs + _settings.LatchMs) * _settings.RefreshMs;
+            return new PipelineFrame(
+                Span(startMs), Span(renderMs), Span(_gpuFreeMs), Span(shownMs - startMs - _settings.RefreshMs + _settings.PlateauMs));
+        }
+
+        long RefreshAfter(double ms) => (long)Math.Ceiling(ms / _settings.RefreshMs);
+
+        double Slowness()
+        {
+            var normal = Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+            var slowness = Math.Max(0.1, 1 + _settings.Scatter * normal);
+            return _random.NextDouble() < _settings.SpikeChance ? slowness * (1.5 + _random.NextDouble()) : slowness;
+        }
+
+        static TimeSpan Span(double ms) => ClockTicks.Span(ms / 1000);
+    }
+}

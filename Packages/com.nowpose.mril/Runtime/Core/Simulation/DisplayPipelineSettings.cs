@@ -1,0 +1,43 @@
+using System;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>What a <see cref="DisplayPipeline"/> is like. Immutable, checked once; the defaults are those the limits of the tests rest on.</summary>
+    public sealed class DisplayPipelineSettings
+    {
+        /// <param name="refreshMs">From one refresh to the next, ms, 1 to 100; 60 Hz by default.</param>
+        /// <param name="latchMs">A frame must be done so long before the refresh that shows it, ms, 0 to less than <paramref name="refreshMs"/>.</param>
+        /// <param name="baseMs">Render time of an empty scene, ms, 0.1 to 100.</param>
+        /// <param name="msPerMillion">What a million vertices add to it, ms, 0 to 1000.</param>
+        /// <param name="scatter">Relative standard deviation of the render times, 0 to 0.2.</param>
+        /// <param name="spikeChance">Probability that a frame takes 1.5 to 2.5 times as long, 0 to 1.</param>
+        /// <param name="plateauMs">
+        /// L_visu of a frame that meets the next refresh, ms, from <paramref name="refreshMs"/> to 500: scan-out, composition
+        /// and half the time in the light come after the latch and take the same for every frame.
+        /// </param>
+        /// <exception cref="InputException">A value is out of range.</exception>
+        public DisplayPipelineSettings(
+            double refreshMs = 1000 / 60.0, double latchMs = 1.5, double baseMs = 4, double msPerMillion = 8.5, double scatter = 0.03,
+            double spikeChance = 0.01, double plateauMs = 40)
+        {
+            RefreshMs = SettingRange.Require(refreshMs, 1, 100, "refresh interval", "ms");
+            LatchMs = SettingRange.Require(latchMs, 0, 0.99 * refreshMs, "latch before the refresh", "ms");
+            BaseMs = SettingRange.Require(baseMs, 0.1, 100, "render time of an empty scene", "ms");
+            MsPerMillion = SettingRange.Require(msPerMillion, 0, 1000, "render time per million vertices", "ms");
+            Scatter = SettingRange.Require(scatter, 0, 0.2, "scatter of the render time", "");
+            SpikeChance = SettingRange.Require(spikeChance, 0, 1, "chance of a slow frame", "");
+            PlateauMs = SettingRange.Require(plateauMs, refreshMs, 500, "visualisation latency of frames in time", "ms");
+        }
+
+        public double RefreshMs { get; }
+        public double LatchMs { get; }
+        public double BaseMs { get; }
+        public double MsPerMillion { get; }
+        public double Scatter { get; }
+        public double SpikeChance { get; }
+        public double PlateauMs { get; }
+
+        /// <summary>Vertices that take so long to render but for the scatter; negative below <see cref="BaseMs"/>.</summary>
+        public double VerticesOf(double renderMs) => (renderMs - BaseMs) / MsPerMillion * 1e6;
+    }
+}
