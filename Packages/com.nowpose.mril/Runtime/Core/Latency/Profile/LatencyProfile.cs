@@ -1,0 +1,99 @@
+using System;
+using System.Globalization;
+using System.Linq;
+
+namespace Nowpose.Latency
+{
+    /// <summary>What the calibration of one device found: L_visu, up to which render time it holds, and where that comes from.</summary>
+    /// <remarks>Immutable, checked once. Schnierle &amp; Röck 2022, section 2.1.2.</remarks>
+    public sealed class LatencyProfile
+    {
+        internal const double GreatestVisuMs = 500;
+        internal const double LeastRenderMs = 0.1;
+        internal const double GreatestRenderMs = 1000;
+        internal const double GreatestDisplayHz = 1000;
+        internal const int LongestDevice = 128;
+
+        /// <summary>What is told as 60 Hz is 59.94 Hz elsewhere: the same display.</summary>
+        const double SameRateHz = 1;
+
+        /// <param name="visuMs">L_visu: trigger of the render job to the middle of the interval in which its frame is shown, 0 to 500 ms.</param>
+        /// <param name="spreadMs">How single measurements of it scatter, one standard deviation, 0 to 500 ms.</param>
+        /// <param name="device">The model, up to 128 characters; null or empty when it is not known.</param>
+        /// <param name="displayHz">Refreshes per second, up to 1000 Hz; 0 or NaN when they are not known.</param>
+        /// <param name="measuredUtc">When, UTC.</param>
+        /// <param name="method">How.</param>
+        /// <param name="measurements">Pictures, repeats or whatever the method counts, 0 or more.</param>
+        /// <param name="renderLimitMs">Render time up to which L_visu is constant, 0.1 to 1000 ms; null when it was not found.</param>
+        /// <param name="renderTimeSource">What the render times were measured with; needed for a limit, which holds for no other.</param>
+        /// <param name="validToRenderMs">
+        /// The greatest render time that was seen with this L_visu, 0.1 to 1000 ms; null for the limit, or where none was measured.
+        /// </param>
+        /// <exception cref="InputException">A value is out of range; one line names it.</exception>
+        public LatencyProfile(
+            double visuMs, double spreadMs, string device, double displayHz, DateTime measuredUtc, CalibrationMethod method,
+            int measurements, double? renderLimitMs = null, RenderTimeSourceKind renderTimeSource = RenderTimeSourceKind.None,
+            double? validToRenderMs = null)
+        {
+            Visualisation = VisualisationLatency.FromMilliseconds(visuMs);
+            Spread = SettingRange.RequireMs(spreadMs, 0, GreatestVisuMs, "spread of the visualisation latency");
+            Device = RequireDevice(device ?? "");
+            DisplayHz = double.IsNaN(displayHz) ? 0 : SettingRange.Require(displayHz, 0, GreatestDisplayHz, "display rate", "Hz");
+            MeasuredUtc = measuredUtc.Kind == DateTimeKind.Local
+                ? measuredUtc.ToUniversalTime() : DateTime.SpecifyKind(measuredUtc, DateTimeKind.Utc);
+            Method = method;
+            Measurements = SettingRange.RequireCount(measurements, 0, int.MaxValue, "measurements");
+            RenderTimeSource = renderTimeSource;
+            Range = renderLimitMs.HasValue ? new ConstantLatencyRange(renderLimitMs.Value, renderTimeSource) : null;
+            ValidToRenderTime = validToRenderMs.HasValue
+                ? SettingRange.RequireMs(validToRenderMs.Value, LeastRenderMs, GreatestRenderMs, "greatest render time seen") : Range?.Limit;
+        }
+
+        public VisualisationLatency Visualisation { get; }
+
+        /// <summary>How single measurements scatter, one standard deviation.</summary>
+        public TimeSpan Spread { get; }
+
+        /// <summary>The model; empty when it is not known.</summary>
+        public string Device { get; }
+
+        /// <summary>Refreshes per second; 0 when they are not known.</summary>
+        public double DisplayHz { get; }
+
+        public DateTime MeasuredUtc { get; }
+
+        public CalibrationMethod Method { get; }
+
+        public int Measurements { get; }
+
+        /// <summary>What the render times were measured with; none when they were not.</summary>
+        public RenderTimeSourceKind RenderTimeSource { get; }
+
+        /// <summary>Null when no limit is known.</summary>
+        public ConstantLatencyRange Range { get; }
+
+        /// <summary>The greatest render time for which L_visu was seen to be this, or the limit; null when none was measured.</summary>
+        public TimeSpan? ValidToRenderTime { get; }
+
+        /// <summary>Why the profile must not be used on a device; null when it may. What either side does not know is not compared.</summary>
+        /// <param name="device">As the device names its model; upper and lower case are the same.</param>
+        /// <param name="displayHz">0 or NaN when it is not known.</param>
+        /// <returns>One line that names both.</returns>
+        public string RefusalFor(string device, double displayHz)
+        {
+            if (Device.Length > 0 && !string.IsNullOrEmpty(device) && !string.Equals(Device, device, StringComparison.OrdinalIgnoreCase))
+                return "latency profile is of device '" + Device + "', this one is '" + device + "'; calibrate this one";
+            if (DisplayHz > 0 && displayHz > 0 && Math.Abs(DisplayHz - displayHz) > SameRateHz)
+                return string.Format(CultureInfo.InvariantCulture,
+                    "latency profile was measured at {0:0.#} Hz, this display shows {1:0.#} Hz; calibrate at this rate", DisplayHz, displayHz);
+            return null;
+        }
+
+        static string RequireDevice(string device)
+        {
+            if (device.Length > LongestDevice || device.Any(char.IsControl))
+                throw new InputException("device: the name of a model is one line of up to " + LongestDevice + " characters");
+            return device;
+        }
+    }
+}

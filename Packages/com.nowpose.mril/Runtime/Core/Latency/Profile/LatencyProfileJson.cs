@@ -1,0 +1,95 @@
+using System;
+using System.Globalization;
+using System.IO;
+using Newtonsoft.Json;
+
+namespace Nowpose.Latency
+{
+    /// <summary>Latency profiles as JSON text, version 1: lengths in ms, null for what is not known.</summary>
+    public static class LatencyProfileJson
+    {
+        const string Format = "nowpose-latency-profile";
+        const int Version = 1;
+
+        public static string Write(LatencyProfile profile)
+        {
+            var text = new StringWriter(CultureInfo.InvariantCulture) { NewLine = "\n" };
+            using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented };
+            json.WriteStartObject();
+            void Add(string name, object value)
+            {
+                json.WritePropertyName(name);
+                json.WriteValue(value);
+            }
+            Add("format", Format);
+            Add("version", Version);
+            Add("visu_ms", profile.Visualisation.Length.TotalMilliseconds);
+            Add("visu_spread_ms", profile.Spread.TotalMilliseconds);
+            Add("limit_render_ms", profile.Range?.Limit.TotalMilliseconds);
+            Add("valid_to_render_ms", profile.ValidToRenderTime?.TotalMilliseconds);
+            Add("render_source", profile.RenderTimeSource == RenderTimeSourceKind.None ? null : RenderTimeSourceNames.NameOf(profile.RenderTimeSource));
+            Add("device", profile.Device);
+            Add("display_hz", profile.DisplayHz);
+            Add("measured", profile.MeasuredUtc.ToString("yyyy-MM-dd'T'HH:mm:ss.FFFFFFF'Z'", CultureInfo.InvariantCulture));
+            Add("method", CalibrationMethodNames.NameOf(profile.Method));
+            Add("measurements", profile.Measurements);
+            json.WriteEndObject();
+            json.Flush();
+            return text + "\n";
+        }
+
+        /// <param name="name">Stands for the text in messages: a file's name.</param>
+        /// <exception cref="InputException">No profile, one of a newer version, or a value that cannot be used; names file, field and value.</exception>
+        public static LatencyProfile Read(string text, string name)
+        {
+            var fields = new ProfileFields(text, name);
+            CheckFormat(fields);
+            try
+            {
+                return new LatencyProfile(
+                    fields.Number("visu_ms", 0, LatencyProfile.GreatestVisuMs, "ms"),
+                    fields.Number("visu_spread_ms", 0, LatencyProfile.GreatestVisuMs, "ms"),
+                    fields.Text("device"),
+                    fields.Number("display_hz", 0, LatencyProfile.GreatestDisplayHz, "Hz"),
+                    fields.Utc("measured"),
+                    MethodOf(fields),
+                    fields.Count("measurements"),
+                    RenderMs(fields, "limit_render_ms"),
+                    SourceOf(fields),
+                    RenderMs(fields, "valid_to_render_ms"));
+            }
+            catch (InputException fault) when (!fault.Message.StartsWith(name + ": ", StringComparison.Ordinal))
+            {
+                throw fields.Fault(fault.Message);
+            }
+        }
+
+        // Before anything else: a newer version may mean something else by the same field.
+        static void CheckFormat(ProfileFields fields)
+        {
+            var format = fields.OptionalText("format");
+            if (format != Format) throw fields.Fault("no latency profile; its format is '" + format + "', not '" + Format + "'");
+            var version = fields.Count("version");
+            if (version > Version)
+                throw fields.Fault("latency profile of version " + version + ", this Nowpose reads up to " + Version + "; update Nowpose or calibrate anew");
+            if (version < 1) throw fields.Fault("version: " + version + " is out of range; allowed is " + Version);
+        }
+
+        static double? RenderMs(ProfileFields fields, string field) =>
+            fields.OptionalNumber(field, LatencyProfile.LeastRenderMs, LatencyProfile.GreatestRenderMs, "ms");
+
+        static CalibrationMethod MethodOf(ProfileFields fields)
+        {
+            var name = fields.Text("method");
+            return CalibrationMethodNames.TryParse(name, out var method)
+                ? method : throw fields.Fault("method: '" + name + "' is none; allowed are " + CalibrationMethodNames.All);
+        }
+
+        static RenderTimeSourceKind SourceOf(ProfileFields fields)
+        {
+            var name = fields.OptionalText("render_source") ?? "";
+            return RenderTimeSourceNames.TryParse(name, out var source)
+                ? source : throw fields.Fault("render_source: '" + name + "' is none; allowed are " + RenderTimeSourceNames.All);
+        }
+    }
+}

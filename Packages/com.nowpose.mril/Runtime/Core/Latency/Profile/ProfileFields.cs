@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Numerics;
+using Newtonsoft.Json;
+using Nowpose.Protocol;
+
+namespace Nowpose.Latency
+{
+    /// <summary>The fields of a flat JSON object, asked for one by one; what cannot be used is one line with the file and the field.</summary>
+    sealed class ProfileFields
+    {
+        /// <summary>Fields that are unknown here may be nested; more deeply than this no profile is.</summary>
+        const int Nesting = 8;
+
+        static readonly object Nested = new object();
+
+        readonly string _name;
+        readonly Dictionary<string, object> _values = new Dictionary<string, object>();
+
+        /// <exception cref="InputException">Not one JSON object, or a field stands there twice.</exception>
+        public ProfileFields(string text, string name)
+        {
+            _name = name;
+            if (JsonSyntax.Check(text, Nesting) != DropReason.None)
+                throw Fault("no JSON object, or cut off; it is no latency profile: calibrate anew");
+            try
+            {
+                ReadAll(text);
+            }
+            catch (JsonException fault)
+            {
+                throw Fault(fault.Message);
+            }
+        }
+
+        void ReadAll(string text)
+        {
+            using var reader = new JsonTextReader(new StringReader(text)) { DateParseHandling = DateParseHandling.None };
+            reader.Read();
+            while (reader.Read() && reader.TokenType == JsonToken.PropertyName)
+            {
+                var field = (string)reader.Value;
+                reader.Read();
+                if (!_values.TryAdd(field, reader.Value ?? (reader.TokenType == JsonToken.Null ? null : Nested)))
+                    throw Fault(field + " stands there twice");
+                reader.Skip();
+            }
+        }
+
+        public double Number(string field, double least, double greatest, string unit) =>
+            OptionalNumber(field, least, greatest, unit) ?? throw Missing(field);
+
+        /// <returns>Null for null, and where the field is missing.</returns>
+        public double? OptionalNumber(string field, double least, double greatest, string unit)
+        {
+            switch (ValueOf(field))
+            {
+                case null: return null;
+                case double value: return SettingRange.Require(value, least, greatest, _name + ": " + field, unit);
+                case long value: return SettingRange.Require(value, least, greatest, _name + ": " + field, unit);
+                case BigInteger value: return SettingRange.Require((double)value, least, greatest, _name + ": " + field, unit);
+                default: throw Fault(field + " must be a number");
+            }
+        }
+
+        public int Count(string field)
+        {
+            var value = Number(field, 0, int.MaxValue, "");
+            return value == Math.Floor(value) ? (int)value : throw Fault(field + " must be a whole number");
+        }
+
+        public string Text(string field) => OptionalText(field) ?? throw Missing(field);
+
+        /// <inheritdoc cref="OptionalNumber"/>
+        public string OptionalText(string field)
+        {
+            var value = ValueOf(field);
+            return value == null ? null : value as string ?? throw Fault(field + " must be a text");
+        }
+
+        public DateTime Utc(string field)
+        {
+            var text = Text(field);
+            const DateTimeStyles styles = DateTimeStyles.AdjustToUniversal | DateTimeStyles.AssumeUniversal;
+            return DateTime.TryParse(text, CultureInfo.InvariantCulture, styles, out var utc)
+                ? utc : throw Fault(field + ": '" + text + "' is no date; write it as 2026-11-20T13:00:00Z");
+        }
+
+        public InputException Fault(string what) => new InputException(_name + ": " + what);
+
+        InputException Missing(string field) => Fault(field + " is missing");
+
+        object ValueOf(string field) => _values.TryGetValue(field, out var value) ? value : null;
+    }
+}

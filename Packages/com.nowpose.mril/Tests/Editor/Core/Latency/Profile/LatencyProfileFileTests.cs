@@ -1,0 +1,98 @@
+using System;
+using System.IO;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class LatencyProfileFileTests
+    {
+        string _folder, _path;
+
+        [SetUp]
+        public void MakeFolder()
+        {
+            _folder = Path.Combine(Path.GetTempPath(), "nowpose-profile-" + Guid.NewGuid().ToString("N"));
+            _path = Path.Combine(_folder, "profile.json");
+        }
+
+        [TearDown]
+        public void RemoveFolder()
+        {
+            if (Directory.Exists(_folder)) Directory.Delete(_folder, true);
+        }
+
+        static LatencyProfile Profile(double visuMs) =>
+            new LatencyProfile(visuMs, 1, "HoloLens 2", 60, new DateTime(2026, 11, 20, 0, 0, 0, DateTimeKind.Utc), CalibrationMethod.Sine, 3);
+
+        static string Half(string text) => text.Substring(0, text.Length / 2);
+
+        double LoadedMs() => LatencyProfileFile.Load(_path).Visualisation.Length.TotalMilliseconds;
+
+        [Test]
+        public void Save_NewAndOverAnOldOne_IsLoadedAndLeavesNothingElse()
+        {
+            LatencyProfileFile.Save(_path, Profile(40));
+            var first = LoadedMs();
+
+            LatencyProfileFile.Save(_path, Profile(50));
+
+            Assert.That(first, Is.EqualTo(40));
+            Assert.That(LoadedMs(), Is.EqualTo(50));
+            Assert.That(Directory.GetFiles(_folder), Is.EqualTo(new[] { _path }));
+        }
+
+        [Test]
+        public void Load_EndedBetweenWritingAndReplacing_IsTheLastGoodOne()
+        {
+            LatencyProfileFile.Save(_path, Profile(40));
+            File.WriteAllText(_path + ".new", Half(LatencyProfileJson.Write(Profile(50))));
+            var afterwards = LoadedMs();
+
+            LatencyProfileFile.Save(_path, Profile(60));
+
+            Assert.That(afterwards, Is.EqualTo(40));
+            Assert.That(LoadedMs(), Is.EqualTo(60), "what was left does not stand in the way");
+        }
+
+        [Test]
+        public void Save_CannotWrite_SaysSoAndTheOldOneStays()
+        {
+            LatencyProfileFile.Save(_path, Profile(40));
+            Directory.CreateDirectory(_path + ".new");
+
+            var fault = Assert.Throws<InputException>(() => LatencyProfileFile.Save(_path, Profile(50)));
+
+            Assert.That(fault.Message, Does.StartWith(_path + ": the latency profile cannot be saved: ").And.Not.Contains("\n"));
+            Assert.That(LoadedMs(), Is.EqualTo(40));
+        }
+
+        [Test]
+        public void Load_NoFile_SaysSoInOneLine()
+        {
+            var fault = Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path));
+
+            Assert.That(fault.Message, Does.StartWith(_path + ": cannot be read: ").And.Not.Contains("\n"));
+        }
+
+        [Test]
+        public void Load_TornFile_NamesIt()
+        {
+            LatencyProfileFile.Save(_path, Profile(40));
+            File.WriteAllText(_path, Half(File.ReadAllText(_path)));
+
+            Assert.That(Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path)).Message,
+                Is.EqualTo(_path + ": no JSON object, or cut off; it is no latency profile: calibrate anew"));
+        }
+
+        [Test]
+        public void Load_HugeFile_IsNotEvenRead()
+        {
+            Directory.CreateDirectory(_folder);
+            File.WriteAllBytes(_path, new byte[1_000_000]);
+
+            Assert.That(Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path)).Message,
+                Is.EqualTo(_path + ": 1000000 bytes are no latency profile"));
+        }
+    }
+}

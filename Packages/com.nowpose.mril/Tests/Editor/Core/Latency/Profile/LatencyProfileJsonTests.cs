@@ -1,0 +1,142 @@
+using System;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class LatencyProfileJsonTests
+    {
+        const string Good = @"{""format"": ""nowpose-latency-profile"", ""version"": 1, ""visu_ms"": 40.2, ""visu_spread_ms"": 1.1,
+            ""limit_render_ms"": 15.0, ""valid_to_render_ms"": 15.0, ""render_source"": ""display_gpu_time"", ""device"": ""HoloLens 2"",
+            ""display_hz"": 60, ""measured"": ""2026-11-20T13:00:00Z"", ""method"": ""vlc"", ""measurements"": 300}";
+
+        static string FaultOf(string text) => Assert.Throws<InputException>(() => LatencyProfileJson.Read(text, "profile.json")).Message;
+
+        [Test]
+        public void Read_Written_IsTheSame([Values] CalibrationMethod method)
+        {
+            var random = new Random((int)method);
+            for (var i = 0; i < 200; i++)
+            {
+                double? limitMs = null, validToMs = null;
+                if (random.Next(2) == 0) limitMs = 0.1 + 900 * random.NextDouble();
+                if (random.Next(2) == 0) validToMs = 0.1 + 900 * random.NextDouble();
+                var source = limitMs.HasValue ? (RenderTimeSourceKind)random.Next(1, 5) : (RenderTimeSourceKind)random.Next(5);
+                var written = new LatencyProfile(
+                    500 * random.NextDouble(), 20 * random.NextDouble(), "Gerät \"" + (char)random.Next(' ', 0x2fff) + "\" \\ 2", 120 * random.NextDouble(),
+                    new DateTime(random.Next(), DateTimeKind.Utc).AddYears(2020), method, random.Next(), limitMs, source, validToMs);
+
+                var read = LatencyProfileJson.Read(LatencyProfileJson.Write(written), "profile.json");
+
+                Assert.That(Values(read), Is.EqualTo(Values(written)), "seed " + (int)method + ", profile " + i);
+            }
+        }
+
+        static object[] Values(LatencyProfile p) => new object[]
+        {
+            p.Visualisation.Length, p.Spread, p.Device, p.DisplayHz, p.MeasuredUtc, p.Method, p.Measurements, p.RenderTimeSource,
+            p.Range?.Limit, p.Range?.Source, p.ValidToRenderTime,
+        };
+
+        [Test]
+        public void Read_TextOfTheFormat_HasItsValues()
+        {
+            var profile = LatencyProfileJson.Read(Good, "profile.json");
+
+            Assert.That(Values(profile), Is.EqualTo(new object[]
+            {
+                Lengths.Ms(40.2), Lengths.Ms(1.1), "HoloLens 2", 60.0, new DateTime(2026, 11, 20, 13, 0, 0, DateTimeKind.Utc),
+                CalibrationMethod.VisibleLight, 300, RenderTimeSourceKind.DisplayGpuTime, Lengths.Ms(15), RenderTimeSourceKind.DisplayGpuTime, Lengths.Ms(15),
+            }));
+        }
+
+        [Test]
+        public void Read_NothingKnownOfRenderTimes_IsAProfileWithoutRange()
+        {
+            var text = Good.Replace(@"""limit_render_ms"": 15.0, ""valid_to_render_ms"": 15.0, ""render_source"": ""display_gpu_time""",
+                @"""limit_render_ms"": null, ""render_source"": null");
+
+            Assert.That(LatencyProfileJson.Read(text, "profile.json").Range, Is.Null);
+        }
+
+        [Test]
+        public void Read_UnknownFields_AreIgnored()
+        {
+            var text = Good.Replace("{", @"{""by"": {""name"": ""x"", ""tools"": [1, {""a"": 2}]}, ""note"": null, ");
+
+            Assert.That(LatencyProfileJson.Read(text, "profile.json").Measurements, Is.EqualTo(300));
+        }
+
+        [TestCase(@"""version"": 1", @"""version"": 2, ""lengths"": {}", "profile.json: latency profile of version 2, this Nowpose reads up to 1; "
+            + "update Nowpose or calibrate anew", TestName = "Read_NewerVersion_SaysWhatToDo")]
+        [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is out of range; allowed is 1")]
+        [TestCase(@"""version"": 1,", "", "profile.json: version is missing")]
+        [TestCase("nowpose-latency-profile", "other", "profile.json: no latency profile; its format is 'other', not 'nowpose-latency-profile'")]
+        [TestCase("40.2", "NaN", "profile.json: visu_ms: NaN ms is out of range; allowed are 0 to 500 ms")]
+        [TestCase("40.2", "700", "profile.json: visu_ms: 700 ms is out of range; allowed are 0 to 500 ms")]
+        [TestCase("40.2", @"""40.2""", "profile.json: visu_ms must be a number")]
+        [TestCase("40.2", "null", "profile.json: visu_ms is missing")]
+        [TestCase("40.2", "[40.2]", "profile.json: visu_ms must be a number")]
+        [TestCase(@"""limit_render_ms"": 15.0", @"""limit_render_ms"": 0", "profile.json: limit_render_ms: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
+        [TestCase(@"""display_gpu_time""", @"""gpu""", "profile.json: render_source: 'gpu' is none; allowed are display_gpu_time, engine_gpu_time, "
+            + "gpu_completion, camera_cpu")]
+        [TestCase(@"""display_gpu_time""", "null", "profile.json: render time limit: say which source of the render time it was found with; it holds for no other")]
+        [TestCase(@"""vlc""", @"""guess""", "profile.json: method: 'guess' is none; allowed are vlc, sine, nudge, manual")]
+        [TestCase("2026-11-20T13:00:00Z", "yesterday", "profile.json: measured: 'yesterday' is no date; write it as 2026-11-20T13:00:00Z")]
+        [TestCase(@"""measurements"": 300", @"""measurements"": 2.5", "profile.json: measurements must be a whole number")]
+        [TestCase(@"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", "profile.json: display_hz stands there twice")]
+        public void Read_Spoiled_SaysWhatIsWrong(string part, string instead, string message)
+        {
+            Assert.That(Good, Does.Contain(part), "the test spoils something");
+
+            Assert.That(FaultOf(Good.Replace(part, instead)), Is.EqualTo(message));
+        }
+
+        [Test]
+        public void Read_AnyFieldGone_IsRefusedUnlessItMayBeUnknown()
+        {
+            foreach (var field in new[] { "visu_ms", "visu_spread_ms", "device", "display_hz", "measured", "method", "measurements" })
+                Assert.That(FaultOf(Good.Replace("\"" + field + "\"", "\"other\"")), Is.EqualTo("profile.json: " + field + " is missing"));
+        }
+
+        [Test]
+        public void Read_CutOffAnywhere_IsRefusedInOneLine()
+        {
+            for (var length = 0; length < Good.Length; length++)
+                Assert.That(FaultOf(Good.Substring(0, length)), Does.StartWith("profile.json: ").And.Not.Contains("\n"), length + " characters");
+        }
+
+        [TestCase("")]
+        [TestCase("[]")]
+        [TestCase("null")]
+        [TestCase("visu_ms = 40")]
+        [TestCase("{\"visu_ms\": 1e999999}")]
+        [TestCase("\0\0\0\0\0\0\0\0")]
+        public void Read_SomethingElse_IsRefusedInOneLine(string text)
+        {
+            Assert.That(FaultOf(text), Does.StartWith("profile.json: ").And.Not.Contains("\n"));
+        }
+
+        [Test]
+        public void Read_RandomlySpoiled_NeverThrowsAnythingElse()
+        {
+            var random = new Random(5);
+            var refused = 0;
+            for (var i = 0; i < 2000; i++)
+            {
+                var text = Good.ToCharArray();
+                for (var spoiled = 0; spoiled < 3; spoiled++) text[random.Next(text.Length)] = (char)random.Next(1, 128);
+                try
+                {
+                    LatencyProfileJson.Read(new string(text), "profile.json");
+                }
+                catch (InputException)
+                {
+                    refused++;
+                }
+            }
+
+            Assert.That(refused, Is.GreaterThan(1000), "seed 5");
+        }
+    }
+}

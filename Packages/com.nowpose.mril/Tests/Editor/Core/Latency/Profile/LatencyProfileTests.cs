@@ -1,0 +1,90 @@
+using System;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class LatencyProfileTests
+    {
+        static readonly DateTime Measured = new DateTime(2026, 11, 20, 13, 0, 0, DateTimeKind.Utc);
+
+        static LatencyProfile Profile(
+            double visuMs = 40.2, double spreadMs = 1.1, string device = "HoloLens 2", double displayHz = 60, int measurements = 300,
+            double? limitMs = 15, RenderTimeSourceKind source = RenderTimeSourceKind.DisplayGpuTime, double? validToMs = null) =>
+            new LatencyProfile(visuMs, spreadMs, device, displayHz, Measured, CalibrationMethod.VisibleLight, measurements, limitMs, source, validToMs);
+
+        [Test]
+        public void LatencyProfile_Limit_IsTheRangeAndWhatItIsValidTo()
+        {
+            var profile = Profile();
+
+            Assert.That(profile.Range.Limit, Is.EqualTo(Lengths.Ms(15)));
+            Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
+            Assert.That(profile.ValidToRenderTime, Is.EqualTo(Lengths.Ms(15)));
+        }
+
+        [Test]
+        public void LatencyProfile_LimitNotReached_HasNoRangeButSaysHowFarItWasSeen()
+        {
+            var profile = Profile(limitMs: null, validToMs: 12.5);
+
+            Assert.That(profile.Range, Is.Null);
+            Assert.That(profile.ValidToRenderTime, Is.EqualTo(Lengths.Ms(12.5)));
+        }
+
+        [TestCase(double.NaN, 1.1, "HoloLens 2", 60, 300, 15, 15, "visualisation latency: NaN ms is out of range; allowed are 0 to 500 ms")]
+        [TestCase(501, 1.1, "HoloLens 2", 60, 300, 15, 15, "visualisation latency: 501 ms is out of range; allowed are 0 to 500 ms")]
+        [TestCase(40, -1, "HoloLens 2", 60, 300, 15, 15, "spread of the visualisation latency: -1 ms is out of range; allowed are 0 to 500 ms")]
+        [TestCase(40, 1, "Holo\nLens", 60, 300, 15, 15, "device: the name of a model is one line of up to 128 characters")]
+        [TestCase(40, 1, "HoloLens 2", -60, 300, 15, 15, "display rate: -60 Hz is out of range; allowed are 0 to 1000 Hz")]
+        [TestCase(40, 1, "HoloLens 2", 60, -1, 15, 15, "measurements: -1 is out of range; allowed are 0 to 2147483647")]
+        [TestCase(40, 1, "HoloLens 2", 60, 300, 0, 15, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
+        [TestCase(40, 1, "HoloLens 2", 60, 300, 15, double.NaN, "greatest render time seen: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
+        public void LatencyProfile_BadValue_SaysWhatIsWrong(
+            double visuMs, double spreadMs, string device, double displayHz, int measurements, double limitMs, double validToMs, string message)
+        {
+            var fault = Assert.Throws<InputException>(
+                () => Profile(visuMs, spreadMs, device, displayHz, measurements, limitMs, validToMs: validToMs));
+
+            Assert.That(fault.Message, Is.EqualTo(message));
+        }
+
+        [Test]
+        public void LatencyProfile_LimitWithoutSource_IsRefused()
+        {
+            Assert.Throws<InputException>(() => Profile(source: RenderTimeSourceKind.None));
+        }
+
+        [TestCase("HoloLens 2", 60, null)]
+        [TestCase("hololens 2", 59.94, null)]
+        [TestCase("", 0, null)]
+        [TestCase(null, double.NaN, null)]
+        [TestCase("Quest 3", 60, "latency profile is of device 'HoloLens 2', this one is 'Quest 3'; calibrate this one")]
+        [TestCase("HoloLens 2", 72, "latency profile was measured at 60 Hz, this display shows 72 Hz; calibrate at this rate")]
+        public void RefusalFor_Device_NamesBothWhereItDoesNotFit(string device, double displayHz, string refusal)
+        {
+            Assert.That(Profile().RefusalFor(device, displayHz), Is.EqualTo(refusal));
+        }
+
+        [Test]
+        public void RefusalFor_ProfileThatKnowsNeither_RefusesNone()
+        {
+            Assert.That(Profile(device: null, displayHz: double.NaN).RefusalFor("Quest 3", 72), Is.Null);
+        }
+
+        [Test]
+        public void RenderTimeSourceNames_AllSources_ComeBack([Values] RenderTimeSourceKind source)
+        {
+            Assert.That(RenderTimeSourceNames.TryParse(RenderTimeSourceNames.NameOf(source), out var parsed), Is.True);
+            Assert.That(parsed, Is.EqualTo(source));
+        }
+
+        [TestCase("Display_gpu_time")]
+        [TestCase("gpu")]
+        [TestCase(null)]
+        public void RenderTimeSourceNames_OtherText_IsNone(string name)
+        {
+            Assert.That(RenderTimeSourceNames.TryParse(name, out _), Is.False);
+        }
+    }
+}
