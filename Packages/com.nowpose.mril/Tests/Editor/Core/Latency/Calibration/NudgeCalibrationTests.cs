@@ -1,0 +1,94 @@
+using System;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class NudgeCalibrationTests
+    {
+        [TestCase(40, 62, 500, 7)]
+        [TestCase(40, 31.5, 250, -12)]
+        [TestCase(0, 40, 100, 0)]
+        public void Result_TrueOffsets_FindsLatencyAndMisplacedBase(double toldMs, double trueMs, double speedMmPerS, double misplacedMm)
+        {
+            var nudge = new NudgeCalibration(speedMmPerS, toldMs);
+            var lagMm = speedMmPerS * (trueMs - toldMs) / 1000;
+
+            nudge.AddForward(lagMm + misplacedMm);
+            nudge.AddBackward(-lagMm + misplacedMm);
+
+            Assert.That(nudge.Result.Visualisation.Length.TotalMilliseconds, Is.EqualTo(trueMs).Within(1e-3));
+            Assert.That(nudge.Result.OffsetMm, Is.EqualTo(misplacedMm).Within(1e-9));
+            Assert.That(nudge.Result.Count, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Result_MarksByAnEye_ScatterAsTheSpreadSays([Values(2.0, 5.0)] double eyeMm)
+        {
+            const int runs = 400, repeats = 6;
+            var random = new Random(11);
+            double sumOfSquares = 0, spread = 0;
+            double Mark(double mm) => mm + eyeMm * Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+            for (var run = 0; run < runs; run++)
+            {
+                var nudge = new NudgeCalibration(400, 40);
+                for (var i = 0; i < repeats; i++)
+                {
+                    nudge.AddForward(Mark(8));
+                    nudge.AddBackward(Mark(-8));
+                }
+                sumOfSquares += Math.Pow(nudge.Result.Visualisation.Length.TotalMilliseconds - 60, 2);
+                spread += nudge.Result.Spread.TotalMilliseconds / runs;
+            }
+
+            var ofMean = Math.Sqrt(sumOfSquares / runs);
+            Assert.That(ofMean, Is.EqualTo(spread / Math.Sqrt(repeats)).Within(0.1 * ofMean), "seed 11");
+        }
+
+        [Test]
+        public void Result_OneMarkEach_SpreadsByWhatAnEyeSees()
+        {
+            var nudge = new NudgeCalibration(500, 40);
+            nudge.AddForward(3);
+            nudge.AddBackward(-3);
+
+            Assert.That(nudge.Result.Spread.TotalMilliseconds, Is.EqualTo(1000 / (Math.Sqrt(2) * 500)).Within(1e-3));
+        }
+
+        [Test]
+        public void Result_OneDirectionOnly_IsRefused()
+        {
+            var nudge = new NudgeCalibration(500, 40);
+            nudge.AddForward(3);
+
+            Assert.That(Assert.Throws<InputException>(() => nudge.Result.ToString()).Message,
+                Is.EqualTo("nudge: backward has no mark; mark both directions"));
+        }
+
+        [Test]
+        public void Result_DirectionsMixedUp_IsNoLatency()
+        {
+            var nudge = new NudgeCalibration(500, 40);
+            nudge.AddForward(-30);
+            nudge.AddBackward(30);
+
+            Assert.That(Assert.Throws<InputException>(() => nudge.Result.ToString()).Message,
+                Is.EqualTo("nudge: visualisation latency: -20 ms is out of range; allowed are 0 to 500 ms"));
+        }
+
+        [TestCase(0, 40, "speed of the tool: 0 mm/s is out of range; allowed are 1 to 10000 mm/s")]
+        [TestCase(double.NaN, 40, "speed of the tool: NaN mm/s is out of range; allowed are 1 to 10000 mm/s")]
+        [TestCase(500, -1, "visualisation latency: -1 ms is out of range; allowed are 0 to 500 ms")]
+        public void NudgeCalibration_BadSetting_SaysWhatIsWrong(double speedMmPerS, double toldMs, string message)
+        {
+            Assert.That(Assert.Throws<InputException>(() => new NudgeCalibration(speedMmPerS, toldMs)).Message, Is.EqualTo(message));
+        }
+
+        [TestCase(double.NaN)]
+        [TestCase(-1001)]
+        public void AddForward_BadOffset_IsRefused(double offsetMm)
+        {
+            Assert.Throws<InputException>(() => new NudgeCalibration(500, 40).AddForward(offsetMm));
+        }
+    }
+}
