@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Nowpose.Latency
+{
+    /// <summary>Finds the constant-latency range in pictures taken at several loads: L_visu, and the render time up to which it is constant.</summary>
+    /// <remarks>
+    /// Schnierle &amp; Röck 2022, Fig. 11b. A pair is good when its L_visu is the plateau's. The limit is where the share of good
+    /// pairs changes, chosen by the greatest likelihood (<see cref="RangeSplit"/>), so that neither misread pictures nor frames
+    /// that waited behind a slow one move it. Without enough pairs beyond it there is no limit, only a range that was seen.
+    /// </remarks>
+    public static class RangeFit
+    {
+        /// <summary>Fewer pairs tell nothing.</summary>
+        public const int LeastPairs = 20;
+
+        /// <summary>The lowest render times, where the plateau is looked for first.</summary>
+        const double SeedShare = 0.2;
+
+        /// <summary>What a camera and the milliseconds of the codes make of a constant latency, ms.</summary>
+        const double LeastTolerance = 3;
+
+        /// <summary>So many standard deviations from the plateau are still it.</summary>
+        const double Deviations = 3.5;
+
+        const int MostRounds = 8;
+
+        /// <param name="pairs"><see cref="LeastPairs"/> or more, in any order.</param>
+        /// <exception cref="InputException">Too few pairs.</exception>
+        public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)
+        {
+            if (pairs.Count < LeastPairs)
+                throw new InputException("pairs: " + pairs.Count + " are too few to tell a range; take at least " + LeastPairs + " pictures");
+            var sorted = pairs.OrderBy(pair => pair.RenderMs).ThenBy(pair => pair.VisuMs).ToArray();
+            var plateau = Plateau.Of(sorted.Take(Math.Max(LeastPairs / 2, (int)(SeedShare * sorted.Length))));
+            var good = new bool[sorted.Length];
+            var nearest = double.PositiveInfinity;
+            var split = default(RangeSplit);
+            for (var round = 0; round < MostRounds; round++)
+            {
+                var tolerance = Math.Min(Math.Max(LeastTolerance, Deviations * plateau.Deviation), nearest);
+                for (var i = 0; i < sorted.Length; i++) good[i] = Math.Abs(sorted[i].VisuMs - plateau.Centre) <= tolerance;
+                var before = split.Count;
+                split = RangeSplit.Find(good);
+                plateau = Plateau.Of(sorted.Take(split.Count).Where((_, i) => good[i]));
+                // What lies beyond the limit is nearer to what lies there than to the plateau, however wide that is.
+                if (split.IsReached) nearest = Math.Max(LeastTolerance, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
+                if (split.Count == before && round > 1) break;
+            }
+            return Result(sorted, good, split);
+        }
+
+        static RangeFitResult Result(LatencyPair[] sorted, bool[] good, RangeSplit split)
+        {
+            var inside = Visu(sorted.Take(split.Count).Where((_, i) => good[i])).ToArray();
+            var mean = inside.Average();
+            var spread = Math.Sqrt(inside.Sum(visu => (visu - mean) * (visu - mean)) / Math.Max(1, inside.Length - 1));
+            return new RangeFitResult(mean, spread, sorted[split.Count - 1].RenderMs, split.IsReached, sorted.Length, split.Count - inside.Length);
+        }
+
+        static IEnumerable<double> Visu(IEnumerable<LatencyPair> pairs) => pairs.Select(pair => pair.VisuMs);
+
+        static double Median(IEnumerable<double> values)
+        {
+            var sorted = values.OrderBy(value => value).ToArray();
+            return (sorted[sorted.Length / 2] + sorted[(sorted.Length - 1) / 2]) / 2;
+        }
+
+        /// <summary>Where L_visu stands, and how much it scatters, misread pictures apart; ms.</summary>
+        readonly struct Plateau
+        {
+            /// <summary>Standard deviation of a normal distribution by its median absolute deviation.</summary>
+            const double PerMedianDeviation = 1.4826;
+
+            Plateau(double centre, double deviation)
+            {
+                Centre = centre;
+                Deviation = deviation;
+            }
+
+            public double Centre { get; }
+            public double Deviation { get; }
+
+            public static Plateau Of(IEnumerable<LatencyPair> pairs)
+            {
+                var visu = Visu(pairs).ToArray();
+                var centre = Median(visu);
+                return new Plateau(centre, PerMedianDeviation * Median(visu.Select(each => Math.Abs(each - centre))));
+            }
+        }
+    }
+}

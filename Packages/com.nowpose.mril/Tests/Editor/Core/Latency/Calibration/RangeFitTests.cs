@@ -1,0 +1,120 @@
+using System;
+using System.Linq;
+using Nowpose.Latency;
+using Nowpose.Simulation;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class RangeFitTests
+    {
+        const double TrueLimitMs = 1000 / 60.0 - 1.5;
+        const double PlateauMs = 40;
+        static readonly double[] BelowTheLimit = Enumerable.Range(0, 11).Select(i => 100_000.0 * i).ToArray();
+
+        static int CountNear(SimulatedPictures pictures, out string limits)
+        {
+            var found = Enumerable.Range(2000, 100).Select(seed => RangeFit.Fit(pictures.Take(seed)).LimitRenderMs ?? 0).ToArray();
+            limits = "limits " + string.Join(" ", found.OrderBy(limit => limit).Select(limit => limit.ToString("0.00")));
+            return found.Count(limit => limit >= 0.94 * TrueLimitMs && limit <= 1.02 * TrueLimitMs);
+        }
+
+        [TestCase(30)]
+        [TestCase(100)]
+        public void Fit_SweepsOverTheLimit_FindItWithinSixPercentBelowAndTwoAbove(int perLoad)
+        {
+            var near = CountNear(new SimulatedPictures { PerLoad = perLoad }, out var limits);
+
+            Assert.That(near, Is.GreaterThanOrEqualTo(95), limits);
+        }
+
+        [Test]
+        public void Fit_CoarseLoadsAndFewPictures_StillFindIt()
+        {
+            var coarse = new SimulatedPictures { PerLoad = 20, Loads = Enumerable.Range(0, 11).Select(i => 200_000.0 * i).ToArray() };
+
+            Assert.That(CountNear(coarse, out var limits), Is.GreaterThanOrEqualTo(95), limits);
+        }
+
+        [Test]
+        public void Fit_OneInTwentyMisreadAndThreeInAHundredSlow_StillFindIt()
+        {
+            var spoiled = new SimulatedPictures { Misread = 0.05, Display = new DisplayPipelineSettings(spikeChance: 0.03) };
+
+            Assert.That(CountNear(spoiled, out var limits), Is.GreaterThanOrEqualTo(95), limits);
+        }
+
+        // Each frame of a display that shines all the time is seen up to half a refresh before or after its middle.
+        [Test]
+        public void Fit_LatencyThatScattersByHalfARefresh_FindsTheLimitAllTheSame()
+        {
+            var near = CountNear(new SimulatedPictures { NoiseMs = 4 }, out var limits);
+
+            Assert.That(near, Is.GreaterThanOrEqualTo(90), limits);
+        }
+
+        [TestCase(0.02, 0.01)]
+        [TestCase(0.05, 0.01)]
+        public void Fit_LoadsThatNeverReachTheLimit_InventNone(double misread, double spikeChance)
+        {
+            var plateau = new SimulatedPictures { Loads = BelowTheLimit, Misread = misread, Display = new DisplayPipelineSettings(spikeChance: spikeChance) };
+
+            foreach (var seed in Enumerable.Range(3000, 100))
+            {
+                var pairs = plateau.Take(seed);
+
+                var fit = RangeFit.Fit(pairs);
+
+                Assert.That(fit.LimitRenderMs, Is.Null, "seed " + seed);
+                Assert.That(fit.ValidToRenderMs, Is.InRange(0.9 * pairs.Select(pair => pair.RenderMs).Where(each => each < TrueLimitMs).Max(), 32), "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void Fit_Sweeps_GiveThePlateauWithinATenthOfAMillisecondAndItsSpread()
+        {
+            foreach (var seed in Enumerable.Range(1, 20))
+            {
+                var fit = RangeFit.Fit(new SimulatedPictures().Take(seed));
+
+                Assert.That(fit.VisuMs, Is.EqualTo(PlateauMs).Within(0.25), "seed " + seed);
+                Assert.That(fit.SpreadMs, Is.InRange(0.8, 1.4), "seed " + seed);
+                Assert.That(fit.Rejected, Is.InRange(1, 0.08 * fit.Pairs), "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void Fit_ASharpTurn_IsFoundBetweenTheLastGoodAndTheFirstBad()
+        {
+            var pairs = Enumerable.Range(0, 200).Select(i => new LatencyPair(5 + 0.1 * i, i < 100 ? 40 : 57)).ToArray();
+
+            var fit = RangeFit.Fit(pairs);
+
+            Assert.That(fit.LimitRenderMs, Is.EqualTo(14.9).Within(1e-9));
+            Assert.That(fit.VisuMs, Is.EqualTo(40));
+            Assert.That(fit.Rejected, Is.Zero);
+        }
+
+        [Test]
+        public void Fit_PlateauToTheEnd_IsValidToTheGreatestRenderTimeSeen()
+        {
+            var fit = RangeFit.Fit(Enumerable.Range(0, 60).Select(i => new LatencyPair(4 + 0.1 * i, 40 + i % 3)).ToArray());
+
+            Assert.That(fit.LimitRenderMs, Is.Null);
+            Assert.That(fit.ValidToRenderMs, Is.EqualTo(9.9).Within(1e-9));
+        }
+
+        [Test]
+        public void Fit_TooFewPairs_SaysHowManyAreNeeded() =>
+            Assert.That(() => RangeFit.Fit(new LatencyPair[19]), Throws.TypeOf<InputException>().With.Message.Contains("19").And.Message.Contains("20"));
+
+        [TestCase(0, 40, "render_ms")]
+        [TestCase(-1, 40, "render_ms")]
+        [TestCase(double.NaN, 40, "render_ms")]
+        [TestCase(double.PositiveInfinity, 40, "render_ms")]
+        [TestCase(5, double.NaN, "visu_ms")]
+        [TestCase(5, 1001, "visu_ms")]
+        public void Pair_NoMeasurement_NamesTheFieldAndItsRange(double renderMs, double visuMs, string field) =>
+            Assert.That(() => new LatencyPair(renderMs, visuMs), Throws.TypeOf<InputException>().With.Message.Contains(field).And.Message.Contains("1000 ms"));
+    }
+}

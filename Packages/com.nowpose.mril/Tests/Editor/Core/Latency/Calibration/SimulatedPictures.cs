@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Latency;
+using Nowpose.Simulation;
+
+namespace Nowpose.Tests
+{
+    /// <summary>Pairs of a sweep as a camera would give them: a simulated display, one of three frames or so, now and then misread.</summary>
+    sealed class SimulatedPictures
+    {
+        const double PlateauMs = 40;
+
+        /// <summary>Loads of the sweep, vertices.</summary>
+        public double[] Loads { get; set; } = Enumerable.Range(0, 21).Select(i => 100_000.0 * i).ToArray();
+
+        public int PerLoad { get; set; } = 30;
+
+        /// <summary>Share of pictures whose L_visu is anything.</summary>
+        public double Misread { get; set; } = 0.02;
+
+        /// <summary>Standard deviation of a read L_visu, ms.</summary>
+        public double NoiseMs { get; set; } = 1;
+
+        public DisplayPipelineSettings Display { get; set; } = new DisplayPipelineSettings(plateauMs: PlateauMs);
+
+        public IReadOnlyList<LatencyPair> Take(int seed)
+        {
+            var random = new Random(seed);
+            var pipeline = new DisplayPipeline(seed, Display);
+            var pairs = new List<LatencyPair>();
+            foreach (var load in Loads)
+                for (var taken = 0; taken < PerLoad;)
+                {
+                    var frame = pipeline.Next(load);
+                    if (random.NextDouble() < 0.7) continue;
+                    taken++;
+                    var visuMs = random.NextDouble() < Misread
+                        ? -100 + 400 * random.NextDouble()
+                        : frame.Visualisation.TotalMilliseconds + NoiseMs * Normal(random);
+                    pairs.Add(new LatencyPair(frame.RenderTime.TotalMilliseconds, visuMs));
+                }
+            // A camera's pictures need not come sorted.
+            return pairs.OrderBy(_ => random.Next()).ToArray();
+        }
+
+        static double Normal(Random random) =>
+            Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+    }
+}
