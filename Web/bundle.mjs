@@ -1,4 +1,4 @@
-// Makes dist/report.html and dist/figures.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
+// Makes dist/report.html, figures.html and calibration.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -7,8 +7,8 @@ import { build } from 'esbuild';
 const web = dirname(fileURLToPath(import.meta.url));
 const read = path => readFileSync(join(web, path), 'utf8');
 
-const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts' };
-const templates = { report: 'src/report.html', figures: 'src/paper/figures.html' };
+const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts' };
+const templates = { report: 'src/report.html', figures: 'src/paper/figures.html', calibration: 'src/calibration/calibration.html' };
 
 const { outputFiles } = await build({
   absWorkingDir: web,

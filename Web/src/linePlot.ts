@@ -52,7 +52,10 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
     series: [{}, ...traces.map(series)],
     bands: options.band ? bandsOf(traces, options.band) : undefined,
     scales: { y: { range: yRange(options) } },
-    draw: options.marks?.length ? u => paintMarks(u, options.marks!) : undefined,
+    draw: u => {
+      traces.forEach((trace, i) => { if (trace.deviation && u.series[i + 1].show) paintDeviations(u, trace); });
+      if (options.marks?.length) paintMarks(u, options.marks);
+    },
     onCursor: (u, inside) => {
       if (!inside) return legend.show('');
       const time = u.posToVal(u.cursor.left!, 'x');
@@ -91,6 +94,30 @@ function paintMarks(u: uPlot, marks: Mark[]): void {
   ctx.restore();
 }
 
+function paintDeviations(u: uPlot, { look, t, v, deviation }: Trace): void {
+  const { ctx, bbox } = u, ratio = devicePixelRatio, cap = 4 * ratio;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.strokeStyle = colour(look.ink);
+  ctx.lineWidth = ratio;
+  ctx.beginPath();
+  t.forEach((time, i) => {
+    const value = v[i], half = deviation![i];
+    if (value == null || half == null) return;
+    const at = u.valToPos(time, 'x', true), top = u.valToPos(value + half, 'y', true), bottom = u.valToPos(value - half, 'y', true);
+    ctx.moveTo(at, top);
+    ctx.lineTo(at, bottom);
+    for (const y of [top, bottom]) {
+      ctx.moveTo(at - cap, y);
+      ctx.lineTo(at + cap, y);
+    }
+  });
+  ctx.stroke();
+  ctx.restore();
+}
+
 function series(trace: Trace): uPlot.Series {
   const { look } = trace;
   return {
@@ -98,12 +125,13 @@ function series(trace: Trace): uPlot.Series {
     width: look.width,
     dash: look.dash,
     stroke: () => colour(look.ink),
-    paths: trace.stepped ? uPlot.paths.stepped!({ align: 1 }) : undefined,
+    paths: trace.scattered ? () => null : trace.stepped ? uPlot.paths.stepped!({ align: 1 }) : undefined,
     points: pointsOf(trace),
   };
 }
 
 function pointsOf(trace: Trace): uPlot.Series.Points {
+  if (trace.scattered) return { show: true, size: 5, width: 0, fill: () => colour(trace.look.ink) };
   if (trace.marked) return { show: true, size: 6, fill: () => colour(trace.look.ink) };
   return trace.stepped ? { show: u => hasRoom(u, trace), size: 5, fill: () => colour('--surface') } : { show: false };
 }

@@ -30,6 +30,10 @@ export interface Trace {
   stepped?: boolean;
   /** Marks each point. */
   marked?: boolean;
+  /** Points only, no line between them. */
+  scattered?: boolean;
+  /** Half length of a bar across each point. */
+  deviation?: (number | null)[];
   /** Draws with this trace and is shown and hidden with it: the other edge of a band. */
   mirror?: boolean;
 }

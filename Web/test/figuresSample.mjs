@@ -2,7 +2,7 @@
 
 const range = (count, f) => Array.from({ length: count }, (_, i) => f(i));
 
-const trace = (label, look, x, y, more = {}) => ({ label, look, x, y, stepped: false, marked: false, ...more });
+const trace = (label, look, x, y, more = {}) => ({ label, look, x, y, stepped: false, marked: false, scattered: false, deviation: null, ...more });
 
 const plot = (title, x, y, traces, more = {}) => ({ title, x, y, from_zero: false, y_extent: null, iso_mm: null, marks: [], traces, ...more });
 

@@ -48,28 +48,9 @@ static class FiguresJson
         figure.Beyond,
         figure.Conditions,
         File = figure.FileName,
-        Table = new { Columns = figure.Table.Columns.Select(c => c.Label), Rows = figure.Table.Rows.Select(row => row.Select(v => Round(v, 4))) },
+        Table = new { Columns = figure.Table.Columns.Select(c => c.Label), Rows = PlotJson.Rows(figure.Table) },
         figure.Summary,
         figure.Drawings,
-        Plots = figure.Plots.Select(Of),
+        Plots = figure.Plots.Select(PlotJson.Of),
     };
-
-    static object Of(FigurePlot plot) => new
-    {
-        plot.Title,
-        X = Of(plot.X),
-        Y = Of(plot.Y),
-        plot.FromZero,
-        plot.YExtent,
-        plot.IsoMm,
-        Marks = plot.Marks.Select(m => new { m.Label, m.X }),
-        Traces = plot.Traces.Select(t => new
-        {
-            t.Label, t.Look, X = t.X.Select(x => Math.Round(x, 4)), Y = t.Y.Select(y => Round(y, 4)), t.Stepped, t.Marked,
-        }),
-    };
-
-    static object Of(FigureColumn column) => new { column.Name, column.Unit };
-
-    static double? Round(double? value, int digits) => value is double v ? Math.Round(v, digits) : null;
 }

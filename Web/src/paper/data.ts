@@ -69,6 +69,10 @@ export interface TraceData {
   y: Value[];
   stepped: boolean;
   marked: boolean;
+  /** Points only, no line between them. */
+  scattered: boolean;
+  /** Half length of a bar across each point; null for none. */
+  deviation: Value[] | null;
 }
 
 export function readFigures(): FiguresData {

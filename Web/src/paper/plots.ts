@@ -21,7 +21,10 @@ export function plotOf(plot: PlotData, figure: string, isOneOfSeveral: boolean):
     fromZero: plot.from_zero,
     yExtent: plot.y_extent ?? undefined,
     marks: plot.marks,
-    traces: plot.traces.map(t => ({ label: t.label, look: lookOf(t.look), t: t.x, v: t.y, stepped: t.stepped, marked: t.marked })),
+    traces: plot.traces.map(t => ({
+      label: t.label, look: t.scattered ? pointsOf(t.look) : lookOf(t.look), t: t.x, v: t.y,
+      stepped: t.stepped, marked: t.marked, scattered: t.scattered, deviation: t.deviation ?? undefined,
+    })),
   });
 }
 

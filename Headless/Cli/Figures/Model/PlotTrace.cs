@@ -10,4 +10,10 @@ sealed record PlotTrace(string Label, string Look, IReadOnlyList<double> X, IRea
 
     /// <summary>Marks each point.</summary>
     public bool Marked { get; init; }
+
+    /// <summary>Points only, no line between them; x must increase strictly all the same.</summary>
+    public bool Scattered { get; init; }
+
+    /// <summary>Half length of a bar across each point; null for none.</summary>
+    public IReadOnlyList<double?> Deviation { get; init; }
 }

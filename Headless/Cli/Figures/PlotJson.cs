@@ -1,0 +1,31 @@
+using Nowpose.Cli.Figures.Model;
+
+namespace Nowpose.Cli.Figures;
+
+/// <summary>Plots and tables as the pages read them: the fields are those of <c>Web/src/paper/data.ts</c>.</summary>
+static class PlotJson
+{
+    const int Digits = 4;
+
+    public static object Of(FigurePlot plot) => new
+    {
+        plot.Title,
+        X = Of(plot.X),
+        Y = Of(plot.Y),
+        plot.FromZero,
+        plot.YExtent,
+        plot.IsoMm,
+        Marks = plot.Marks.Select(m => new { m.Label, m.X }),
+        Traces = plot.Traces.Select(t => new
+        {
+            t.Label, t.Look, X = t.X.Select(x => Math.Round(x, Digits)), Y = Rounded(t.Y), t.Stepped, t.Marked, t.Scattered,
+            Deviation = t.Deviation == null ? null : Rounded(t.Deviation),
+        }),
+    };
+
+    public static IEnumerable<IEnumerable<double?>> Rows(FigureTable table) => table.Rows.Select(Rounded);
+
+    static object Of(FigureColumn column) => new { column.Name, column.Unit };
+
+    static IEnumerable<double?> Rounded(IEnumerable<double?> values) => values.Select(value => value is double v ? Math.Round(v, Digits) : (double?)null);
+}

@@ -1,0 +1,26 @@
+import type { Fact, Value } from '../data';
+import type { PlotData } from '../paper/data';
+
+/** The page's data, as `CalibrationPage.Render` receives it. */
+export interface CalibrationData {
+  title: string;
+  /** The outcome in one sentence. */
+  result: string;
+  /** What to know before trusting it. */
+  warnings: string[];
+  facts: Fact[];
+  sections: SectionData[];
+}
+
+export interface SectionData {
+  heading: string;
+  /** Figure or section of the paper; null where it has none. */
+  source: string | null;
+  words: string;
+  plots: PlotData[];
+  table: { columns: string[]; rows: Value[][] } | null;
+}
+
+export function readCalibration(): CalibrationData {
+  return JSON.parse(document.getElementById('report-data')!.textContent!) as CalibrationData;
+}
