@@ -1,0 +1,87 @@
+using System;
+using System.IO;
+using System.Linq;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class SweepLogTests
+    {
+        const string Header = "control_ns,vertices,render_ms,source,device,display_hz\n";
+
+        static string Text(params SweepRow[] rows)
+        {
+            var text = new StringWriter();
+            SweepLog.WriteHeader(text);
+            foreach (var row in rows) SweepLog.Write(text, row);
+            return text.ToString();
+        }
+
+        static SweepRow[] Read(string text) => SweepLogReader.Read(new StringReader(text), "sweep.csv").ToArray();
+
+        static SweepRow Row(double? renderMs = 7.25, RenderTimeSourceKind source = RenderTimeSourceKind.DisplayGpuTime, string device = "HoloLens 2") =>
+            new SweepRow(ControlTime.FromNanoseconds(1_700_000_000_123_456_700), 300_000, renderMs, source, device, 60);
+
+        [Test]
+        public void Row_Written_IsOneLineOfThatForm()
+        {
+            Assert.That(Text(Row()), Is.EqualTo(Header + "1700000000123456700,300000,7.25,display_gpu_time,HoloLens 2,60\n"));
+        }
+
+        [TestCase(RenderTimeSourceKind.None, null, "HoloLens 2")]
+        [TestCase(RenderTimeSourceKind.GpuCompletion, null, "HoloLens 2")]
+        [TestCase(RenderTimeSourceKind.CameraCpu, 0.6251, "")]
+        [TestCase(RenderTimeSourceKind.EngineGpuTime, 16.6667, "PC \"lab\", left")]
+        public void Row_Written_IsReadAsItWas(RenderTimeSourceKind source, double? renderMs, string device)
+        {
+            var row = Row(renderMs, source, device);
+
+            var read = Read(Text(row, row));
+
+            Assert.That(read, Has.Length.EqualTo(2));
+            Assert.That(read[1].FrameStart, Is.EqualTo(row.FrameStart));
+            Assert.That(read[1].Vertices, Is.EqualTo(300_000));
+            Assert.That(read[1].RenderMs, Is.EqualTo(renderMs));
+            Assert.That(read[1].Source, Is.EqualTo(source));
+            Assert.That(read[1].Device, Is.EqualTo(device));
+            Assert.That(read[1].DisplayHz, Is.EqualTo(60));
+        }
+
+        [Test]
+        public void Text_OfAnotherProgram_MayHaveOtherLineEndsAndAnUnknownDisplayRate()
+        {
+            var read = Read(Header.Replace("\n", "\r\n") + "5,0,,,,\r\n\r\n");
+
+            Assert.That(read.Single().DisplayHz, Is.NaN);
+        }
+
+        [TestCase("", "sweep.csv:1: the header is ''")]
+        [TestCase("time,load\n1,2\n", "sweep.csv:1: the header is 'time,load'; that of a sweep log is control_ns,")]
+        [TestCase(Header, "sweep.csv: no rows below the header")]
+        [TestCase(Header + "5,0,4,display_gpu_time,x\n", "sweep.csv:2: 5 fields; there must be 6")]
+        [TestCase(Header + "5.5,0,4,display_gpu_time,x,60\n", "sweep.csv:2: control_ns: '5.5' is not a whole number of nanoseconds")]
+        [TestCase(Header + "5,0,,,x,60\n5,2000001,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: 2000001 is out of range; allowed are 0 to 2000000")]
+        [TestCase(Header + "5,0,0,display_gpu_time,x,60\n", "sweep.csv:2: render time: 0 ms is out of range")]
+        [TestCase(Header + "5,0,NaN,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: 'NaN' is not a number of milliseconds")]
+        [TestCase(Header + "5,0,-1,display_gpu_time,x,60\n", "sweep.csv:2: render time: -1 ms is out of range")]
+        [TestCase(Header + "5,0,4,gpu,x,60\n", "sweep.csv:2: source: 'gpu' is no source of a render time; known are display_gpu_time, ")]
+        [TestCase(Header + "5,0,4,,x,60\n", "sweep.csv:2: render time: its source is missing")]
+        [TestCase(Header + "5,0,4,camera_cpu,x,0\n", "sweep.csv:2: display rate: 0 Hz is out of range")]
+        public void Text_Wrong_IsRefusedInOneLineWithItsPlace(string text, string message)
+        {
+            var fault = Assert.Throws<InputException>(() => Read(text));
+
+            Assert.That(fault.Message, Does.StartWith(message));
+            Assert.That(fault.Message, Does.Not.Contain("\n"));
+        }
+
+        [Test]
+        public void File_Missing_IsRefusedByName()
+        {
+            var path = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N") + ".csv");
+
+            Assert.That(() => SweepLogReader.Read(path), Throws.TypeOf<InputException>().With.Message.StartsWith(path + ": cannot be read"));
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using System;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class SweepPlanTests
+    {
+        [Test]
+        public void Loads_Up_GoFromNoneToTheGreatest()
+        {
+            var plan = new SweepPlan(1_000_000, 4, goesDown: false);
+
+            Assert.That(plan.Loads, Is.EqualTo(new[] { 0, 250_000, 500_000, 750_000, 1_000_000 }));
+        }
+
+        [Test]
+        public void Loads_UpAndDown_TurnAtTheGreatestAndEndWithNone()
+        {
+            var plan = new SweepPlan(steps: 3);
+
+            Assert.That(plan.Loads, Is.EqualTo(new[] { 0, 666_666, 1_333_333, 2_000_000, 1_333_333, 666_666, 0 }));
+        }
+
+        [Test]
+        public void Duration_IsOfAllLoadsWithTheTimeToSettle()
+        {
+            var plan = new SweepPlan(steps: 10, secondsPerLoad: 5, settleSeconds: 1);
+
+            Assert.That(plan.Duration, Is.EqualTo(TimeSpan.FromSeconds(21 * 6)));
+        }
+
+        [TestCase(2_000_001, 10, 5, 1, "greatest load of the sweep, vertices: 2000001 is out of range; allowed are 1000 to 2000000")]
+        [TestCase(2_000_000, 1, 5, 1, "steps of the sweep: 1 is out of range; allowed are 2 to 100")]
+        [TestCase(2_000_000, 10, 0, 1, "time of a load: 0 s is out of range")]
+        [TestCase(2_000_000, 10, 5, double.NaN, "time for a load to settle: NaN s is out of range")]
+        public void Plan_OutOfRange_IsRefusedByName(int most, int steps, double seconds, double settle, string message)
+        {
+            Assert.That(() => new SweepPlan(most, steps, seconds, settle), Throws.TypeOf<InputException>().With.Message.StartsWith(message));
+        }
+    }
+}
