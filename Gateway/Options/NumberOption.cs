@@ -20,6 +20,17 @@ public static class NumberOption
         };
     }
 
+    /// <summary>The same without a standard: null when it is not given.</summary>
+    public static Option<T?> CreateOptional<T>(string name, string description, T least, T greatest, string unit)
+        where T : struct, INumber<T>
+    {
+        return new Option<T?>(name)
+        {
+            Description = Invariant($"{description} [{least} to {greatest}{Suffix(unit)}]"),
+            CustomParser = result => Parse(result, name, least, greatest, unit),
+        };
+    }
+
     static T Parse<T>(ArgumentResult result, string name, T least, T greatest, string unit)
         where T : INumber<T>
     {

@@ -75,6 +75,13 @@ public sealed class Player : IDisposable
         _loop.Run(timeSeconds);
     }
 
+    /// <summary>A headset's display runs from now on, whose runtime says how long the GPU worked on the newest frame that is done.</summary>
+    public void ReportGpuTime(TimeSpan length)
+    {
+        _world.Gpu.ConnectDisplay();
+        _world.Gpu.DisplayGpuTime = (float)length.TotalSeconds;
+    }
+
     /// <summary>The system takes the application to the back, or to the front again.</summary>
     public void Pause(bool paused)
     {

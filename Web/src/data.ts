@@ -10,6 +10,7 @@ export interface Report {
   field?: FieldData | null;
   clock?: ClockData | null;
   latency?: LatencyData | null;
+  range?: RangeData | null;
 }
 
 export type Value = number | null;
@@ -68,6 +69,15 @@ export interface LatencyData {
   bin_ms: number[];
   count: number[];
   label?: string;
+}
+
+/** Seconds since start, milliseconds; an alarm is the time from its beginning to its end. */
+export interface RangeData {
+  t: number[];
+  render_ms: Value[];
+  visu_ms: Value[];
+  limit_ms?: Value;
+  alarms?: [from: number, to: number][] | null;
 }
 
 export function hasPoints(values: ArrayLike<unknown> | null | undefined): boolean {

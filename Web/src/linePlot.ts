@@ -16,6 +16,9 @@ export interface Mark {
   x: number;
 }
 
+/** A stretch of the horizontal axis. */
+export type Span = [from: number, to: number];
+
 export interface LinePlotOptions {
   description: string;
   height: number;
@@ -26,6 +29,8 @@ export interface LinePlotOptions {
   x?: Quantity;
   /** Named vertical lines. */
   marks?: Mark[];
+  /** Shaded from top to bottom. */
+  spans?: Span[];
   /** Fills between a trace and its mirror. */
   band?: Ink;
   /** The vertical axis begins at 0. */
@@ -53,6 +58,7 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
     bands: options.band ? bandsOf(traces, options.band) : undefined,
     scales: { y: { range: yRange(options) } },
     draw: u => {
+      paintSpans(u, options.spans ?? []);
       traces.forEach((trace, i) => { if (trace.deviation && u.series[i + 1].show) paintDeviations(u, trace); });
       if (options.marks?.length) paintMarks(u, options.marks);
     },
@@ -73,6 +79,17 @@ function yRange({ fromZero, yExtent }: LinePlotOptions): uPlot.Scale.Range {
 
 export function labelOf({ name, unit }: Quantity): string {
   return unit ? `${name} (${unit})` : name;
+}
+
+function paintSpans(u: uPlot, spans: Span[]): void {
+  const { ctx, bbox } = u;
+  ctx.save();
+  ctx.fillStyle = colour('--alarm');
+  for (const span of spans) {
+    const [from, to] = span.map(x => Math.min(bbox.left + bbox.width, Math.max(bbox.left, u.valToPos(x, 'x', true))));
+    if (to > from) ctx.fillRect(from, bbox.top, to - from, bbox.height);
+  }
+  ctx.restore();
 }
 
 function paintMarks(u: uPlot, marks: Mark[]): void {

@@ -4,6 +4,7 @@ import { hasPoints, readReport, type Report, type SummaryRow } from './data';
 import { el } from './dom';
 import { PAPER } from './figures';
 import { format } from './numbers';
+import { rangeSection } from './rangeSection';
 import { clockSection, errorSection, fieldSection, jointSection, latencySection } from './sections';
 import { factTable, reductionOf, summaryTable } from './tables';
 
@@ -47,6 +48,7 @@ function page(report: Report): Node[] {
       fieldSection(report.field),
       clockSection(report.clock),
       latencySection(report.latency),
+      report.range ? rangeSection(report.range) : null,
       facts(report)),
     el('footer', {}, el('p', {}, 'Method: M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop '
       + 'simulations of production systems”, Production Engineering (2022), ',

@@ -122,17 +122,17 @@ export function latencySection(latency: LatencyData | null | undefined): HTMLEle
     factTable('Samples by latency', bins.map((b, i) => [`from ${format(b)}`, count[i] ?? 0]), ['Latency (ms)', 'Samples']));
 }
 
-function trace(label: string, look: Trace['look'], t?: number[] | null, v?: (number | null)[] | null): Trace[] {
+export function trace(label: string, look: Trace['look'], t?: number[] | null, v?: (number | null)[] | null): Trace[] {
   return hasPoints(t) && hasPoints(v) ? [{ label, look, t: t!, v: v! }] : [];
 }
 
-function inWords(traces: Trace[], unit: string): string {
+export function inWords(traces: Trace[], unit: string): string {
   return traces.filter(t => !t.mirror).map(t => {
     const s = statistics(t.v);
     return s ? `${t.label}: ${format(s.min)} to ${format(s.max, unit)}, RMS ${format(s.rms, unit)}.` : `${t.label}: none.`;
   }).join(' ');
 }
 
-function numbersOf(caption: string, unit: string, traces: Trace[]): HTMLElement {
+export function numbersOf(caption: string, unit: string, traces: Trace[]): HTMLElement {
   return statisticsTable(caption, unit, traces.filter(t => !t.mirror).map(t => [t.label, statistics(t.v)]));
 }

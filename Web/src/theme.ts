@@ -1,7 +1,7 @@
 /** Colours come from the style sheet, so that page and canvas follow the same light, dark and print rules. */
 export type Ink =
   | '--ink' | '--muted' | '--grid' | '--surface'
-  | '--hold' | '--compensated' | '--truth' | '--band'
+  | '--hold' | '--compensated' | '--truth' | '--band' | '--alarm'
   | '--adaptive' | '--quadratic' | '--cubic' | '--linear';
 
 export function colour(ink: Ink): string {

@@ -41,6 +41,16 @@ const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   return 1 - rows[rows.length >> 1] / over.height;
 }, [index, ink]);
 
+/** How much of the render time plot's column at a time in seconds, of the 10 it shows, has the alarm's shade. */
+const shadedShare = (page, time) => page.evaluate(time => {
+  const plot = document.querySelector('#range .plot'), canvas = plot.querySelector('canvas');
+  const over = plot.querySelector('.u-over').getBoundingClientRect(), left = over.left - canvas.getBoundingClientRect().left;
+  const { data } = canvas.getContext('2d').getImageData(Math.round((left + (over.width * time) / 10) * devicePixelRatio), 0, 1, canvas.height);
+  let shaded = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 20 && data[i] > data[i + 2] + 80) shaded++;
+  return shaded / canvas.height;
+}, time);
+
 const shot = (page, index) => page.evaluate(i => document.querySelectorAll('.plot canvas')[i].toDataURL(), index);
 
 describe('a complete report', () => {
@@ -119,6 +129,30 @@ describe('a complete report', () => {
     const sources = await page.locator('.claim a').evaluateAll(links => links.map(a => [a.href, a.textContent]));
     assert.deepEqual(sources.map(s => s[1].replace('Schnierle & Röck 2022, ', '')), ['Sect. 3', 'Fig. 16', 'Fig. 18', 'Fig. 8', 'Eq. 2']);
     assert.ok(sources.every(s => s[0] === 'https://doi.org/10.1007/s11740-022-01175-2'));
+  });
+});
+
+describe('a report of a run with a load', () => {
+  const t = Array.from({ length: 600 }, (_, i) => i / 60);
+  const isLoaded = s => s >= 4 && s < 7;
+  const range = { t, render_ms: t.map(s => (isLoaded(s) ? 17 : 4)), visu_ms: t.map(s => (isLoaded(s) ? 57 : 40)), limit_ms: 15, alarms: [[4.1, 7.5]] };
+
+  it('shows both plots with the limit, shades the alarm and says when it was', async () => {
+    const page = await browser.open({ ...report(), range });
+
+    assert.deepEqual(page.complaints, []);
+    assert.equal(await page.locator('#range .plot canvas').count(), 2);
+    const words = await page.locator('#range .plot').first().getAttribute('aria-label');
+    assert.match(words, /render time: 4 to 17.ms.*limit: 15 to 15.ms.*Alarm from 4\.10 to 7\.50.s\./);
+    assert.ok(await shadedShare(page, 5.5) > 0.5, 'in the alarm');
+    assert.ok(await shadedShare(page, 2) < 0.1, 'before it, but for the limit');
+  });
+
+  it('says that there was no alarm where there was none', async () => {
+    const page = await browser.open({ ...report(), range: { ...range, alarms: [] } });
+
+    assert.match(await page.locator('#range .plot').first().getAttribute('aria-label'), /No alarm\./);
+    assert.ok(await shadedShare(page, 5.5) < 0.1);
   });
 });
 

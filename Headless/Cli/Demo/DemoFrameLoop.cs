@@ -1,31 +1,32 @@
 using System.Diagnostics;
 using Nowpose.Gateway.Clock;
+using Nowpose.Latency;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The headset's frame loop at 60 fps: read C2, play the frame, keep what is displayed.</summary>
+/// <summary>The headset's frame loop, as fast as its display: read C2, play the frame, keep what is displayed.</summary>
 sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetClock clock, DemoTruth truth)
 {
-    public const int FramesPerSecond = 60;
-
-    readonly TimeSpan _visualisation = TimeSpan.FromMilliseconds(settings.VisualisationMs);
+    readonly DemoDisplay _display = new(settings);
 
     bool _isScored;
 
-    public DemoFrames Frames { get; } = new(settings.Robot.MovingJoints.Count, (int)(settings.Seconds * FramesPerSecond) + 1);
+    public DemoFrames Frames { get; } = new(settings.Robot.MovingJoints.Count, (int)(settings.Seconds * DemoDisplay.FramesPerSecond) + 1);
 
     /// <param name="report">Takes the seconds done and what to say about them.</param>
     public void Run(Action<double, Func<string>> report, CancellationToken cancel)
     {
         var begin = clock.Now;
         var beginCount = Stopwatch.GetTimestamp();
-        var count = (int)(settings.Seconds * FramesPerSecond);
-        for (var i = 0; i < count && !cancel.IsCancellationRequested; i++)
+        // Whole frames only; half of one keeps rounding out of it.
+        var end = ((int)(settings.Seconds * DemoDisplay.FramesPerSecond) - 0.5) / DemoDisplay.FramesPerSecond;
+        while (_display.NextStart.TotalSeconds < end && !cancel.IsCancellationRequested)
         {
-            PreciseWait.Until(beginCount + (long)((double)i / FramesPerSecond * Stopwatch.Frequency));
+            PreciseWait.Until(beginCount + (long)(_display.NextStart.TotalSeconds * Stopwatch.Frequency));
+            _display.Render();
             ShowFrame(begin);
-            report((i + 1) / (double)FramesPerSecond, () => DemoProgress.Describe(headset.Session, clock.Now));
+            report(_display.NextStart.TotalSeconds, () => DemoProgress.Describe(headset.Session, clock.Now));
         }
     }
 
@@ -33,6 +34,7 @@ sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetC
     {
         var start = clock.Now;
         BeginScoring(start, start - begin);
+        if (_display.DriverTime is TimeSpan gpu) headset.ReportGpuTime(gpu);
         var bytes = GC.GetAllocatedBytesForCurrentThread();
         var count = Stopwatch.GetTimestamp();
         headset.Step((start - begin).TotalSeconds);
@@ -42,8 +44,9 @@ sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetC
         var model = headset.Session.Clock.ModelAt(start);
         var offsetErrorUs = model.IsKnown ? (model.OffsetAt(start) - truth.OffsetAt(start)).TotalMicroseconds : double.NaN;
         Frames.Add(frame == null ? [] : frame.Joints, frame == null ? [] : frame.HeldJoints, new DemoFrames.Row(
-            start - begin, start, truth.ControlAt(start + _visualisation), frame?.DisplayTime, model,
-            frame?.State ?? PoseState.Incomplete, offsetErrorUs, headset.Tool, headset.HeldTool, cpu.TotalMicroseconds, bytes));
+            start - begin, start, truth.ControlAt(start + _display.Visualisation), frame?.DisplayTime, model,
+            frame?.State ?? PoseState.Incomplete, offsetErrorUs, headset.Tool, headset.HeldTool, cpu.TotalMicroseconds, bytes,
+            frame?.Range ?? RangeState.Unknown, _display.Rendered ?? default));
     }
 
     // What the runtime measures itself shall be of the frames that are scored.

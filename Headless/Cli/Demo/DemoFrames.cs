@@ -1,4 +1,6 @@
+using Nowpose.Latency;
 using Nowpose.Session;
+using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
@@ -60,7 +62,10 @@ sealed class DemoFrames
     /// <param name="OffsetErrorUs">Estimated minus true offset, µs; NaN while unknown.</param>
     /// <param name="Tool">Where the scene shows the tool.</param>
     /// <param name="HeldTool">Where the scene's ghost, which is not compensated, shows it.</param>
+    /// <param name="Range">As the runtime judged it.</param>
+    /// <param name="Rendered">How the frame passed through the display; all zero without a load.</param>
     public readonly record struct Row(
         TimeSpan Elapsed, HeadsetTime Start, ControlTime TrueLight, ControlTime? AssumedLight, ClockModel Clock,
-        PoseState State, double OffsetErrorUs, ToolPosition Tool, ToolPosition HeldTool, double CpuUs, long AllocatedBytes);
+        PoseState State, double OffsetErrorUs, ToolPosition Tool, ToolPosition HeldTool, double CpuUs, long AllocatedBytes,
+        RangeState Range = RangeState.Unknown, PipelineFrame Rendered = default);
 }

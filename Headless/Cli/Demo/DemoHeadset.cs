@@ -40,6 +40,10 @@ sealed class DemoHeadset : IDisposable
             component.Settings = settings;
         });
         _component = _player.Find<MrilSession>();
+        _component.Changed += change =>
+        {
+            if ((change & SessionChange.LeftRange) != 0) Alarms++;
+        };
         var ghost = _component.GetComponentInChildren<Ghost>(includeInactive: true);
         ghost.Visible = true;
         _held = ghost.GetComponent<RobotRig>();
@@ -60,9 +64,15 @@ sealed class DemoHeadset : IDisposable
     /// <summary>Where the scene's ghost shows it, uncompensated.</summary>
     public ToolPosition HeldTool => ToolOf(_held);
 
+    /// <summary>How often the scene was told that the render time left the constant-latency range.</summary>
+    public int Alarms { get; private set; }
+
     /// <summary>Errors that the scene's scripts have logged; null when there are none.</summary>
     public string Complaint => _player.Logs
         .FirstOrDefault(entry => entry.Type is LogType.Error or LogType.Exception or LogType.Assert)?.ToString();
+
+    /// <summary>The display's driver tells how long the GPU worked on the newest frame that is done.</summary>
+    public void ReportGpuTime(TimeSpan length) => _player.ReportGpuTime(length);
 
     /// <summary>Plays one frame.</summary>
     /// <param name="seconds">Since the scene was loaded.</param>

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;
 
@@ -27,6 +28,7 @@ static class DemoReport
             Field = Field(score, run),
             Clock = Clock(run, start),
             Latency = Latency(run.ApplicationLatencies),
+            Range = Range(run, start),
         }, Options);
     }
 
@@ -39,7 +41,8 @@ static class DemoReport
         ["Sampling interval", Ms(s.SamplingMs)],
         ["Acquisition", s.Acquisition + " ms"],
         ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime is told {Ms(s.VisualisationMs + s.VisualisationErrorMs)}"],
-        ["Frame rate", $"{DemoFrameLoop.FramesPerSecond} fps"],
+        ["Frame rate", s.Load == null ? $"{DemoDisplay.FramesPerSecond} fps" : $"{DemoDisplay.FramesPerSecond} fps, less while the load holds frames back"],
+        ["Load", s.Load is int vertices ? vertices.ToString("0 vertices", CultureInfo.InvariantCulture) : "none"],
         ["Set-points ahead", s.PublishesPlan ? "published" : "none"],
         ["Seed", s.Seed.ToString(CultureInfo.InvariantCulture)],
     ];
@@ -100,6 +103,29 @@ static class DemoReport
             OffsetUs = known.Select(row => Round((row.Clock.OffsetAt(row.Start) - first).TotalMicroseconds)),
             ErrorUs = known.Select(row => Round(row.OffsetErrorUs)),
             BoundUs = known.Select(row => Round(row.Clock.ErrorBound.TotalMicroseconds)),
+        };
+    }
+
+    // Fig. 10, and what the runtime said meanwhile.
+    static object Range(DemoRun run, ControlTime start)
+    {
+        if (run.Settings.Load == null) return null;
+        var rows = run.Frames.Rows;
+        var alarms = new List<double[]>();
+        for (var i = 0; i < rows.Count; i++)
+        {
+            if (rows[i].Range != RangeState.Outside) continue;
+            var from = Seconds(rows[i].TrueLight, start);
+            while (i < rows.Count - 1 && rows[i].Range == RangeState.Outside) i++;
+            alarms.Add([from, Seconds(rows[i].TrueLight, start)]);
+        }
+        return new
+        {
+            T = rows.Select(row => Seconds(row.TrueLight, start)),
+            RenderMs = rows.Select(row => Round(row.Rendered.RenderTime.TotalMilliseconds)),
+            VisuMs = rows.Select(row => Round(row.Rendered.Visualisation.TotalMilliseconds)),
+            LimitMs = run.Limit?.TotalMilliseconds,
+            Alarms = alarms,
         };
     }
 

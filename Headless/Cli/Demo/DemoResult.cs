@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Demo;
 sealed record DemoResult(
     double Seconds, int Frames, long Samples, long Dropped, string Network,
     DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame,
-    DemoResult.Hindcasts Hindcast)
+    DemoResult.Hindcasts Hindcast, DemoResult.Ranges Range)
 {
     /// <summary>Milliseconds; <see cref="Visu"/> is the simulated headset's true one.</summary>
     public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
@@ -18,6 +18,12 @@ sealed record DemoResult(
 
     /// <summary>What the runtime itself measured, without the truth; its uncertainty is half of the 95 % confidence interval.</summary>
     public sealed record Hindcasts(double? Reduction, double? ReductionUncertainty, double? RmsMm, double? HoldRmsMm);
+
+    /// <summary>
+    /// When the runtime saw the constant-latency range left and, for good, found again, s since the start; how many frames it
+    /// took for outside, and how often it said so.
+    /// </summary>
+    public sealed record Ranges(double? LimitRenderMs, double? LeftS, double? FoundS, int FramesOutside, int Alarms);
 
     public sealed record FrameCost(double? CpuUsP50, double? CpuUsP99, double? AllocatedBytesPerFrame);
 }

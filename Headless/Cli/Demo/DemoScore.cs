@@ -24,13 +24,20 @@ sealed class DemoScore
     /// <summary>P95 of the uncompensated error, mm; null when no frame was scored.</summary>
     public double? HoldP95Mm => Percentile(Errors.Select(e => e.HoldMm), 0.95);
 
+    public DemoRange Range => new(_run, Errors);
+
     public DemoResult Result()
     {
         var statistics = _run.Statistics;
         return new DemoResult(
-            Round(_run.Frames.Rows.Count / (double)DemoFrameLoop.FramesPerSecond), _run.Frames.Rows.Count, statistics.Samples, statistics.Dropped,
-            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast());
+            Seconds(), _run.Frames.Rows.Count, statistics.Samples, statistics.Dropped,
+            _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result());
     }
+
+    // At 60 frames a second, but for a display that its load holds back.
+    double Seconds() => _run.Settings.Load == null
+        ? Round(_run.Frames.Rows.Count / (double)DemoDisplay.FramesPerSecond)
+        : Round(_run.Frames.Rows.Select(row => row.Elapsed.TotalSeconds + 1.0 / DemoDisplay.FramesPerSecond).LastOrDefault());
 
     TimeSpan? FirstSynchronised()
     {

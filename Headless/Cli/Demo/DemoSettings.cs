@@ -29,6 +29,9 @@ sealed record DemoSettings
     /// <summary>Added to the true display latency before the runtime is told.</summary>
     public double VisualisationErrorMs { get; init; }
 
+    /// <summary>Vertices of the scene's load; null for a display whose frames never take long.</summary>
+    public int? Load { get; init; }
+
     /// <summary>Whether the cell publishes its set-points ahead of time.</summary>
     public bool PublishesPlan { get; init; }
 

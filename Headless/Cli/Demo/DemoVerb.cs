@@ -33,6 +33,8 @@ static class DemoVerb
         "--visu-ms", "True display latency of the simulated headset", 40.0, 0, 400, "ms");
     static readonly Option<double> VisualisationError = NumberOption.Create(
         "--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
+    static readonly Option<int?> Load = NumberOption.CreateOptional(
+        "--load", "Vertices to be rendered from the first third of the run to its last quarter", 0, 2_000_000, "vertices");
     static readonly Option<bool> Trajectory = new("--trajectory")
     {
         Description = "Let the cell publish its set-points ahead of time, too",
@@ -44,12 +46,15 @@ static class DemoVerb
         DefaultValueFactory = _ => "nowpose-demo",
     };
 
+    // No light is seen before the next refresh.
+    const double LeastWithLoadMs = 17;
+
     public static Command Create()
     {
         var verb = new Command(
             "demo", "Run the headset runtime against a simulated cell over real sockets, and score what it shows against the truth.")
         {
-            Seconds, Network, Robot, Recording, Predictor, Sampling, Acquisition, Visualisation, VisualisationError, Trajectory, Seed, Output,
+            Seconds, Network, Robot, Recording, Predictor, Sampling, Acquisition, Visualisation, VisualisationError, Load, Trajectory, Seed, Output,
         };
         verb.SetAction((parsed, cancel) => RunAsync(Settings(parsed), parsed.GetValue(Output), cancel));
         return verb;
@@ -61,6 +66,9 @@ static class DemoVerb
         if (told is < 0 or > 500)
             throw new InputException(FormattableString.Invariant(
                 $"--visu-ms plus --visu-error-ms: {told} ms is out of range; allowed are 0 to 500 ms"));
+        if (parsed.GetValue(Load) != null && parsed.GetValue(Visualisation) < LeastWithLoadMs)
+            throw new InputException(FormattableString.Invariant(
+                $"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; with --load allowed are {LeastWithLoadMs} to 400 ms, for the display has 60 Hz"));
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
         return new DemoSettings
@@ -76,6 +84,7 @@ static class DemoVerb
             Acquisition = parsed.GetValue(Acquisition),
             VisualisationMs = parsed.GetValue(Visualisation),
             VisualisationErrorMs = parsed.GetValue(VisualisationError),
+            Load = parsed.GetValue(Load),
             PublishesPlan = parsed.GetValue(Trajectory),
             Seed = parsed.GetValue(Seed),
         };

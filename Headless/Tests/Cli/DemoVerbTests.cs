@@ -44,7 +44,8 @@ public class DemoVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         var result = Result();
-        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast"));
+        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range"));
+        Assert.That(result.GetProperty("range").ValueKind, Is.EqualTo(JsonValueKind.Null), "no load");
         Assert.That(Names(result.GetProperty("latency_ms")), Is.EqualTo("app_p50 app_p95 visu total_error_p95"));
         Assert.That(
             Names(result.GetProperty("clock")),
@@ -57,6 +58,22 @@ public class DemoVerbTests
         var repeated = result.GetProperty("tool_error_mm").GetProperty("reduction_repeated");
         Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "no third cycle in six seconds");
         await AssertReplayable();
+        Assert.That(Result().GetProperty("frame").GetProperty("allocated_bytes_per_frame").GetDouble(), Is.EqualTo(0));
+    }
+
+    [Test]
+    public async Task Demo_HeavyLoad_LeavesTheRangeRaisesTheAlarmAndFindsItAgain()
+    {
+        var run = await CliRun.OfAsync("demo", "--load", "1500000", "--seconds", "8", "--network", "lan", "--out", _folder);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        var range = Result().GetProperty("range");
+        Assert.That(Names(range), Is.EqualTo("limit_render_ms left_s found_s frames_outside alarms"));
+        Assert.That(range.GetProperty("left_s").GetDouble(), Is.InRange(2.7, 3.2), "the load comes at 2.67 s");
+        Assert.That(range.GetProperty("found_s").GetDouble(), Is.InRange(6.4, 7.2), "and goes at 6 s");
+        Assert.That(range.GetProperty("alarms").GetInt32(), Is.EqualTo(1));
+        Assert.That(run.Output, Does.Contain("alarm: left at").And.Contain("found again at"));
+        Assert.That(Result().GetProperty("latency_ms").GetProperty("total_error_p95").GetDouble(), Is.GreaterThan(15), "frames miss a refresh");
         Assert.That(Result().GetProperty("frame").GetProperty("allocated_bytes_per_frame").GetDouble(), Is.EqualTo(0));
     }
 
@@ -125,6 +142,7 @@ public class DemoVerbTests
     [TestCase("--seconds", "soon", "--seconds: 'soon' is not a number")]
     [TestCase("--seed", "1.5", "--seed: '1.5' is not a whole number; allowed are 0 to 1000000")]
     [TestCase("--seed", "99999999999", "--seed: 99999999999 is out of range")]
+    [TestCase("--load", "2000001", "--load: 2000001 vertices is out of range; allowed are 0 to 2000000 vertices")]
     [TestCase("--network", "carrier-pigeon", "--network: 'carrier-pigeon' is not known; allowed are lan, wifi, busy-wifi")]
     [TestCase("--acquisition-ms", "105-55", "--acquisition-ms: '105-55' is no range; allowed is MIN-MAX with 0 <= MIN <= MAX <= 1000 ms")]
     [TestCase("--acquisition-ms", "5-x", "--acquisition-ms: '5-x' is no range")]

@@ -1,0 +1,61 @@
+using Nowpose.Simulation;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>The simulated headset's display: when frames start, and when their light is seen.</summary>
+/// <remarks>Without a load, 60 frames a second with one L_visu, and nothing that measures render times. Allocates nothing once made.</remarks>
+sealed class DemoDisplay
+{
+    public const int FramesPerSecond = 60;
+
+    /// <summary>So many frames that one of them is done: two are under way at most.</summary>
+    const int Remembered = 4;
+
+    readonly DisplayPipeline _pipeline;
+    readonly DemoLoad _load;
+    readonly TimeSpan _visualisation;
+    readonly PipelineFrame[] _newest = new PipelineFrame[Remembered];
+    long _frames;
+
+    public DemoDisplay(DemoSettings settings)
+    {
+        _visualisation = TimeSpan.FromMilliseconds(settings.VisualisationMs);
+        if (settings.Load is not int vertices) return;
+        _load = new DemoLoad(vertices, settings.Seconds);
+        _pipeline = new DisplayPipeline(settings.Seed, Settings(settings));
+    }
+
+    /// <summary>When the next frame is to start, since the run began.</summary>
+    public TimeSpan NextStart => _pipeline?.NextStart ?? TimeSpan.FromSeconds((double)_frames / FramesPerSecond);
+
+    /// <summary>True L_visu of the newest frame.</summary>
+    public TimeSpan Visualisation => Rendered?.Visualisation ?? _visualisation;
+
+    /// <summary>The newest frame's way through the pipeline; null without a load.</summary>
+    public PipelineFrame? Rendered => _pipeline == null || _frames == 0 ? null : _newest[(_frames - 1) % Remembered];
+
+    /// <summary>What the driver knows when the newest frame starts: the render time of the last one that is done. Null where it knows none.</summary>
+    public TimeSpan? DriverTime
+    {
+        get
+        {
+            if (_pipeline == null) return null;
+            for (var back = 2; back <= Remembered && back <= _frames; back++)
+            {
+                var frame = _newest[(_frames - back) % Remembered];
+                if (frame.Done <= Rendered.Value.Start) return frame.RenderTime;
+            }
+            return null;
+        }
+    }
+
+    /// <summary>What the pipeline of a run is like.</summary>
+    public static DisplayPipelineSettings Settings(DemoSettings settings) => new(plateauMs: settings.VisualisationMs);
+
+    /// <summary>Renders the next frame.</summary>
+    public void Render()
+    {
+        if (_pipeline != null) _newest[_frames % Remembered] = _pipeline.Next(_load.VerticesAt(_pipeline.NextStart));
+        _frames++;
+    }
+}

@@ -1,0 +1,31 @@
+import type { RangeData } from './data';
+import { figure, type FigureOptions, notMeasured } from './figures';
+import { linePlot } from './linePlot';
+import { format } from './numbers';
+import { inWords, numbersOf, trace } from './sections';
+import { LOOKS } from './traces';
+
+/** What a load does to render time and visualisation latency, and what the runtime said meanwhile. */
+export function rangeSection(range: RangeData): HTMLElement {
+  const options: FigureOptions = {
+    id: 'range',
+    title: 'Constant-latency range',
+    claim: 'While frames are rendered within the limit, the visualisation latency stays as calibrated; beyond, frames miss the display’s refresh, '
+      + 'and the runtime says so (shaded).',
+    source: 'Fig. 10',
+  };
+  const render = trace('render time', LOOKS.compensated, range.t, range.render_ms);
+  const visu = trace('L_visu', LOOKS.compensated, range.t, range.visu_ms);
+  if (render.length + visu.length === 0) return notMeasured(options);
+  const ends = [range.t[0], range.t[range.t.length - 1]];
+  const limit = range.limit_ms == null ? [] : trace('limit', LOOKS.hold, ends, [range.limit_ms, range.limit_ms]);
+  const spans = range.alarms ?? [];
+  const alarms = spans.length === 0 ? 'No alarm.'
+    : spans.map(([from, to]) => `Alarm from ${format(from)} to ${format(to, 's')}.`).join(' ');
+  const plot = (what: string, yLabel: string, traces: typeof render) => linePlot({
+    description: `${what} of each frame over time. ${inWords(traces, 'ms')} ${alarms}`,
+    height: 220, yLabel, unit: 'ms', traces, spans, fromZero: true });
+  return figure(options,
+    [plot('Render time', 'render time (ms)', [...render, ...limit]), plot('Visualisation latency', 'L_visu (ms)', visu)],
+    numbersOf('Display', 'ms', [...render, ...visu]));
+}
