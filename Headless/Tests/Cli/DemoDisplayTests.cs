@@ -47,6 +47,16 @@ public class DemoDisplayTests
     }
 
     [Test]
+    public void DemoCalibration_OfTheSimulatedHeadset_FindsItsLatencyAndLimit([Values(1, 2, 3)] int seed)
+    {
+        var profile = DemoCalibration.Of(Plain with { Load = 0, Seed = seed, VisualisationMs = 43.4, VisualisationErrorMs = 2 });
+
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(45.4).Within(0.1), "with the error that the runtime is to be told");
+        Assert.That(profile.Range.Limit.TotalMilliseconds, Is.InRange(0.94 * 15.17, 1.02 * 15.17));
+        Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
+    }
+
+    [Test]
     public void DriverTime_EachFrame_IsOneThatWasDoneWhenTheFrameBegan()
     {
         var display = new DemoDisplay(Plain with { Load = 2_000_000 });

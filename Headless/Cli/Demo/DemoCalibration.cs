@@ -1,0 +1,47 @@
+using Nowpose.Latency;
+using Nowpose.Simulation;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Calibrates the simulated headset before a run with a load, as its user would have: a sweep through the loads, watched by a camera.</summary>
+static class DemoCalibration
+{
+    const int GreatestVertices = 2_000_000;
+    const int Steps = 20;
+    const int PicturesPerStep = 50;
+
+    /// <summary>The queue in front of the display settles.</summary>
+    const int FramesBefore = 10;
+
+    /// <summary>The runtime's allowed greatest L_visu.</summary>
+    const double GreatestMs = 500;
+
+    /// <param name="settings">With what the runtime is to be told wrong.</param>
+    public static LatencyProfile Of(DemoSettings settings)
+    {
+        var fit = RangeFit.Fit(Sweep(settings));
+        return new LatencyProfile(
+            Math.Clamp(fit.VisuMs + settings.VisualisationErrorMs, 0, GreatestMs), fit.SpreadMs, "simulated headset", DemoDisplay.FramesPerSecond,
+            DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Pairs, fit.LimitRenderMs, RenderTimeSourceKind.DisplayGpuTime, fit.ValidToRenderMs);
+    }
+
+    static List<LatencyPair> Sweep(DemoSettings settings)
+    {
+        // Not the run's own frames.
+        var display = new DisplayPipeline(settings.Seed + 1, DemoDisplay.Settings(settings));
+        var phase = new Random(settings.Seed);
+        var pairs = new List<LatencyPair>();
+        for (var step = 0; step <= Steps; step++)
+        {
+            for (var i = -FramesBefore; i < PicturesPerStep; i++)
+            {
+                var frame = display.Next((double)GreatestVertices * step / Steps);
+                if (i >= 0) pairs.Add(new LatencyPair(frame.RenderTime.TotalMilliseconds, Read(frame.Visualisation.TotalMilliseconds, phase)));
+            }
+        }
+        return pairs;
+    }
+
+    // The difference of two codes that count whole milliseconds, wherever between two of them the picture was taken.
+    static double Read(double visuMs, Random phase) => Math.Floor(visuMs + phase.NextDouble());
+}
