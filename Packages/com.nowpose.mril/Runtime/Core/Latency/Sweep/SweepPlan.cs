@@ -22,14 +22,19 @@ namespace Nowpose.Latency
         /// grows warm say, then shows as a difference between both ways.
         /// </param>
         /// <exception cref="InputException">Out of range.</exception>
-        public SweepPlan(int mostVertices = GreatestVertices, int steps = 10, double secondsPerLoad = 5, double settleSeconds = 1, bool goesDown = true)
+        public SweepPlan(
+            int mostVertices = GreatestVertices, int steps = 10, double secondsPerLoad = 5, double settleSeconds = 1, bool goesDown = true)
         {
             SettingRange.RequireCount(mostVertices, 1000, GreatestVertices, "greatest load of the sweep, vertices");
             SettingRange.RequireCount(steps, 2, 100, "steps of the sweep");
             Settling = SettingRange.RequireSeconds(settleSeconds, 0, 60, "time for a load to settle");
             TimePerLoad = Settling + SettingRange.RequireSeconds(secondsPerLoad, 0.5, 600, "time of a load");
             _loads = new int[goesDown ? 2 * steps + 1 : steps + 1];
-            for (var i = 0; i <= steps; i++) _loads[i] = _loads[_loads.Length - 1 - (goesDown ? i : steps - i)] = (int)((long)mostVertices * i / steps);
+            for (var i = 0; i <= steps; i++)
+            {
+                _loads[i] = (int)((long)mostVertices * i / steps);
+                if (goesDown) _loads[2 * steps - i] = _loads[i];
+            }
         }
 
         /// <summary>Vertices, one after the other.</summary>

@@ -41,7 +41,8 @@ namespace Nowpose.Latency
         {
             // Drivers that do not measure report zero.
             SettingRange.Require(ms, 0.001, 10_000, "render time", "ms");
-            if (source == RenderTimeSourceKind.None) throw new InputException("render time: its source is missing; without it the time means nothing");
+            if (source == RenderTimeSourceKind.None)
+                throw new InputException("render time: its source is missing; without it the time means nothing");
         }
     }
 }

@@ -20,7 +20,8 @@ namespace Nowpose.Tests
 
         static SweepRow[] Read(string text) => SweepLogReader.Read(new StringReader(text), "sweep.csv").ToArray();
 
-        static SweepRow Row(double? renderMs = 7.25, RenderTimeSourceKind source = RenderTimeSourceKind.DisplayGpuTime, string device = "HoloLens 2") =>
+        static SweepRow Row(
+            double? renderMs = 7.25, RenderTimeSourceKind source = RenderTimeSourceKind.DisplayGpuTime, string device = "HoloLens 2") =>
             new SweepRow(ControlTime.FromNanoseconds(1_700_000_000_123_456_700), 300_000, renderMs, source, device, 60);
 
         [Test]
@@ -61,7 +62,8 @@ namespace Nowpose.Tests
         [TestCase(Header, "sweep.csv: no rows below the header")]
         [TestCase(Header + "5,0,4,display_gpu_time,x\n", "sweep.csv:2: 5 fields; there must be 6")]
         [TestCase(Header + "5.5,0,4,display_gpu_time,x,60\n", "sweep.csv:2: control_ns: '5.5' is not a whole number of nanoseconds")]
-        [TestCase(Header + "5,0,,,x,60\n5,2000001,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: 2000001 is out of range; allowed are 0 to 2000000")]
+        [TestCase(
+            Header + "5,0,,,x,60\n5,2000001,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: 2000001 is out of range; allowed are 0 to 2000000")]
         [TestCase(Header + "5,0,0,display_gpu_time,x,60\n", "sweep.csv:2: render time: 0 ms is out of range")]
         [TestCase(Header + "5,0,NaN,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: 'NaN' is not a number of milliseconds")]
         [TestCase(Header + "5,0,-1,display_gpu_time,x,60\n", "sweep.csv:2: render time: -1 ms is out of range")]

@@ -1,0 +1,74 @@
+using System;
+
+namespace Nowpose.Latency
+{
+    /// <summary>One part of a <see cref="LoadMesh"/>: a rectangular grid, its last row perhaps cut short.</summary>
+    /// <remarks>
+    /// Vertices go row by row from the lower left; what each adds to the triangles is known by itself, so any few can be built at a time.
+    /// </remarks>
+    public readonly struct LoadPatch
+    {
+        /// <summary>Vertices in a row, and rows, of a full patch.</summary>
+        public const int Columns = 250, Rows = 100;
+
+        const int IndicesPerCell = 6;
+
+        readonly int _columns;
+        readonly float _left, _bottom, _stepX, _stepY;
+
+        /// <param name="vertices">3 to <see cref="Columns"/> × <see cref="Rows"/>.</param>
+        internal LoadPatch(int vertices, float left, float bottom, float width, float height)
+        {
+            Vertices = vertices;
+            // A patch of less than two rows has shorter ones: a single row has no triangles.
+            _columns = Math.Max(2, Math.Min(Columns, vertices / 2));
+            _left = left;
+            _bottom = bottom;
+            _stepX = width / (Columns - 1);
+            _stepY = height / (Rows - 1);
+        }
+
+        public int Vertices { get; }
+
+        /// <summary>Of its triangles, three for each.</summary>
+        public int Indices
+        {
+            get
+            {
+                int rest = Vertices % _columns, cells = (Vertices / _columns - 1) * (_columns - 1);
+                return rest == 1 ? cells * IndicesPerCell + IndicesPerCell / 2 : (cells + Math.Max(0, rest - 1)) * IndicesPerCell;
+            }
+        }
+
+        /// <summary>Where a vertex is, in widths of the wall.</summary>
+        /// <param name="vertex">0 to <see cref="Vertices"/> − 1.</param>
+        public void PlaceOf(int vertex, out float x, out float y)
+        {
+            x = _left + vertex % _columns * _stepX;
+            y = _bottom + vertex / _columns * _stepY;
+        }
+
+        /// <summary>Writes the triangles whose last vertex this one is, where they belong. Clockwise for who looks along +z.</summary>
+        /// <param name="indices">Of the whole patch, <see cref="Indices"/> or more.</param>
+        public void WriteTriangles(int vertex, int[] indices)
+        {
+            int column = vertex % _columns, row = vertex / _columns;
+            if (row == 0) return;
+            int below = vertex - _columns, at = ((row - 1) * (_columns - 1) + column - 1) * IndicesPerCell;
+            if (column > 0)
+            {
+                Write(indices, at, below - 1, vertex - 1, vertex);
+                Write(indices, at + IndicesPerCell / 2, below - 1, vertex, below);
+            }
+            // Alone in its row, it would belong to no triangle.
+            else if (vertex == Vertices - 1) Write(indices, at + IndicesPerCell, below, vertex, below + 1);
+        }
+
+        static void Write(int[] indices, int at, int a, int b, int c)
+        {
+            indices[at] = a;
+            indices[at + 1] = b;
+            indices[at + 2] = c;
+        }
+    }
+}

@@ -1,0 +1,40 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Latency
+{
+    /// <summary>What a render time grew by with time alone, at each visit of a sweep, ms: summed up from how it grew while a load stayed.</summary>
+    sealed class SweepDrift
+    {
+        readonly Dictionary<SweepVisit, double> _sums = new Dictionary<SweepVisit, double>();
+
+        SweepDrift() { }
+
+        /// <summary>Nothing grew.</summary>
+        public static SweepDrift None { get; } = new SweepDrift();
+
+        /// <summary>Of the whole growth, standard deviation, ms.</summary>
+        public double Error { get; private set; }
+
+        public static SweepDrift Of(IReadOnlyList<SweepVisit> visits)
+        {
+            var drift = new SweepDrift();
+            double sum = 0, variance = 0;
+            for (var i = 0; i < visits.Count; i++)
+            {
+                if (i > 0)
+                {
+                    SweepVisit a = visits[i - 1], b = visits[i];
+                    var seconds = b.Middle - a.Middle;
+                    sum += (a.Drift + b.Drift) / 2 * seconds;
+                    variance += (a.DriftVariance + b.DriftVariance) / 2 * seconds * seconds;
+                }
+                drift._sums.Add(visits[i], sum);
+            }
+            drift.Error = Math.Sqrt(variance);
+            return drift;
+        }
+
+        public double At(SweepVisit visit) => _sums.TryGetValue(visit, out var sum) ? sum : 0;
+    }
+}

@@ -1,0 +1,152 @@
+using System;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class LoadSensitivityTests
+    {
+        const int Seeds = 20;
+
+        static readonly SweepPlan Usual = new SweepPlan();
+        static readonly SweepPlan Upwards = new SweepPlan(goesDown: false);
+
+        /// <summary>2 ms, as a processor takes for its cameras, whatever the GPU has to do.</summary>
+        static double Flat(SimulatedSweep sweep) => 2 * (1 + 0.05 * sweep.Normal());
+
+        static void AllAre(LoadSight sight, SweepPlan plan, Func<SimulatedSweep, Func<double, int, double?>> source)
+        {
+            for (var seed = 1; seed <= Seeds; seed++)
+            {
+                var sweep = new SimulatedSweep(plan, seed);
+
+                var judged = LoadSensitivity.Judge(sweep.Rows(source(sweep)));
+
+                Assert.That(judged.Sight, Is.EqualTo(sight), "seed " + seed + ": " + judged.Words);
+            }
+        }
+
+        [Test]
+        public void Gpu_InTheUsualSweep_SeesLoad() => AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v));
+
+        [Test]
+        public void Gpu_InAShortSweepOfSmallLoads_SeesLoad() =>
+            AllAre(LoadSight.Seen, new SweepPlan(300_000, 5, 2, 0), sweep => (t, v) => sweep.GpuMs(t, v));
+
+        [Test]
+        public void Gpu_ThatDriftsDownAsItGoesUp_SeesLoad() =>
+            AllAre(LoadSight.Seen, Upwards, sweep => (t, v) => Math.Max(0.1, sweep.GpuMs(t, v) - 0.03 * t));
+
+        // Readbacks are looked for once a frame.
+        [TestCase(60)]
+        [TestCase(90)]
+        public void Completion_InWholeFrames_SeesLoad(int hertz) => AllAre(
+            LoadSight.Seen, Usual, sweep => (t, v) => Math.Ceiling(sweep.GpuMs(t, v) * hertz / 1000) * 1000 / hertz);
+
+        [Test]
+        public void Gpu_WithATimeInEveryFourthFrame_SeesLoad() =>
+            AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v) is double ms && Math.Round(t * 60) % 4 == 0 ? ms : (double?)null);
+
+        [Test]
+        public void Camera_Flat_CannotSeeLoad() => AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep));
+
+        [Test]
+        public void Camera_FlatInAShortSweep_CannotSeeLoad() => AllAre(
+            LoadSight.Unseen, new SweepPlan(steps: 4, secondsPerLoad: 0.5), sweep => (t, v) => Flat(sweep));
+
+        [TestCase(0.01)]
+        [TestCase(0.05)]
+        [TestCase(-0.01)]
+        public void Camera_WithALinearDrift_CannotSeeLoad(double msPerSecond)
+        {
+            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
+            AllAre(LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
+        }
+
+        [TestCase(20)]
+        [TestCase(60)]
+        public void Camera_ThatGrowsWarm_CannotSeeLoad(double timeConstantSeconds) => AllAre(
+            LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + 1 - Math.Exp(-t / timeConstantSeconds));
+
+        // A processor that changes its pace: in one way through the loads it looks like an effect of the load.
+        [TestCase(30)]
+        [TestCase(60)]
+        [TestCase(100)]
+        public void Camera_ThatStepsOnce_CannotSeeLoad(double atSeconds) =>
+            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + (t < atSeconds ? 0 : 0.8));
+
+        [Test]
+        public void Camera_ThatMovesALittleWithTheLoad_CannotSeeIt() =>
+            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + 0.1 * v / SweepPlan.GreatestVertices);
+
+        [Test]
+        public void Unseen_Words_AreOneLineWithNumbersAndAdvice()
+        {
+            var sweep = new SimulatedSweep(Usual, 1);
+
+            var words = LoadSensitivity.Judge(sweep.Rows((t, v) => Flat(sweep))).Words;
+
+            Assert.That(words, Does.StartWith("this source cannot see load: from about 200000 to 1800000 vertices camera_cpu went from 2."));
+            Assert.That(words, Does.Contain(" ms").And.Contain("Frame Timing Stats").And.Not.Contain("\n"));
+        }
+
+        [Test]
+        public void Seen_Words_SayFromWhereToWhere()
+        {
+            var sweep = new SimulatedSweep(Usual, 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
+
+            var judged = LoadSensitivity.Judge(sweep.Rows((t, v) => sweep.GpuMs(t, v)));
+
+            Assert.That(judged.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
+            Assert.That(judged.Words, Does.StartWith("this source sees load: from about 200000 to 1800000 vertices display_gpu_time went from 5."));
+        }
+
+        [Test]
+        public void OneLoad_IsTooLittle()
+        {
+            var sweep = new SimulatedSweep(Usual, 1);
+
+            var judged = LoadSensitivity.Judge(sweep.Rows((t, v) => sweep.GpuMs(t, v)).FindAll(row => row.Vertices == 0));
+
+            Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unclear));
+            Assert.That(
+                judged.Words, Does.StartWith("too little to tell whether camera_cpu sees load: 1 load has 15 or more render times, 3 are needed"));
+        }
+
+        [Test]
+        public void FewRows_AreTooLittle()
+        {
+            var sweep = new SimulatedSweep(Usual, 1);
+            var frame = 0;
+
+            var judged = LoadSensitivity.Judge(sweep.Rows((t, v) => sweep.GpuMs(t, v)).FindAll(row => frame++ % 30 == 0));
+
+            Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unclear));
+        }
+
+        [Test]
+        public void NoRenderTimes_AreSaidToBeMissing()
+        {
+            var judged = LoadSensitivity.Judge(new SimulatedSweep(Usual, 1).Rows((t, v) => null));
+
+            Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unseen));
+            Assert.That(judged.Words, Does.StartWith("nothing measured the render time"));
+        }
+
+        [Test]
+        public void NoRows_AreSaidToHaveNoRenderTimes()
+        {
+            Assert.That(LoadSensitivity.Judge(Array.Empty<SweepRow>()).Words, Does.StartWith("nothing measured"));
+        }
+
+        [Test]
+        public void Gpu_InAnyOrderOfLoads_SeesLoad()
+        {
+            var sweep = new SimulatedSweep(Usual, 3);
+            var rows = sweep.Rows((t, v) => sweep.GpuMs(t, v));
+            rows.Sort((a, b) => (a.Vertices * 7919L % 1009).CompareTo(b.Vertices * 7919L % 1009));
+
+            Assert.That(LoadSensitivity.Judge(rows).Sight, Is.EqualTo(LoadSight.Seen));
+        }
+    }
+}

@@ -1,0 +1,49 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Latency;
+using Nowpose.Simulation;
+
+namespace Nowpose.Tests
+{
+    /// <summary>Rows of a sweep at 60 Hz, with a render time of each frame as something measures it. Seeded.</summary>
+    sealed class SimulatedSweep
+    {
+        readonly SweepPlan _plan;
+        readonly Random _random;
+        readonly DisplayPipeline _gpu;
+
+        public SimulatedSweep(SweepPlan plan, int seed)
+        {
+            _plan = plan;
+            _random = new Random(seed);
+            _gpu = new DisplayPipeline(seed);
+        }
+
+        public RenderTimeSourceKind Source { get; set; } = RenderTimeSourceKind.CameraCpu;
+
+        /// <summary>Chance that a time is far too long.</summary>
+        public double Outliers { get; set; } = 0.02;
+
+        /// <summary>The GPU's own times: 4 ms and 8.5 ms per million vertices, with scatter.</summary>
+        public double GpuMs(double seconds, int vertices) => _gpu.Next(vertices).RenderTime.TotalMilliseconds;
+
+        /// <summary>A number about 0 with a standard deviation of 1.</summary>
+        public double Normal() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+
+        /// <param name="renderMs">By seconds since the sweep began and vertices; null where a frame has none.</param>
+        public List<SweepRow> Rows(Func<double, int, double?> renderMs)
+        {
+            var rows = new List<SweepRow>();
+            var frames = (int)(60 * _plan.TimePerLoad.TotalSeconds);
+            foreach (var load in _plan.Loads)
+                for (var i = 0; i < frames; i++)
+                {
+                    var seconds = rows.Count / 60.0;
+                    var ms = renderMs(seconds, load);
+                    if (ms.HasValue && _random.NextDouble() < Outliers) ms += 5 + 100 * _random.NextDouble();
+                    rows.Add(new SweepRow(ControlTime.FromSeconds(1000 + seconds), load, ms, Source, "simulated", 60));
+                }
+            return rows;
+        }
+    }
+}
