@@ -1,0 +1,13 @@
+using System.CommandLine;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary><c>calibrate</c>: visualisation latency and constant-latency range from measurements, each way a verb of its own.</summary>
+static class CalibrateVerb
+{
+    public static Command Create() => new(
+        "calibrate", "Visualisation latency and constant-latency range from measurements; each way writes a profile for the headset and a page.")
+    {
+        RangeVerb.Create(), SineVerb.Create(), NudgeVerb.Create(),
+    };
+}

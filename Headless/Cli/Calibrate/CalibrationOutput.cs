@@ -1,0 +1,58 @@
+using System.Globalization;
+using Nowpose.Cli.Calibrate.Page;
+using Nowpose.Latency;
+using Nowpose.Web;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary>The folder a calibration writes to. What an earlier one left there stays until there is something better.</summary>
+sealed class CalibrationOutput
+{
+    readonly string _folder;
+
+    CalibrationOutput(string folder) => _folder = folder;
+
+    /// <summary>For the headset: what <see cref="LatencyProfileFile"/> reads.</summary>
+    public string ProfilePath => Path.Combine(_folder, "profile.json");
+
+    public string PagePath => Path.Combine(_folder, "calibration.html");
+
+    /// <summary>What <c>calibrate range</c> reads.</summary>
+    public string PairsPath => Path.Combine(_folder, "pairs.csv");
+
+    /// <summary>Makes the folder.</summary>
+    /// <exception cref="InputException">It cannot be written to; better known before the work than after.</exception>
+    public static CalibrationOutput At(string folder)
+    {
+        try
+        {
+            var output = new CalibrationOutput(Directory.CreateDirectory(folder).FullName);
+            var trial = Path.Combine(output._folder, ".nowpose");
+            File.WriteAllText(trial, "");
+            File.Delete(trial);
+            return output;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new InputException($"--out: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
+        }
+    }
+
+    /// <param name="profile">Null for none: one that is there stays.</param>
+    public void Write(LatencyProfile profile, CalibrationPageData page)
+    {
+        if (profile != null) LatencyProfileFile.Save(ProfilePath, profile);
+        File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page)));
+    }
+
+    public void WritePairs(IEnumerable<MeasuredPicture> pictures)
+    {
+        using var file = File.CreateText(PairsPath);
+        file.Write("file,vertices,render_ms,visu_ms\n");
+        foreach (var picture in pictures.Where(each => each.RenderMs.HasValue))
+            file.Write(string.Create(
+                CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
+    }
+
+    static string Quoted(string name) => name?.IndexOfAny([',', '"', '\n']) >= 0 ? '"' + name.Replace("\"", "\"\"", StringComparison.Ordinal) + '"' : name;
+}

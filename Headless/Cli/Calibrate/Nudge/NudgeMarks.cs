@@ -1,0 +1,16 @@
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate.Nudge;
+
+/// <summary>The offsets at which hologram and robot agreed to the eye.</summary>
+sealed record NudgeMarks(double SpeedMmPerS, double ToldMs, double[] ForwardMm, double[] BackwardMm)
+{
+    /// <exception cref="InputException">A direction is missing, or a value is out of range.</exception>
+    public NudgeResult Result()
+    {
+        var calibration = new NudgeCalibration(SpeedMmPerS, ToldMs);
+        foreach (var offset in ForwardMm) calibration.AddForward(offset);
+        foreach (var offset in BackwardMm) calibration.AddBackward(offset);
+        return calibration.Result;
+    }
+}

@@ -1,0 +1,55 @@
+using System.Globalization;
+using Nowpose.Cli.Calibrate.Page;
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate.Nudge;
+
+/// <summary>Marks by eye as a page: the offset over the velocity is a straight line whose slope is the error of L_visu.</summary>
+static class NudgePage
+{
+    public static CalibrationPageData Of(NudgeMarks marks, NudgeResult result, LatencyProfile profile)
+    {
+        var visuMs = result.Visualisation.Length.TotalMilliseconds;
+        return new("L_visu by eye",
+            string.Create(CultureInfo.InvariantCulture, $"L_visu is {visuMs:0.0} ms ± {result.Spread.TotalMilliseconds:0.0} ms; the base is {result.OffsetMm:0.0} mm off along the motion."),
+            [
+                .. ProfileFacts.Of(profile), ["Told before", Number(marks.ToldMs) + " ms"], ["Speed", Number(marks.SpeedMmPerS) + " mm/s"],
+                ["Offset of the base along the motion", Number(result.OffsetMm) + " mm"],
+                ["Offsets forwards", Numbers(marks.ForwardMm)], ["Offsets backwards", Numbers(marks.BackwardMm)],
+            ])
+        {
+            Sections = [Section(marks, result, visuMs)],
+        };
+    }
+
+    public static string Json(NudgeResult result) => JsonText.Of(isIndented: true, json =>
+    {
+        json.WriteStartObject();
+        json.WriteNumber("visu_ms", result.Visualisation.Length.TotalMilliseconds);
+        json.WriteNumber("visu_spread_ms", result.Spread.TotalMilliseconds);
+        json.WriteNumber("offset_mm", result.OffsetMm);
+        json.WriteNumber("measurements", result.Count);
+        json.WriteEndObject();
+    });
+
+    static CalibrationSection Section(NudgeMarks marks, NudgeResult result, double visuMs)
+    {
+        // The page wants each x once.
+        const double Apart = 1e-3;
+        var v = marks.SpeedMmPerS;
+        double[] velocities = [.. marks.BackwardMm.Select((_, i) => -v + i * Apart), .. marks.ForwardMm.Select((_, i) => v + i * Apart)];
+        double? At(double velocity) => result.OffsetMm + velocity * (visuMs - marks.ToldMs) / 1000;
+        return new("Offset over the velocity", null, "The slope of the line is the error of the L_visu that the headset was told; where it crosses zero velocity "
+            + "is how far the base is misplaced.",
+            [new("Offset", new("velocity", "mm/s"), new("offset", "mm"),
+            [
+                new("marks", Looks.Hold, velocities, [.. marks.BackwardMm.Concat(marks.ForwardMm).Select(each => (double?)each)]) { Scattered = true },
+                new("line", Looks.Adaptive, [-v, v], [At(-v), At(v)]),
+            ])]);
+    }
+
+    static string Numbers(double[] values) => string.Join(", ", values.Select(Number)) + " mm";
+
+    static string Number(double value) => value.ToString("0.##", CultureInfo.InvariantCulture);
+}

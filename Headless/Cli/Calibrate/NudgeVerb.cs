@@ -1,0 +1,58 @@
+using System.CommandLine;
+using Nowpose.Cli.Calibrate.Nudge;
+using Nowpose.Gateway.Options;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary><c>calibrate nudge</c>: L_visu by eye, from the offsets at which hologram and robot agree in two directions.</summary>
+static class NudgeVerb
+{
+    static readonly Option<double> Speed = NumberOption.Create("--speed-mm-s", "Constant speed of the tool", 0.0, 1, 10_000, "mm/s");
+    static readonly Option<double> Told = NumberOption.Create("--told-ms", "L_visu that the headset was told", 40.0, 0, 500, "ms");
+    static readonly Option<double[]> Forward = Offsets("--forward-mm", "forwards");
+    static readonly Option<double[]> Backward = Offsets("--backward-mm", "backwards");
+    static readonly Option<string> Earlier = EarlierProfile.Option();
+    static readonly Option<string> Output = OutOption.Create();
+    static readonly Option<bool> Json = OutOption.Json();
+    static readonly DeviceOptions Device = new();
+
+    public static Command Create()
+    {
+        var verb = new Command("nudge", "L_visu by eye: the offsets at which hologram and robot agree in two directions. Without options: how it is done.")
+        {
+            Speed, Told, Forward, Backward, Earlier, Output, Json,
+        };
+        Device.AddTo(verb);
+        verb.SetAction(Run);
+        return verb;
+    }
+
+    static int Run(ParseResult parsed)
+    {
+        if (parsed.GetResult(Speed)?.Implicit != false && parsed.GetValue(Forward).Length + parsed.GetValue(Backward).Length == 0)
+        {
+            Console.Out.Write(NudgeGuide.Text);
+            return ExitStatus.Done;
+        }
+        if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException("--speed-mm-s is missing; allowed are 1 to 10000 mm/s");
+        var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Told), parsed.GetValue(Forward), parsed.GetValue(Backward));
+        var result = marks.Result();
+        var output = CalibrationOutput.At(parsed.GetValue(Output));
+        var profile = EarlierProfile.With(
+            parsed.GetValue(Earlier), result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, Device.Device(parsed),
+            Device.DisplayHz(parsed), CalibrationMethod.Nudge, result.Count);
+        var page = NudgePage.Of(marks, result, profile);
+        output.Write(profile, page);
+        if (parsed.GetValue(Json)) Console.Out.WriteLine(NudgePage.Json(result));
+        else ResultTable.Print(page, output);
+        return ExitStatus.Done;
+    }
+
+    static Option<double[]> Offsets(string name, string direction) => new(name)
+    {
+        Description = $"Offset along the motion at which they agreed going {direction}, mm; several of them are better than one [-1000 to 1000 mm]",
+        AllowMultipleArgumentsPerToken = true,
+        DefaultValueFactory = _ => [],
+    };
+}

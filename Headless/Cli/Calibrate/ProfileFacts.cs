@@ -1,0 +1,22 @@
+using System.Globalization;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary>A profile in words, for table and page.</summary>
+static class ProfileFacts
+{
+    public static IEnumerable<string[]> Of(LatencyProfile profile)
+    {
+        yield return ["L_visu", Ms(profile.Visualisation.Length)];
+        yield return ["Spread (standard deviation)", Ms(profile.Spread)];
+        yield return ["Limit of the render time", profile.Range == null ? "not known" : Ms(profile.Range.Limit)];
+        if (profile.ValidToRenderTime is TimeSpan valid) yield return ["Known to be constant up to", Ms(valid)];
+        if (profile.Range != null) yield return ["Render time measured with", RenderTimeSourceNames.NameOf(profile.Range.Source)];
+        yield return ["Device", profile.Device];
+        yield return ["Display", profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz"];
+        yield return ["Measurements", profile.Measurements.ToString(CultureInfo.InvariantCulture)];
+    }
+
+    static string Ms(TimeSpan length) => length.TotalMilliseconds.ToString("0.00", CultureInfo.InvariantCulture) + " ms";
+}

@@ -1,0 +1,80 @@
+using System.Globalization;
+using CsvHelper;
+using CsvHelper.Configuration;
+using Nowpose.Gateway.Recordings;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate.Range;
+
+/// <summary>Reads pairs of render time and L_visu: columns render_ms and visu_ms, others as they like; errors name file, line and field.</summary>
+static class PairTable
+{
+    const string Render = "render_ms", Visu = "visu_ms", Vertices = "vertices", File = "file";
+    const int GreatestVertices = 1_000_000_000;
+
+    /// <summary>A recording of a day at 60 Hz has five million.</summary>
+    const int MostRows = 10_000_000;
+
+    /// <exception cref="InputException">The file cannot be read or is not of that form.</exception>
+    public static IReadOnlyList<MeasuredPicture> Read(string path)
+    {
+        using var text = RecordingText.Open(path);
+        using var csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
+        try
+        {
+            return Rows(csv, path);
+        }
+        catch (Exception e) when (e is IOException or InvalidDataException)
+        {
+            throw RecordingText.Unreadable(path, e);
+        }
+    }
+
+    static List<MeasuredPicture> Rows(CsvParser csv, string path)
+    {
+        var header = csv.Read() ? csv.Record.ToArray() : [];
+        int render = Column(header, Render, path), visu = Column(header, Visu, path);
+        int vertices = Array.IndexOf(header, Vertices), file = Array.IndexOf(header, File);
+        var pairs = new List<MeasuredPicture>();
+        while (csv.Read())
+        {
+            if (csv.Count == 1 && string.IsNullOrWhiteSpace(csv[0])) continue;
+            if (csv.Count != header.Length) throw new InputException($"{path}:{csv.RawRow}: {csv.Count} fields; the header has {header.Length}");
+            if (pairs.Count == MostRows) throw new InputException($"{path}:{csv.RawRow}: more than {MostRows} rows; take fewer pictures");
+            pairs.Add(Picture(csv, path, render, visu, vertices, file));
+        }
+        return pairs.Count > 0 ? pairs : throw new InputException($"{path}: no rows below the header; at least {RangeFit.LeastPairs} are needed");
+    }
+
+    static int Column(string[] header, string name, string path)
+    {
+        var index = Array.IndexOf(header, name);
+        if (index < 0) throw new InputException($"{path}:1: no column {name}; the header must name {Render} and {Visu}");
+        return Array.LastIndexOf(header, name) == index ? index : throw new InputException($"{path}:1: column {name} stands twice");
+    }
+
+    static MeasuredPicture Picture(CsvParser csv, string path, int render, int visu, int vertices, int file)
+    {
+        double renderMs = Number(csv, path, render, Render), visuMs = Number(csv, path, visu, Visu);
+        try
+        {
+            _ = new LatencyPair(renderMs, visuMs);
+        }
+        catch (InputException bad)
+        {
+            throw new InputException($"{path}:{csv.RawRow}: {bad.Message}");
+        }
+        int? load = vertices < 0 || csv[vertices].Length == 0 ? null : Count(csv, path, vertices);
+        return new MeasuredPicture(file < 0 ? null : csv[file], load, renderMs, visuMs);
+    }
+
+    static double Number(CsvParser csv, string path, int column, string name) =>
+        double.TryParse(csv[column], NumberStyles.Float, CultureInfo.InvariantCulture, out var value)
+            ? value
+            : throw new InputException($"{path}:{csv.RawRow}: {name}: '{csv[column]}' is not a number of milliseconds (a point is the decimal sign)");
+
+    static int Count(CsvParser csv, string path, int column) =>
+        int.TryParse(csv[column], NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value <= GreatestVertices
+            ? value
+            : throw new InputException($"{path}:{csv.RawRow}: {Vertices}: '{csv[column]}' is not a whole number from 0 to {GreatestVertices}");
+}

@@ -1,0 +1,37 @@
+using System.Globalization;
+using Nowpose.Cli.Calibrate.Page;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate.Range;
+
+/// <summary>What pictures at several loads say, as a profile for the headset and as a page for people.</summary>
+static class RangeProfile
+{
+    public static LatencyProfile Of(RangeFitResult fit, string device, double displayHz, RenderTimeSourceKind source) => new(
+        fit.VisuMs, fit.SpreadMs, device, displayHz, DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Pairs - fit.Rejected,
+        fit.LimitRenderMs, source, fit.ValidToRenderMs);
+
+    /// <param name="more">Facts of the way of measuring.</param>
+    /// <param name="warnings">Null for none beyond what the fit itself says.</param>
+    public static CalibrationPageData Page(
+        string title, LatencyProfile profile, RangeFitResult fit, IReadOnlyList<MeasuredPicture> pictures, IEnumerable<string[]> more,
+        IEnumerable<string> warnings = null) =>
+        new(title, Sentence(fit), [.. ProfileFacts.Of(profile), ["Pairs", Count(fit.Pairs)], ["Rejected as misread", Count(fit.Rejected)], .. more])
+        {
+            Warnings = [.. warnings ?? [], .. Doubts(fit)],
+            Sections = [.. RangePage.Sections(pictures, fit)],
+        };
+
+    static string Sentence(RangeFitResult fit) => fit.LimitRenderMs is double limit
+        ? string.Create(CultureInfo.InvariantCulture, $"L_visu is {fit.VisuMs:0.0} ms ± {fit.SpreadMs:0.0} ms while the render time is below {limit:0.00} ms.")
+        : string.Create(CultureInfo.InvariantCulture,
+            $"L_visu is {fit.VisuMs:0.0} ms ± {fit.SpreadMs:0.0} ms; limit not reached: known up to a render time of {fit.ValidToRenderMs:0.00} ms only.");
+
+    static IEnumerable<string> Doubts(RangeFitResult fit)
+    {
+        if (fit.LimitRenderMs == null)
+            yield return "limit not reached: the headset cannot tell when L_visu leaves its range; sweep on to a greater load";
+    }
+
+    static string Count(int count) => count.ToString(CultureInfo.InvariantCulture);
+}

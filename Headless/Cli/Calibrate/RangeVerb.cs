@@ -1,0 +1,51 @@
+using System.CommandLine;
+using Nowpose.Cli.Calibrate.Page;
+using Nowpose.Cli.Calibrate.Range;
+using Nowpose.Gateway.Options;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary><c>calibrate range FILE.csv</c>: the constant-latency range from pairs of render time and L_visu.</summary>
+static class RangeVerb
+{
+    public static Command Create()
+    {
+        var file = new Argument<string>("FILE") { Description = "Pairs: columns render_ms and visu_ms, and vertices where known; .csv or .csv.gz." };
+        var device = new DeviceOptions();
+        var source = DeviceOptions.Source();
+        var output = OutOption.Create();
+        var json = OutOption.Json();
+        var verb = new Command("range", "Fit the constant-latency range: L_visu, and the render time up to which it is constant.") { file, source, output, json };
+        device.AddTo(verb);
+        verb.SetAction(parsed => Run(
+            parsed.GetValue(file), parsed.GetValue(source), device.Device(parsed), device.DisplayHz(parsed), parsed.GetValue(output), parsed.GetValue(json)));
+        return verb;
+    }
+
+    static int Run(string file, string source, string device, double displayHz, string folder, bool asJson)
+    {
+        var pictures = PairTable.Read(file);
+        var kind = DeviceOptions.KindOf(source);
+        var fit = FitOf(pictures, file);
+        var output = CalibrationOutput.At(folder);
+        var profile = RangeProfile.Of(fit, device, displayHz, kind);
+        var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
+        output.Write(profile, page);
+        if (asJson) Console.Out.WriteLine(RangeJson.Of(fit));
+        else ResultTable.Print(page, output);
+        return ExitStatus.Done;
+    }
+
+    static RangeFitResult FitOf(IReadOnlyList<MeasuredPicture> pictures, string file)
+    {
+        try
+        {
+            return RangeFit.Fit([.. pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
+        }
+        catch (InputException bad)
+        {
+            throw new InputException($"{file}: {bad.Message}");
+        }
+    }
+}

@@ -1,0 +1,60 @@
+using System.Globalization;
+using Nowpose.Cli.Calibrate.Page;
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate.Sine;
+
+/// <summary>A jog to and fro as a page: both motions, and the correlation over the lag.</summary>
+static class SinePage
+{
+    static readonly FigureColumn Time = new("time", "s"), Place = new("place, scaled"), Lag = new("lag", "ms"), Correlation = new("correlation");
+
+    /// <param name="profile">Null where L_visu was not asked for.</param>
+    public static CalibrationPageData Of(SineResult result, LatencyProfile profile, string path) => new(
+        "Latency of a jog to and fro", Sentence(result),
+        [
+            ["Total latency", Ms(result.TotalMs)], ["Standard error", Ms(result.DeviationMs)], .. profile == null ? [] : ProfileFacts.Of(profile),
+            ["Correlation", result.Lag.Correlation.ToString("0.0000", CultureInfo.InvariantCulture)],
+            ["Pictures", result.Tracks.Shown.Length.ToString(CultureInfo.InvariantCulture)],
+            ["Camera", (1 / result.Tracks.Interval).ToString("0.##", CultureInfo.InvariantCulture) + " per second"],
+            ["Taken as", result.Way.Words], ["Recording", path],
+        ])
+    {
+        Warnings = profile == null ? ["no profile was written: say what of the lag is L_visu, by --app-ms or by --told-ms"] : [],
+        Sections = [Motions(result), Correlations(result)],
+    };
+
+    static string Sentence(SineResult result) => result.VisuMs is double visu
+        ? string.Create(CultureInfo.InvariantCulture, $"L_visu is {visu:0.0} ms ± {result.DeviationMs:0.0} ms, of a lag of {result.TotalMs:0.0} ms.")
+        : string.Create(CultureInfo.InvariantCulture, $"The hologram is {result.TotalMs:0.0} ms ± {result.DeviationMs:0.0} ms behind the robot.");
+
+    static CalibrationSection Motions(SineResult result)
+    {
+        double[] time = [.. Enumerable.Range(0, result.Tracks.Shown.Length).Select(i => i * result.Tracks.Interval)];
+        PlotTrace Trace(string label, string look, double[] at, double[] places) => new(label, look, at, Scaled(places));
+        return new("Robot and hologram", null, "Each scaled to its own range. Moved forward by the lag, the hologram lies on the robot.",
+            [new("Over time", Time, Place,
+            [
+                Trace("robot", Looks.Truth, time, result.Tracks.Robot),
+                Trace("hologram", Looks.Hold, time, result.Tracks.Shown),
+                Trace("hologram, moved by the lag", Looks.Adaptive, [.. time.Select(t => t - result.Lag.LagSeconds)], result.Tracks.Shown),
+            ])]);
+    }
+
+    static CalibrationSection Correlations(SineResult result) => new(
+        "Correlation over the lag", null, "Its peak, found between the camera's pictures by a parabola, is the total latency.",
+        [new("Over the lag", Lag, Correlation, [new("correlation", Looks.Adaptive,
+            [.. result.Lag.Lags.Select(each => 1000 * each)], [.. result.Lag.Correlations.Select(each => (double?)each)])])
+        {
+            Marks = [new(FormattableString.Invariant($"{result.TotalMs:0.0} ms"), result.TotalMs)],
+        }]);
+
+    static double?[] Scaled(double[] places)
+    {
+        double least = places.Min(), range = places.Max() - least;
+        return [.. places.Select(each => (double?)(2 * (each - least) / range - 1))];
+    }
+
+    static string Ms(double value) => value.ToString("0.00", CultureInfo.InvariantCulture) + " ms";
+}

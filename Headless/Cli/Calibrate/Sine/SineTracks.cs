@@ -1,0 +1,74 @@
+using Nowpose.Gateway.Recordings;
+
+namespace Nowpose.Cli.Calibrate.Sine;
+
+/// <summary>The robot and the hologram over time on one clock, brought to the instants of one regular grid.</summary>
+/// <param name="Start">Time of the first instant as the file says, s.</param>
+/// <param name="Interval">From one instant to the next, s: the camera's.</param>
+/// <param name="Robot">Where the robot is; any unit.</param>
+/// <param name="Shown">Where the hologram is seen; any unit.</param>
+sealed record SineTracks(double Start, double Interval, double[] Robot, double[] Shown)
+{
+    const int LeastInstants = 60;
+
+    /// <summary>Both in one recording.</summary>
+    /// <param name="columns">Names of the two columns; null where there are just two, the robot's first.</param>
+    public static SineTracks Of(string path, string columns)
+    {
+        var recording = MotionRecording.Read(path);
+        var (robot, shown) = Columns(recording, path, columns);
+        return OnGrid(recording, recording, robot, shown, path);
+    }
+
+    /// <summary>The hologram by a camera, the robot by its control; both files' times on one clock.</summary>
+    /// <param name="joint">The control file's column; null where there is just one.</param>
+    public static SineTracks Of(string path, string columns, string controlPath, string joint)
+    {
+        var camera = MotionRecording.Read(path);
+        var control = MotionRecording.Read(controlPath);
+        return OnGrid(control, camera, One(control, controlPath, joint, "--joint"), One(camera, path, columns, "--columns"), path);
+    }
+
+    static (int Robot, int Shown) Columns(MotionRecording recording, string path, string columns)
+    {
+        var names = columns?.Split(',', StringSplitOptions.TrimEntries);
+        if (names == null && recording.Names.Count == 2) return (0, 1);
+        if (names?.Length != 2)
+            throw new InputException($"{path}: {recording.Names.Count} columns after the time; name the robot's and the hologram's: --columns ROBOT,HOLOGRAM");
+        return (IndexOf(recording, path, names[0], "--columns"), IndexOf(recording, path, names[1], "--columns"));
+    }
+
+    static int One(MotionRecording recording, string path, string name, string option)
+    {
+        if (name != null) return IndexOf(recording, path, name, option);
+        return recording.Names.Count == 1 ? 0 : throw new InputException($"{path}: {recording.Names.Count} columns after the time; name one: {option} NAME");
+    }
+
+    static int IndexOf(MotionRecording recording, string path, string name, string option)
+    {
+        for (var i = 0; i < recording.Names.Count; i++)
+            if (recording.Names[i] == name) return i;
+        throw new InputException($"{option}: {path} has no column '{name}'; it has {string.Join(", ", recording.Names)}");
+    }
+
+    static SineTracks OnGrid(MotionRecording robot, MotionRecording shown, int robotColumn, int shownColumn, string path)
+    {
+        var start = Math.Max(robot.Start, shown.Start);
+        var end = Math.Min(robot.Start + robot.Duration, shown.Start + shown.Duration);
+        var interval = Quantile.Of(shown.Times.Zip(shown.Times.Skip(1), (from, to) => to - from), 0.5);
+        var count = (int)Math.Floor((end - start) / interval + 1e-6) + 1;
+        if (!(end > start) || count < LeastInstants)
+            throw new InputException(FormattableString.Invariant(
+                $"{path}: {Math.Max(0, count)} pictures in which both are seen; at least {LeastInstants} are needed, better ten seconds"));
+        double[] At(MotionRecording of, int column)
+        {
+            var row = new double[of.Names.Count];
+            return [.. Enumerable.Range(0, count).Select(i =>
+            {
+                of.At(start + i * interval - of.Start, row);
+                return row[column];
+            })];
+        }
+        return new SineTracks(start, interval, At(robot, robotColumn), At(shown, shownColumn));
+    }
+}

@@ -1,0 +1,89 @@
+using System.CommandLine;
+using Nowpose.Cli.Calibrate.Sine;
+using Nowpose.Gateway.Options;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary><c>calibrate sine RECORDING</c>: total latency from a jog to and fro that a camera has seen.</summary>
+static class SineVerb
+{
+    static readonly Argument<string> Recording = new("RECORDING")
+    {
+        Description = "What the camera saw: the time in s (t or t_s), then where the robot and where the hologram is, in pixels; .csv or .csv.gz.",
+    };
+    static readonly Option<string> Columns = new("--columns") { Description = "Names of the robot's and the hologram's column, where there are more: ROBOT,HOLOGRAM" };
+    static readonly Option<string> Control = new("--control")
+    {
+        Description = "The control's positions over time, where the camera's clock is the control's: RECORDING then holds the hologram only",
+    };
+    static readonly Option<string> Joint = new("--joint") { Description = "Column of --control" };
+    static readonly Option<bool> Inverted = new("--inverted") { Description = "One of the two counts backwards" };
+    static readonly Option<double?> Application = Optional("--app-ms", "Compensation off (the ghost): L_app as the panel shows it", 0, 1000);
+    static readonly Option<double> Sampling = NumberOption.Create(
+        "--sampling-ms", "With --app-ms: sampling interval T_s; a held sample is half of it late besides", 50.0, 1, 1000, "ms");
+    static readonly Option<double?> Told = Optional("--told-ms", "Compensation on (the gripper): L_visu that the headset was told; what lags still is its error", 0, 500);
+    static readonly Option<string> Earlier = EarlierProfile.Option();
+    static readonly Option<string> Output = OutOption.Create();
+    static readonly Option<bool> Json = OutOption.Json();
+    static readonly DeviceOptions Device = new();
+
+    public static Command Create()
+    {
+        var verb = new Command("sine", "Estimate the total latency from a jog to and fro that a camera has seen, for those with a phone only.")
+        {
+            Recording, Columns, Control, Joint, Inverted, Application, Sampling, Told, Earlier, Output, Json,
+        };
+        Device.AddTo(verb);
+        verb.SetAction(Run);
+        return verb;
+    }
+
+    static int Run(ParseResult parsed)
+    {
+        var path = parsed.GetValue(Recording);
+        var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Told));
+        var tracks = Tracks(parsed, path);
+        if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
+        var lag = EstimateOf(tracks, path);
+        var result = new SineResult(tracks, lag, way);
+        var output = CalibrationOutput.At(parsed.GetValue(Output));
+        var profile = result.VisuMs is double visuMs
+            ? EarlierProfile.With(
+                parsed.GetValue(Earlier), visuMs, result.DeviationMs, Device.Device(parsed), Device.DisplayHz(parsed), CalibrationMethod.Sine, tracks.Shown.Length)
+            : null;
+        var page = SinePage.Of(result, profile, path);
+        output.Write(profile, page);
+        if (parsed.GetValue(Json)) Console.Out.WriteLine(SineJson.Of(result));
+        else ResultTable.Print(page, output, profile != null);
+        return ExitStatus.Done;
+    }
+
+    static SineTracks Tracks(ParseResult parsed, string path) => parsed.GetValue(Control) is string control
+        ? SineTracks.Of(path, parsed.GetValue(Columns), control, parsed.GetValue(Joint))
+        : SineTracks.Of(path, parsed.GetValue(Columns));
+
+    static LagEstimate EstimateOf(SineTracks tracks, string path)
+    {
+        try
+        {
+            return LagEstimator.Of(tracks);
+        }
+        catch (InputException bad)
+        {
+            throw new InputException($"{path}: {bad.Message}");
+        }
+    }
+
+    static Option<double?> Optional(string name, string description, double least, double greatest)
+    {
+        var option = new Option<double?>(name) { Description = FormattableString.Invariant($"{description} [{least} to {greatest} ms]") };
+        option.Validators.Add(result =>
+        {
+            if (result.Tokens.Count == 1 && double.TryParse(result.Tokens[0].Value, out _) && result.GetValueOrDefault<double?>() is double value
+                && !(value >= least && value <= greatest))
+                result.AddError(FormattableString.Invariant($"{name}: {value} ms is out of range; allowed are {least} to {greatest} ms."));
+        });
+        return option;
+    }
+}

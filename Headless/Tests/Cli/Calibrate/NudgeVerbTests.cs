@@ -1,0 +1,44 @@
+using System.Text.Json;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+public class NudgeVerbTests : CalibrationFolder
+{
+    [Test]
+    public async Task Nudge_OffsetsOfTwoDirections_GiveHalfTheirDifferenceOverTheSpeed()
+    {
+        // True 46 ms, told 40: 6 ms at 250 mm/s are 1.5 mm; the base stands 0.4 mm too far back.
+        var run = await CliRun.OfAsync(
+            "calibrate", "nudge", "--speed-mm-s", "250", "--told-ms", "40", "--forward-mm", "1.8", "2.0", "--backward-mm", "-1.2", "-1.0", "--json", "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        var json = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(json.GetProperty("visu_ms").GetDouble(), Is.EqualTo(46).Within(1e-3));
+        Assert.That(json.GetProperty("offset_mm").GetDouble(), Is.EqualTo(0.4).Within(1e-6));
+        var profile = LatencyProfileFile.Load(ProfilePath);
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(46).Within(1e-3));
+        Assert.That(profile.Method, Is.EqualTo(CalibrationMethod.Nudge));
+        Assert.That(profile.Measurements, Is.EqualTo(4));
+        Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("Offset over the velocity"));
+    }
+
+    [Test]
+    public async Task Nudge_WithoutOptions_TellsHowItIsDone()
+    {
+        var run = await CliRun.OfAsync("calibrate", "nudge");
+
+        Assert.That(run.ExitStatus, Is.Zero);
+        Assert.That(run.Output, Does.Contain("--forward-mm").And.Contain("half the difference"));
+    }
+
+    [TestCase("--speed-mm-s 250 --forward-mm 2", "backward has no mark")]
+    [TestCase("--forward-mm 2 --backward-mm -2", "--speed-mm-s is missing")]
+    [TestCase("--speed-mm-s 0 --forward-mm 2 --backward-mm -2", "--speed-mm-s: 0 mm/s is out of range")]
+    [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "nudge: offset: 2000 mm is out of range")]
+    [TestCase("--speed-mm-s 250 --forward-mm two --backward-mm -2", "--forward-mm")]
+    [TestCase("--speed-mm-s 10 --forward-mm -20 --backward-mm 20", "visualisation latency: -1960 ms is out of range")]
+    public async Task Nudge_BadMarks_SaysWhatIsWrong(string options, string named) =>
+        Assert.That(await RefusalOf(["nudge", .. options.Split(' ')]), Does.Contain(named));
+}

@@ -1,0 +1,94 @@
+using System.Globalization;
+using System.Text.Json;
+using Nowpose.Latency;
+using Nowpose.Simulation;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+public class RangeVerbTests : CalibrationFolder
+{
+    const double TrueLimitMs = 1000 / 60.0 - 1.5;
+
+    static IEnumerable<string> Sweep(int seed, double greatestMillions)
+    {
+        var random = new Random(seed);
+        var pipeline = new DisplayPipeline(seed, new DisplayPipelineSettings(plateauMs: 40));
+        yield return "file,vertices,render_ms,visu_ms";
+        for (var vertices = 0.0; vertices <= greatestMillions * 1e6; vertices += 100_000)
+            for (var i = 0; i < 30; i++)
+            {
+                var frame = pipeline.Next(vertices);
+                yield return string.Create(CultureInfo.InvariantCulture,
+                    $"{i}.png,{vertices},{frame.RenderTime.TotalMilliseconds:0.###},{frame.Visualisation.TotalMilliseconds + random.NextDouble() - 0.5:0.##}");
+            }
+    }
+
+    [Test]
+    public async Task Range_SweepOverTheLimit_GivesProfileAndPageAndJson()
+    {
+        var file = Write("pairs.csv", Sweep(7, 2));
+
+        var run = await CliRun.OfAsync("calibrate", "range", file, "--json", "--source", "engine_gpu_time", "--device", "Quest 3", "--display-hz", "72", "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        var json = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(json.EnumerateObject().Select(p => p.Name),
+            Is.EqualTo(new[] { "visu_ms", "visu_spread_ms", "limit_render_ms", "valid_to_render_ms", "pairs", "rejected" }));
+        Assert.That(json.GetProperty("limit_render_ms").GetDouble(), Is.InRange(0.94 * TrueLimitMs, 1.02 * TrueLimitMs));
+        Assert.That(json.GetProperty("visu_ms").GetDouble(), Is.EqualTo(40).Within(0.2));
+        Assert.That(json.GetProperty("pairs").GetInt32(), Is.EqualTo(630));
+        var profile = LatencyProfileFile.Load(ProfilePath);
+        Assert.That(profile.RefusalFor("Quest 3", 72), Is.Null);
+        Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
+        Assert.That(profile.Range.Limit.TotalMilliseconds, Is.EqualTo(json.GetProperty("limit_render_ms").GetDouble()).Within(1e-3));
+        var page = await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html"));
+        Assert.That(page, Does.Contain("Fig. 10").And.Contain("Fig. 11a").And.Contain("Fig. 11b").And.Not.Contain("NaN"));
+    }
+
+    [Test]
+    public async Task Range_SweepBelowTheLimit_SaysThatItWasNotReached()
+    {
+        var file = Write("pairs.csv", Sweep(8, 1));
+
+        var json = await CliRun.OfAsync("calibrate", "range", file, "--json", "--out", Out);
+        var table = await CliRun.OfAsync("calibrate", "range", file, "--out", Out);
+
+        Assert.That(JsonDocument.Parse(json.Output).RootElement.GetProperty("limit_render_ms").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(table.Output, Does.Contain("limit not reached"));
+        Assert.That(LatencyProfileFile.Load(ProfilePath).Range, Is.Null);
+    }
+
+    [TestCase("render_ms,visu_ms\n5,40\n0,40", ":3: render_ms: 0 ms is out of range; allowed are 0.001 to 1000 ms")]
+    [TestCase("render_ms,visu_ms\nNaN,40", ":2: render_ms: NaN ms is out of range")]
+    [TestCase("render_ms,visu_ms\n5,4o", ":2: visu_ms: '4o' is not a number")]
+    [TestCase("render_ms,visu_ms\n5", ":2: 1 fields; the header has 2")]
+    [TestCase("render,visu_ms\n5,40", ":1: no column render_ms")]
+    [TestCase("render_ms,visu_ms,render_ms\n5,40,5", ":1: column render_ms stands twice")]
+    [TestCase("vertices,render_ms,visu_ms\n-5,5,40", ":2: vertices: '-5' is not a whole number")]
+    [TestCase("render_ms,visu_ms", "no rows")]
+    [TestCase("render_ms,visu_ms\n5,40\n6,40", "2 are too few")]
+    [TestCase("", ":1: no column render_ms")]
+    public async Task Range_BadTable_NamesFileLineAndField(string text, string named)
+    {
+        var file = Write("pairs.csv", [text]);
+
+        Assert.That(await RefusalOf("range", file), Does.StartWith("nowpose: " + file).And.Contain(named));
+    }
+
+    [Test]
+    public async Task Range_BadTable_LeavesTheLastGoodProfile()
+    {
+        await CliRun.OfAsync("calibrate", "range", Write("good.csv", Sweep(9, 2)), "--out", Out);
+        var before = await File.ReadAllBytesAsync(ProfilePath);
+
+        await RefusalOf("range", Write("bad.csv", ["render_ms,visu_ms", "0,0"]));
+
+        Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(before));
+    }
+
+    [TestCase("--source", "guess", "--source: 'guess' is not known")]
+    [TestCase("--display-hz", "0", "--display-hz: 0 Hz is out of range")]
+    public async Task Range_BadOption_NamesWhatIsAllowed(string option, string value, string named) =>
+        Assert.That(await RefusalOf("range", Write("pairs.csv", Sweep(1, 1)), option, value), Does.Contain(named));
+}

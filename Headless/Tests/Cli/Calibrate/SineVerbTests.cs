@@ -1,0 +1,152 @@
+using System.Globalization;
+using System.Text.Json;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+public class SineVerbTests : CalibrationFolder
+{
+    const double Fps = 60;
+
+    /// <summary>A jog filmed for so long: robot and hologram in pixels, each with a pixel of noise.</summary>
+    sealed record Jog(double LagMs)
+    {
+        public int Seed { get; init; } = 1;
+        public double Period { get; init; } = 2;
+        public double Amplitude { get; init; } = 150;
+        public double Seconds { get; init; } = 10;
+
+        /// <summary>The hologram stands still between samples; 0 for not.</summary>
+        public double SamplingMs { get; init; }
+
+        public double Scale { get; init; } = 1;
+
+        public IEnumerable<string> Lines()
+        {
+            var random = new Random(Seed);
+            double phase = random.NextDouble(), taken = random.NextDouble();
+            double Place(double t) => Amplitude * Math.Sin(2 * Math.PI * (t / Period + phase));
+            double Noise() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+            yield return "t_s,robot_px,hologram_px";
+            for (var i = 0; i < Seconds * Fps; i++)
+            {
+                double t = i / Fps, shown = t - LagMs / 1000, interval = SamplingMs / 1000;
+                if (interval > 0) shown = (Math.Floor(shown / interval + taken) - taken) * interval;
+                yield return string.Create(CultureInfo.InvariantCulture, $"{t:0.######},{640 + Place(t) + Noise():0.###},{500 + Scale * Place(shown) + Noise():0.###}");
+            }
+        }
+    }
+
+    async Task<JsonElement> Measured(Jog jog, params string[] options)
+    {
+        var run = await CliRun.OfAsync(["calibrate", "sine", Write("jog.csv", jog.Lines()), "--json", "--out", Out, .. options]);
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        return JsonDocument.Parse(run.Output).RootElement;
+    }
+
+    [Test]
+    public async Task Sine_AnyJogSlowEnough_IsWithinThreeMilliseconds()
+    {
+        for (var seed = 1; seed <= 24; seed++)
+        {
+            var jog = new Jog(30 + 11.3 * seed)
+            {
+                Seed = seed, Period = 1.5 + seed % 4 * 0.7, Amplitude = new[] { 80, 150, 300 }[seed % 3], Seconds = 8 + seed % 5, Scale = seed % 2 == 0 ? 1 : 0.6,
+            };
+
+            var result = await Measured(jog);
+
+            var error = result.GetProperty("total_ms").GetDouble() - jog.LagMs;
+            Assert.That(Math.Abs(error), Is.LessThan(3), "seed " + seed);
+            Assert.That(Math.Abs(error), Is.LessThan(4.5 * result.GetProperty("total_sd_ms").GetDouble() + 0.2), "seed " + seed);
+        }
+    }
+
+    [Test]
+    public async Task Sine_OfTheGhost_TakesOffWhatItsSamplesAreLate()
+    {
+        // 60 ms underway, shown until the next comes 47 ms later, 40 ms in the display.
+        var result = await Measured(new Jog(100) { SamplingMs = 47, Seconds = 12 }, "--app-ms", "60", "--sampling-ms", "47");
+
+        Assert.That(result.GetProperty("visu_ms").GetDouble(), Is.EqualTo(40).Within(3));
+        var profile = LatencyProfileFile.Load(ProfilePath);
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(result.GetProperty("visu_ms").GetDouble()).Within(1e-3));
+        Assert.That(profile.Method, Is.EqualTo(CalibrationMethod.Sine));
+    }
+
+    [Test]
+    public async Task Sine_OfTheGripper_AddsWhatLagsStillToWhatItWasTold()
+    {
+        var result = await Measured(new Jog(12), "--told-ms", "30");
+
+        Assert.That(result.GetProperty("visu_ms").GetDouble(), Is.EqualTo(42).Within(2));
+    }
+
+    [Test]
+    public async Task Sine_EarlierProfile_KeepsItsLimit()
+    {
+        var earlier = Path.Combine(Folder, "earlier.json");
+        LatencyProfileFile.Save(earlier, new LatencyProfile(
+            40, 1, "HoloLens 2", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 9, 15.1, RenderTimeSourceKind.GpuCompletion));
+
+        await Measured(new Jog(12), "--told-ms", "30", "--profile", earlier);
+
+        Assert.That(LatencyProfileFile.Load(ProfilePath).Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3));
+        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(12).Lines()), "--told-ms", "30", "--profile", earlier, "--device", "Quest 3"),
+            Does.Contain("'HoloLens 2'").And.Contain("'Quest 3'"));
+    }
+
+    [Test]
+    public async Task Sine_WithoutKnowingWhatIsLVisu_GivesTheTotalAndNoProfile()
+    {
+        var result = await Measured(new Jog(120));
+
+        Assert.That(result.GetProperty("visu_ms").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(File.Exists(ProfilePath), Is.False);
+        Assert.That(File.Exists(Path.Combine(Out, "calibration.html")), Is.True);
+    }
+
+    [Test]
+    public async Task Sine_ControlsPositionsOnTheCamerasClock_AreAsGood()
+    {
+        var both = new Jog(90).Lines().Skip(1).Select(line => line.Split(',')).ToArray();
+        var control = Write("control.csv", both.Select(row => $"{row[0]},{row[1]},0").Prepend("t,axis_1,axis_2"));
+        var camera = Write("camera.csv", both.Skip(30).Select(row => $"{row[0]},{row[2]}").Prepend("t_s,x"));
+
+        var run = await CliRun.OfAsync("calibrate", "sine", camera, "--control", control, "--joint", "axis_1", "--json", "--out", Out);
+
+        Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("total_ms").GetDouble(), Is.EqualTo(90).Within(2));
+    }
+
+    [Test]
+    public async Task Sine_OneCountingBackwards_NeedsToBeTold()
+    {
+        var jog = new Jog(90) { Scale = -1 };
+
+        Assert.That(await RefusalOf("sine", Write("jog.csv", jog.Lines())), Does.Contain("--inverted"));
+        Assert.That((await Measured(jog, "--inverted")).GetProperty("total_ms").GetDouble(), Is.EqualTo(90).Within(2));
+    }
+
+    [Test]
+    public async Task Sine_JogTooFast_SaysThatTheLagIsAmbiguous() =>
+        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90) { Period = 0.3 }.Lines())), Does.Contain("repeats after 0.30 s").And.Contain("slower"));
+
+    [TestCase("t_s,a,b\n0,1,2\n1,1,2", "at least 60")]
+    [TestCase("t_s,a,b,c\n0,1,2,3\n1,2,3,4", "--columns ROBOT,HOLOGRAM")]
+    [TestCase("t_s,a,b\n0,1,2\n1,NaN,2", ":3: field 'a': 'NaN' is not a finite number")]
+    public async Task Sine_BadRecording_SaysWhatIsNeeded(string text, string named) =>
+        Assert.That(await RefusalOf("sine", Write("jog.csv", [text])), Does.Contain(named));
+
+    [Test]
+    public async Task Sine_RobotAtRest_SaysSo()
+    {
+        var rest = Enumerable.Range(0, 600).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i / Fps:0.####},640,{i % 7}"));
+
+        Assert.That(await RefusalOf("sine", Write("jog.csv", rest.Prepend("t,robot,hologram"))), Does.Contain("the robot does not move"));
+    }
+
+    [Test]
+    public async Task Sine_BothWaysAtOnce_Exclude() =>
+        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--told-ms", "40"), Does.Contain("exclude each other"));
+}
