@@ -1,0 +1,97 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, it } from 'node:test';
+import { Browser } from './browser.mjs';
+import { calibration } from './calibrationSample.mjs';
+import { hasInk } from './inks.mjs';
+
+const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>';
+
+let browser;
+before(async () => { browser = await Browser.start('calibration'); });
+after(() => browser.stop());
+
+const texts = (page, selector) => page.locator(selector).allInnerTexts();
+
+/** Share of a plot's pixels that have its trace's colour, in a column of the canvas: a bar is tall, a line is not. */
+const inked = (page, plot, ink) => page.locator('.plot canvas').nth(plot).evaluate((canvas, name) => {
+  const probe = document.createElement('canvas').getContext('2d');
+  probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  probe.fillRect(0, 0, 1, 1);
+  const wanted = probe.getImageData(0, 0, 1, 1).data, { data, width, height } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  let tallest = 0, columns = 0;
+  for (let x = 0; x < width; x++) {
+    let count = 0;
+    for (let y = 0; y < height; y++) {
+      const at = 4 * (y * width + x);
+      if (Math.abs(data[at] - wanted[0]) + Math.abs(data[at + 1] - wanted[1]) + Math.abs(data[at + 2] - wanted[2]) < 24 && data[at + 3] > 200) count++;
+    }
+    tallest = Math.max(tallest, count);
+    if (count > 0) columns++;
+  }
+  return { tallest, columns };
+}, ink);
+
+describe('the page of a calibration', () => {
+  it('opens without a complaint or a request, with the outcome first', async () => {
+    const page = await browser.open(calibration());
+
+    assert.deepEqual(page.complaints, []);
+    assert.equal(await page.title(), 'Constant-latency range · Nowpose');
+    assert.match((await texts(page, 'header'))[0], /L\s*visu is 40\.0 ms ± 1\.0 ms while the render time is below 15\.13 ms/);
+    assert.deepEqual(await texts(page, 'table.facts tbody td'), ['40.00 ms', 'HoloLens 2']);
+  });
+
+  it('shows what to know before trusting it', async () => {
+    const page = await browser.open(calibration({ warnings: ['limit not reached: sweep on'] }));
+
+    assert.deepEqual(await texts(page, '.warning'), ['limit not reached: sweep on']);
+  });
+
+  it('draws a bar of the deviation across each mean that has one', async () => {
+    const bars = await inked(await browser.open(calibration()), 0, '--adaptive');
+    const none = calibration();
+    none.sections[0].plots[0].traces[0].deviation = null;
+    const plain = await inked(await browser.open(none), 0, '--adaptive');
+
+    assert.ok(bars.tallest > plain.tallest + 20, `${bars.tallest} of ${plain.tallest} pixels`);
+  });
+
+  it('draws single pictures as points without a line between them', async () => {
+    const points = await inked(await browser.open(calibration()), 1, '--adaptive');
+    const joined = calibration();
+    joined.sections[1].plots[0].traces[0].scattered = false;
+    const line = await inked(await browser.open(joined), 1, '--adaptive');
+
+    assert.ok(points.columns > 60, `${points.columns} columns`);
+    assert.ok(line.tallest >= 1.5 * points.tallest, `${line.tallest} of ${points.tallest} pixels: the step is drawn only by the line`);
+  });
+
+  it('cites the figure and keeps the numbers in a table', async () => {
+    const page = await browser.open(calibration());
+
+    assert.match((await texts(page, 'main section'))[1], /Schnierle & Röck 2022, Fig\. 11a/);
+    await page.locator('summary').click();
+    assert.deepEqual(await texts(page, 'details tbody td'), ['40', '41', '–']);
+  });
+
+  it('has its plots in the colours of their signals in the dark, too', async () => {
+    const page = await browser.open(calibration(), { colorScheme: 'dark' });
+
+    assert.ok(await hasInk(page, 0, '--adaptive'));
+    assert.ok(await hasInk(page, 1, '--adaptive'));
+  });
+
+  it('shows hostile text as text', async () => {
+    const page = await browser.open(calibration({ title: HOSTILE, result: HOSTILE, warnings: [HOSTILE], facts: [[HOSTILE, HOSTILE]] }));
+
+    assert.deepEqual(page.complaints, []);
+    assert.equal((await texts(page, 'h1'))[0], HOSTILE);
+  });
+
+  it('fits a narrow window', async () => {
+    const page = await browser.open(calibration(), { viewport: { width: 360, height: 700 } });
+
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(overflow <= 0, `${overflow} px too wide`);
+  });
+});
