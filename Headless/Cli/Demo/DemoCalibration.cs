@@ -3,7 +3,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Calibrates the simulated headset before a run with a load, as its user would have: a sweep through the loads, watched by a camera.</summary>
+/// <summary>Calibrates the simulated headset before a run with a load, as its user would: a sweep of loads, seen by a camera.</summary>
 static class DemoCalibration
 {
     const int GreatestVertices = 2_000_000;

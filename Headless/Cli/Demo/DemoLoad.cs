@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The scene's load over a run: it comes after the first third and goes with the last quarter, so that there is a before and an after.</summary>
+/// <summary>The scene's load over a run: comes after the first third, goes with the last quarter, so that there is a before and an after.</summary>
 /// <param name="Vertices">While it is there; 0 before and afterwards.</param>
 /// <param name="Seconds">Of the whole run.</param>
 readonly record struct DemoLoad(double Vertices, double Seconds)

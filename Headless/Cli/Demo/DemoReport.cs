@@ -41,7 +41,7 @@ static class DemoReport
         ["Sampling interval", Ms(s.SamplingMs)],
         ["Acquisition", s.Acquisition + " ms"],
         ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime is told {Ms(s.VisualisationMs + s.VisualisationErrorMs)}"],
-        ["Frame rate", s.Load == null ? $"{DemoDisplay.FramesPerSecond} fps" : $"{DemoDisplay.FramesPerSecond} fps, less while the load holds frames back"],
+        ["Frame rate", s.Load == null ? $"{DemoDisplay.FramesPerSecond} fps" : $"{DemoDisplay.FramesPerSecond} fps, less while held back"],
         ["Load", s.Load is int vertices ? vertices.ToString("0 vertices", CultureInfo.InvariantCulture) : "none"],
         ["Set-points ahead", s.PublishesPlan ? "published" : "none"],
         ["Seed", s.Seed.ToString(CultureInfo.InvariantCulture)],

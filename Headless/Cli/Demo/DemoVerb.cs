@@ -67,8 +67,8 @@ static class DemoVerb
             throw new InputException(FormattableString.Invariant(
                 $"--visu-ms plus --visu-error-ms: {told} ms is out of range; allowed are 0 to 500 ms"));
         if (parsed.GetValue(Load) != null && parsed.GetValue(Visualisation) < LeastWithLoadMs)
-            throw new InputException(FormattableString.Invariant(
-                $"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; with --load allowed are {LeastWithLoadMs} to 400 ms, for the display has 60 Hz"));
+            throw new InputException(FormattableString.Invariant($"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; ")
+                + $"with --load allowed are {LeastWithLoadMs} to 400 ms, for the display has 60 Hz");
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
         return new DemoSettings

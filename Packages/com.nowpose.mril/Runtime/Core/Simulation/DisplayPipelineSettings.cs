@@ -2,11 +2,11 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>What a <see cref="DisplayPipeline"/> is like. Immutable, checked once; the defaults are those the limits of the tests rest on.</summary>
+    /// <summary>What a <see cref="DisplayPipeline"/> is like. Immutable, checked once; the tests' limits rest on the defaults.</summary>
     public sealed class DisplayPipelineSettings
     {
         /// <param name="refreshMs">From one refresh to the next, ms, 1 to 100; 60 Hz by default.</param>
-        /// <param name="latchMs">A frame must be done so long before the refresh that shows it, ms, 0 to less than <paramref name="refreshMs"/>.</param>
+        /// <param name="latchMs">So long before the refresh that shows it a frame must be done, ms, 0 to 0.99 refreshes.</param>
         /// <param name="baseMs">Render time of an empty scene, ms, 0.1 to 100.</param>
         /// <param name="msPerMillion">What a million vertices add to it, ms, 0 to 1000.</param>
         /// <param name="scatter">Relative standard deviation of the render times, 0 to 0.2.</param>
