@@ -7,6 +7,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Sync;
+using Nowpose.Gateway.VisibleLight;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway;
@@ -37,6 +38,10 @@ public sealed class GatewayServer : IAsyncDisposable
     /// <inheritdoc cref="SyncEndPoint"/>
     public IPEndPoint WebSocketEndPoint { get; private set; }
 
+    /// <summary>Where browsers find the control clock as a code for cameras; null where the page was not built.</summary>
+    public Uri CodePageUri => !CodePage.HasPage
+        ? null : new Uri($"{(Pin == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)}://{WebSocketEndPoint}{CodePage.Path}");
+
     /// <summary>What headsets pin; null without TLS.</summary>
     public CertificatePin Pin { get; }
 
@@ -57,9 +62,11 @@ public sealed class GatewayServer : IAsyncDisposable
         options.Check();
         log ??= _ => { };
         var hub = new MessageHub();
-        var rosbridge = new RosbridgeServer(options, clock, hub, log);
+        var connections = new ConnectionCounters();
+        var rosbridge = new RosbridgeServer(options, clock, hub, connections, log);
+        var page = new CodePage(options, clock, connections, log);
         var sync = new SyncServer(options, clock, log);
-        var server = new GatewayServer(options, sync, rosbridge, hub, Build(options, rosbridge));
+        var server = new GatewayServer(options, sync, rosbridge, hub, Build(options, rosbridge, page));
         try
         {
             await server.StartWebAsync(options, cancellation);
@@ -97,7 +104,7 @@ public sealed class GatewayServer : IAsyncDisposable
         WebSocketEndPoint = new IPEndPoint(_bind, new Uri(addresses.Addresses.First()).Port);
     }
 
-    static WebApplication Build(GatewayOptions options, RosbridgeServer rosbridge)
+    static WebApplication Build(GatewayOptions options, RosbridgeServer rosbridge, CodePage page)
     {
         // Empty: neither settings of the folder it is started in nor of the environment change what the gateway does.
         var builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
@@ -105,6 +112,7 @@ public sealed class GatewayServer : IAsyncDisposable
         builder.WebHost.UseKestrelCore().UseKestrelHttpsConfiguration();
         builder.WebHost.ConfigureKestrel(kestrel => Configure(kestrel, options));
         var web = builder.Build();
+        web.Use(next => context => page.ServeAsync(context, next));
         web.Use(next => context => RosbridgeServer.CountFragmentsAsync(context, next));
         web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = options.PingInterval, KeepAliveTimeout = options.PongTimeout });
         web.Run(rosbridge.ServeAsync);

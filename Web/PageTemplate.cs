@@ -14,10 +14,17 @@ sealed class PageTemplate
     /// <summary>Null when Node.js was missing where this assembly was built.</summary>
     public static PageTemplate Named(string resource)
     {
+        var html = Read(resource);
+        return html == null ? null : new PageTemplate(html);
+    }
+
+    /// <summary>A page that needs no data. Null when Node.js was missing where this assembly was built.</summary>
+    public static string Read(string resource)
+    {
         using var stream = typeof(PageTemplate).Assembly.GetManifestResourceStream(resource);
         if (stream == null) return null;
         using var reader = new StreamReader(stream);
-        return new PageTemplate(reader.ReadToEnd());
+        return reader.ReadToEnd();
     }
 
     /// <exception cref="ArgumentException">The text is not JSON (which has no NaN) or not an object.</exception>

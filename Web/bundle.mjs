@@ -1,4 +1,4 @@
-// Makes dist/report.html, figures.html and calibration.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
+// Makes dist/report.html, figures.html, calibration.html and vlc.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -7,8 +7,11 @@ import { build } from 'esbuild';
 const web = dirname(fileURLToPath(import.meta.url));
 const read = path => readFileSync(join(web, path), 'utf8');
 
-const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts' };
-const templates = { report: 'src/report.html', figures: 'src/paper/figures.html', calibration: 'src/calibration/calibration.html' };
+const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts', vlc: 'src/vlc/main.ts' };
+const templates = {
+  report: 'src/report.html', figures: 'src/paper/figures.html', calibration: 'src/calibration/calibration.html', vlc: 'src/vlc/vlc.html',
+};
+const withoutPlots = ['vlc'];
 
 const { outputFiles } = await build({
   absWorkingDir: web,
@@ -27,7 +30,7 @@ mkdirSync(join(web, 'dist'), { recursive: true });
 for (const [name, template] of Object.entries(templates)) {
   // The licence of what is copied into the page goes with it.
   const parts = {
-    '<!--LICENCE-->': `<!-- Contains uPlot.\n${read('node_modules/uplot/LICENSE').replaceAll('--', '- -')}-->`,
+    ...(withoutPlots.includes(name) ? {} : { '<!--LICENCE-->': `<!-- Contains uPlot.\n${read('node_modules/uplot/LICENSE').replaceAll('--', '- -')}-->` }),
     '/*STYLE*/': output(`${name}.css`).replaceAll('</style', '<\\/style'),
     '/*SCRIPT*/': output(`${name}.js`).replaceAll('</script', '<\\/script'),
   };

@@ -56,7 +56,7 @@ function install() {
 
 /** Sources and pages are those of PageSource and BundledPage in Web.csproj. */
 function isCurrent() {
-  const pages = ['report.html', 'figures.html', 'calibration.html'].map(page => join(web, 'dist', page));
+  const pages = ['report.html', 'figures.html', 'calibration.html', 'vlc.html'].map(page => join(web, 'dist', page));
   const sources = ['src', 'package-lock.json', 'bundle.mjs', 'prepare.mjs'].map(s => newest(join(web, s)));
   return pages.every(page => existsSync(page) && statSync(page).mtimeMs >= Math.max(...sources));
 }

@@ -7,12 +7,13 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Speaks rosbridge v2 on every path of the WebSocket port.</summary>
-sealed class RosbridgeServer(GatewayOptions options, IControlClock clock, MessageHub hub, Action<string> log) : IDisposable
+sealed class RosbridgeServer(
+    GatewayOptions options, IControlClock clock, MessageHub hub, ConnectionCounters counters, Action<string> log) : IDisposable
 {
-    readonly AccessRule _access = new(options);
+    readonly Door _door = new(options, counters, log);
     readonly CancellationTokenSource _stop = new();
 
-    public ConnectionCounters Counters { get; } = new();
+    public ConnectionCounters Counters => counters;
     public DropCounters Drops { get; } = new();
 
     /// <summary>Ends every connection.</summary>
@@ -30,14 +31,12 @@ sealed class RosbridgeServer(GatewayOptions options, IControlClock clock, Messag
 
     public async Task ServeAsync(HttpContext context)
     {
-        if (!_access.IsOriginAllowed(context))
-            await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin, "the Origin is not the gateway's own");
-        else if (_access.RoleOf(context) is not { } role)
-            await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, "no or an unknown bearer token");
-        else if (!context.WebSockets.IsWebSocketRequest)
-            await AnswerAsync(context, StatusCodes.Status426UpgradeRequired, "this port speaks rosbridge v2 over WebSocket");
-        else if (!Counters.TryEnter(options.MaxConnections))
-            await AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
+        if (await _door.AdmitAsync(context) is not { } role)
+            return;
+        if (!context.WebSockets.IsWebSocketRequest)
+            await Door.AnswerAsync(context, StatusCodes.Status426UpgradeRequired, "this port speaks rosbridge v2 over WebSocket");
+        else if (!counters.TryEnter(options.MaxConnections))
+            await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
         else
             await ServeAsync(context, role);
     }
@@ -51,7 +50,7 @@ sealed class RosbridgeServer(GatewayOptions options, IControlClock clock, Messag
         }
         finally
         {
-            Counters.Leave(why);
+            counters.Leave(why);
             if (why is not (Closure.ByPeer or Closure.Stopped))
                 log($"websocket: closed a connection, {why}");
         }
@@ -69,23 +68,5 @@ sealed class RosbridgeServer(GatewayOptions options, IControlClock clock, Messag
         using var connection = new RosbridgeConnection(socket, receiver, _stop.Token);
         using var session = new RosbridgeSession(hub, clock, role, Drops, options.QueueLength, connection.Reply, connection.Start);
         return await connection.RunAsync(session);
-    }
-
-    async Task RefuseAsync(HttpContext context, int status, Closure why, string text)
-    {
-        Counters.Count(why);
-        log($"websocket: refused a connection, {why}");
-        if (status == StatusCodes.Status401Unauthorized)
-            context.Response.Headers.WWWAuthenticate = "Bearer";
-        await AnswerAsync(context, status, text);
-    }
-
-    static Task AnswerAsync(HttpContext context, int status, string text)
-    {
-        context.Response.StatusCode = status;
-        // Whoever is not let in must not hold one of the places that are.
-        context.Response.Headers.Connection = "close";
-        context.Response.ContentType = "text/plain; charset=utf-8";
-        return context.Response.WriteAsync(text + "\n");
     }
 }

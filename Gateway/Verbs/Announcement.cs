@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.VisibleLight;
 using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Verbs;
@@ -11,6 +12,8 @@ static class Announcement
     {
         Line("sync", gateway.SyncEndPoint.ToString());
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
+        Line("vlc", gateway.CodePageUri?.ToString());
+        if (gateway.CodePageUri == null) Log("vlc: " + CodePage.MissingPage);
         Line("pin", gateway.Pin?.ToString());
         Line("control_time_s", clock.Now.SinceEpoch.TotalSeconds.ToString("0.0000000", CultureInfo.InvariantCulture));
         Line("skew_ppm", skewPpm.ToString(CultureInfo.InvariantCulture));

@@ -1,0 +1,85 @@
+using System.Globalization;
+using System.Text;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Security;
+using Nowpose.Web;
+
+namespace Nowpose.Gateway.VisibleLight;
+
+/// <summary>The control clock as a code for cameras: a page for a monitor in the place of LEDs, and the time it asks for.</summary>
+/// <remarks>
+/// The page tells nothing and needs no token, for a browser that opens it has none to send; the time needs one where there are tokens. It
+/// is asked for by POST, with which browsers always say what page asks.
+/// </remarks>
+sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCounters counters, Action<string> log)
+{
+    public const string Path = "/vlc";
+    const string TimePath = "/vlc/time";
+
+    /// <summary>What to do where the page is missing.</summary>
+    public const string MissingPage =
+        "the page is missing, for this gateway was built without Node.js; install Node.js 18 or newer with npm and build again";
+
+    static readonly byte[] Page = LightCodePage.Html == null ? null : Encoding.UTF8.GetBytes(LightCodePage.Html);
+
+    readonly Door _door = new(options, counters, log);
+
+    public static bool HasPage => Page != null;
+
+    /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
+    public Task ServeAsync(HttpContext context, RequestDelegate next)
+    {
+        // First of all: what comes in between would count as the way to here.
+        var received = clock.Now;
+        var isSocket = context.Request.Headers.Upgrade.Count > 0;
+        if (!isSocket && context.Request.Path == TimePath) return TellTimeAsync(context, received);
+        return !isSocket && context.Request.Path == Path ? ShowAsync(context) : next(context);
+    }
+
+    static Task ShowAsync(HttpContext context)
+    {
+        if (!HttpMethods.IsGet(context.Request.Method) && !HttpMethods.IsHead(context.Request.Method))
+            return RefuseMethodAsync(context, "GET, HEAD");
+        if (!HasPage) return Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, MissingPage);
+        var response = context.Response;
+        response.ContentType = "text/html; charset=utf-8";
+        response.ContentLength = Page.Length;
+        response.Headers.CacheControl = "no-store";
+        // A page that shares its process with no other is given a finer clock by browsers.
+        response.Headers["Cross-Origin-Opener-Policy"] = "same-origin";
+        response.Headers["Cross-Origin-Embedder-Policy"] = "require-corp";
+        return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : response.Body.WriteAsync(Page).AsTask();
+    }
+
+    async Task TellTimeAsync(HttpContext context, ControlTime received)
+    {
+        if (await _door.AdmitAsync(context) == null) return;
+        if (!HttpMethods.IsPost(context.Request.Method))
+        {
+            await RefuseMethodAsync(context, "POST");
+            return;
+        }
+        context.Response.ContentType = "application/json";
+        context.Response.Headers.CacheControl = "no-store";
+        var answer = TimeText(received);
+        context.Response.ContentLength = answer.Length;
+        await context.Response.Body.WriteAsync(answer);
+    }
+
+    // As strings: a browser's numbers do not hold nanoseconds since 1970.
+    byte[] TimeText(ControlTime received)
+    {
+        var stepNs = clock.Resolution.Ticks * TimeSpan.NanosecondsPerTick;
+        var isSynchronised = clock.IsSynchronised ? "true" : "false";
+        FormattableString text = $$"""
+            {"t2_ns":"{{received.Nanoseconds}}","resolution_ns":{{stepNs}},"is_synchronised":{{isSynchronised}},"t3_ns":"{{clock.Now.Nanoseconds}}"}
+            """;
+        return Encoding.UTF8.GetBytes(text.ToString(CultureInfo.InvariantCulture));
+    }
+
+    static Task RefuseMethodAsync(HttpContext context, string allowed)
+    {
+        context.Response.Headers.Allow = allowed;
+        return Door.AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: allowed is {allowed}");
+    }
+}

@@ -1,0 +1,17 @@
+using System.Globalization;
+
+namespace Nowpose.Headless.Tests.ControlSystem;
+
+/// <summary>ControlSystem/timestamp-codes.csv: codes by another program, which the package, the gateway's page and the PLC's code are held to.</summary>
+static class CodeVectors
+{
+    public sealed record Row(int ValueMs, string Kind, byte[] Rows);
+
+    public static IReadOnlyList<Row> Read() =>
+    [
+        .. File.ReadLines(PathOf("timestamp-codes.csv")).Skip(1).Select(line => line.Split(','))
+            .Select(cells => new Row(int.Parse(cells[0], CultureInfo.InvariantCulture), cells[1], Convert.FromHexString(cells[2]))),
+    ];
+
+    public static string PathOf(string file) => Path.Combine(Repository.RepositoryFiles.Root, "ControlSystem", file);
+}

@@ -1,0 +1,114 @@
+using System.Globalization;
+using System.Net;
+using System.Net.Http.Headers;
+using System.Text.Json;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Security;
+using Nowpose.Web;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+/// <summary>The page with the control clock's code, and the time it asks for; what it draws is tested in a browser (Web/test).</summary>
+public class CodePageTests
+{
+    static async Task<HttpResponseMessage> AskAsync(
+        GatewayServer gateway, HttpMethod method, string path, string origin = null, string token = null)
+    {
+        using var http = new HttpClient();
+        using var request = new HttpRequestMessage(method, new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}{path}"));
+        if (origin != null) request.Headers.Add("Origin", origin.Replace("{port}", gateway.WebSocketEndPoint.Port.ToString()));
+        if (token != null) request.Headers.Authorization = new AuthenticationHeaderValue("Bearer", token);
+        return await http.SendAsync(request).Bounded();
+    }
+
+    [Test]
+    public async Task Page_AskedFor_IsOneWithoutRequestsToOthersOrSecrets()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+
+        using var response = await AskAsync(gateway, HttpMethod.Get, "/vlc");
+        var page = await response.Content.ReadAsStringAsync().Bounded();
+
+        if (LightCodePage.Html == null)
+        {
+            Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
+            Assert.That(page.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
+            Assert.That(page, Does.Contain("Node.js 18"));
+            Assert.That(gateway.CodePageUri, Is.Null);
+            return;
+        }
+        Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.OK), "a browser that opens it has no token to send");
+        Assert.That(response.Content.Headers.ContentType.MediaType, Is.EqualTo("text/html"));
+        Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(Gateways.ObserverToken).And.Not.Contain("https://"));
+        Assert.That(gateway.CodePageUri.ToString(), Is.EqualTo($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/vlc"));
+    }
+
+    [Test]
+    public async Task Time_AskedFor_LiesBetweenBeforeAndAfterInOrder()
+    {
+        var clock = new StopwatchControlClock(Gateways.Start) { Resolution = TimeSpan.FromMicroseconds(250), IsSynchronised = false };
+        await using var gateway = await Gateways.StartAsync(clock: clock);
+        var before = clock.Now.Nanoseconds;
+
+        using var response = await AskAsync(gateway, HttpMethod.Post, "/vlc/time", "http://localhost:{port}");
+        var answer = JsonDocument.Parse(await response.Content.ReadAsStringAsync().Bounded()).RootElement;
+
+        var (received, sent) = (Nanoseconds(answer, "t2_ns"), Nanoseconds(answer, "t3_ns"));
+        Assert.That(received, Is.InRange(before, sent));
+        Assert.That(sent, Is.InRange(received, clock.Now.Nanoseconds));
+        Assert.That(answer.GetProperty("resolution_ns").GetInt64(), Is.EqualTo(250_000));
+        Assert.That(answer.GetProperty("is_synchronised").GetBoolean(), Is.False);
+    }
+
+    [TestCase("http://evil.example")]
+    [TestCase("null")]
+    [TestCase("http://127.0.0.1:1")]
+    public async Task Time_OfAForeignOrigin_Is403(string origin)
+    {
+        await using var gateway = await Gateways.StartAsync();
+
+        using var response = await AskAsync(gateway, HttpMethod.Post, "/vlc/time", origin);
+
+        Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.Forbidden));
+        Assert.That(gateway.WebSocketConnections[Closure.Origin], Is.EqualTo(1));
+    }
+
+    [TestCase(null, HttpStatusCode.Unauthorized)]
+    [TestCase("guess", HttpStatusCode.Unauthorized)]
+    [TestCase(Gateways.ObserverToken, HttpStatusCode.OK)]
+    public async Task Time_WithTokens_NeedsOne(string token, HttpStatusCode status)
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+
+        using var response = await AskAsync(gateway, HttpMethod.Post, "/vlc/time", token: token);
+
+        Assert.That(response.StatusCode, Is.EqualTo(status));
+    }
+
+    [TestCase("/vlc", "POST", "GET")]
+    [TestCase("/vlc/time", "GET", "POST")]
+    public async Task Request_WithAnotherMethod_IsToldWhichIsAllowed(string path, string method, string allowed)
+    {
+        await using var gateway = await Gateways.StartAsync();
+
+        using var response = await AskAsync(gateway, new HttpMethod(method), path);
+
+        Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.MethodNotAllowed));
+        Assert.That(response.Content.Headers.Allow, Does.Contain(allowed));
+    }
+
+    [Test]
+    public async Task WebSocket_OnThePagesPath_IsServedAsOnAnyOther()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var socket = new System.Net.WebSockets.ClientWebSocket();
+
+        await socket.ConnectAsync(new Uri(gateway.WebSocketUri(), "vlc"), default).Bounded();
+
+        Assert.That(socket.State, Is.EqualTo(System.Net.WebSockets.WebSocketState.Open));
+    }
+
+    static long Nanoseconds(JsonElement answer, string name) => long.Parse(answer.GetProperty(name).GetString(), CultureInfo.InvariantCulture);
+}

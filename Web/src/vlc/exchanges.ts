@@ -1,0 +1,77 @@
+import { ControlClock, LEAST_EXCHANGES } from './controlClock';
+
+const QUICK_MS = 60, SLOW_MS = 250, TIMEOUT_MS = 1000;
+
+/** Silence after which nothing is known any more: two exchanges may be lost. */
+const SILENCE_MS = 2000;
+
+/** More than this would be read as another millisecond or two: no code is better than such a one. */
+const GREATEST_BOUND_MS = 3;
+
+interface Answer {
+  t2_ns: string;
+  t3_ns: string;
+  resolution_ns: number;
+  is_synchronised: boolean;
+}
+
+/** Keeps a clock synchronised with the gateway the page came from. */
+export class Exchanges {
+  readonly clock = new ControlClock();
+  private problem = 'asking the gateway';
+  private token = '';
+
+  /** @param onToken Called when the gateway asks for a token that the page does not have. */
+  constructor(private readonly onToken: () => void) {}
+
+  /** Kept in this page's memory only. */
+  authorise(token: string): void {
+    this.token = token.trim();
+  }
+
+  /** Why nothing may be shown; null when the clock is good. */
+  doubt(now: number): string | null {
+    const age = this.clock.age(now);
+    if (this.problem) return this.problem;
+    if (age > SILENCE_MS) return 'the gateway does not answer';
+    if (this.clock.count < LEAST_EXCHANGES) return `${this.clock.count} of ${LEAST_EXCHANGES} exchanges`;
+    const { boundMs } = this.clock.at(now)!;
+    return boundMs > GREATEST_BOUND_MS ? `known to ± ${boundMs.toFixed(1)} ms only, ± ${GREATEST_BOUND_MS} ms are needed: use a wired network` : null;
+  }
+
+  async run(): Promise<never> {
+    for (;;) {
+      await this.exchange();
+      const pause = this.clock.count < LEAST_EXCHANGES && !this.problem ? QUICK_MS : SLOW_MS;
+      await new Promise(done => setTimeout(done, pause));
+    }
+  }
+
+  private async exchange(): Promise<void> {
+    const headers: HeadersInit = this.token ? { Authorization: `Bearer ${this.token}` } : {};
+    try {
+      const t1 = performance.now();
+      const response = await fetch('/vlc/time', { method: 'POST', cache: 'no-store', headers, signal: AbortSignal.timeout(TIMEOUT_MS) });
+      const t4 = performance.now();
+      if (response.status === 401) return this.askForToken();
+      if (!response.ok) return this.fail(`the gateway refuses: ${(await response.text()).trim() || response.status}`);
+      const answer = await response.json() as Answer;
+      this.problem = answer.is_synchronised ? '' : 'the control clock itself is not synchronised';
+      this.clock.add({ t1, t2: BigInt(answer.t2_ns), t3: BigInt(answer.t3_ns), t4, resolutionNs: answer.resolution_ns });
+    } catch {
+      // Unreachable or too slow: the age of the newest exchange tells when that matters.
+      if (this.clock.age(performance.now()) > SILENCE_MS) this.fail('the gateway does not answer');
+    }
+  }
+
+  private askForToken(): void {
+    this.fail(this.token ? 'the gateway does not know this token' : 'the gateway asks for a token');
+    this.token = '';
+    this.onToken();
+  }
+
+  private fail(problem: string): void {
+    this.problem = problem;
+    this.clock.forget();
+  }
+}

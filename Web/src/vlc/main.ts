@@ -1,0 +1,79 @@
+import './vlc.css';
+import { controlCells, PERIOD_MS, SIDE } from './code';
+import { Exchanges } from './exchanges';
+import { Monitor } from './monitor';
+
+const NS_PER_MS = 1_000_000n;
+const get = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+
+const canvas = get<HTMLCanvasElement>('code'), doubt = get('doubt'), time = get('time'), facts = get('facts');
+const form = get<HTMLFormElement>('token'), input = form.querySelector('input')!;
+const light = canvas.getContext('2d', { alpha: false })!;
+const monitor = new Monitor();
+const exchanges = new Exchanges(() => { form.hidden = false; });
+
+function draw(value: number): void {
+  const cell = Math.max(1, Math.floor((canvas.clientWidth * devicePixelRatio) / SIDE));
+  if (canvas.width !== SIDE * cell) canvas.width = canvas.height = SIDE * cell;
+  light.fillStyle = '#000';
+  light.fillRect(0, 0, canvas.width, canvas.height);
+  light.fillStyle = '#fff';
+  controlCells(value).forEach((isLit, i) => {
+    if (isLit) light.fillRect((i % SIDE) * cell, Math.floor(i / SIDE) * cell, cell, cell);
+  });
+}
+
+function show(why: string | null, ns: bigint, boundMs: number): void {
+  canvas.hidden = why != null;
+  doubt.hidden = why == null;
+  document.body.dataset.state = why == null ? 'synchronised' : 'not synchronised';
+  if (why != null) {
+    doubt.textContent = `not synchronised: ${why}`;
+    time.textContent = facts.textContent = '';
+    return;
+  }
+  draw(Number((ns / NS_PER_MS) % BigInt(PERIOD_MS)));
+  time.textContent = `C1 ${seconds(ns)} s`;
+  facts.textContent = `known to ± ${boundMs.toFixed(1)} ms. ${delayInWords()}`;
+}
+
+function seconds(ns: bigint): string {
+  const ms = (ns / NS_PER_MS).toString().padStart(4, '0');
+  return `${ms.slice(0, -3)}.${ms.slice(-3)}`;
+}
+
+function delayInWords(): string {
+  const refresh = monitor.refreshMs;
+  if (Number.isNaN(refresh)) return 'Measuring the refresh rate.';
+  const { mean, greatestError } = monitor.delayMs;
+  return `Monitor: ${(1000 / refresh).toFixed(1)} Hz, L_monitor ≈ ${mean.toFixed(0)} ± ${greatestError.toFixed(0)} ms plus the panel’s own delay.`;
+}
+
+function frame(at: number): void {
+  requestAnimationFrame(frame);
+  monitor.frame(at);
+  // The frame's begin, not the moment of drawing: the light comes a whole number of refreshes later.
+  const reading = exchanges.clock.at(at);
+  const why = exchanges.doubt(performance.now());
+  show(reading == null ? why ?? 'nothing is known' : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
+}
+
+async function toggleFullScreen(): Promise<void> {
+  if (document.fullscreenElement) return document.exitFullscreen();
+  await document.documentElement.requestFullscreen();
+  // A screen that dims is read as none. Not every browser offers it, nor over plain connections.
+  await navigator.wakeLock?.request('screen').catch(() => undefined);
+}
+
+form.addEventListener('submit', event => {
+  event.preventDefault();
+  exchanges.authorise(input.value);
+  input.value = '';
+  form.hidden = true;
+});
+addEventListener('click', event => { if (!form.contains(event.target as Node)) void toggleFullScreen(); });
+addEventListener('keydown', event => {
+  if (event.key.toLowerCase() === 'f' && event.target !== input && !event.ctrlKey && !event.metaKey && !event.altKey) void toggleFullScreen();
+});
+requestAnimationFrame(frame);
+void exchanges.run();
