@@ -16,14 +16,34 @@ namespace Nowpose.Latency
         const double ClearlyInside = 0.94;
         const int FramesToReturn = 30;
 
-        readonly ConstantLatencyRange _range;
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
+        ConstantLatencyRange _range;
+        bool? _isBeyond;
         int _clearFrames;
 
-        /// <param name="range">Null when none is known: the state stays unknown then.</param>
+        /// <param name="range">As <see cref="Range"/>.</param>
         public ConstantLatencyMonitor(ConstantLatencyRange range) => _range = range;
 
-        public RangeState State { get; private set; }
+        /// <summary>Null when none is known: the state stays unknown then. Another one is judged by from the next frame on.</summary>
+        public ConstantLatencyRange Range
+        {
+            get => _range;
+            set
+            {
+                _range = value;
+                _isBeyond = null;
+                _clearFrames = 0;
+            }
+        }
+
+        public RangeState State
+        {
+            get
+            {
+                if (_isBeyond == false) return RangeState.Inside;
+                return _isBeyond == true && _range.IsLimitReached ? RangeState.Outside : RangeState.Unknown;
+            }
+        }
 
         /// <summary>Why <see cref="State"/> is unknown.</summary>
         public RangeDoubt Doubt
@@ -33,7 +53,8 @@ namespace Nowpose.Latency
                 if (State != RangeState.Unknown) return RangeDoubt.None;
                 if (_range == null) return RangeDoubt.NoLimit;
                 if (Source == RenderTimeSourceKind.None) return RangeDoubt.NoRenderTime;
-                return Source == _range.Source ? RangeDoubt.TooFewFrames : RangeDoubt.OtherSource;
+                if (Source != _range.Source) return RangeDoubt.OtherSource;
+                return _isBeyond == true ? RangeDoubt.BeyondMeasured : RangeDoubt.TooFewFrames;
             }
         }
 
@@ -57,7 +78,7 @@ namespace Nowpose.Latency
         void StartAnew(RenderTimeSourceKind source)
         {
             Source = source;
-            State = RangeState.Unknown;
+            _isBeyond = null;
             _recent.Reset();
             _clearFrames = 0;
         }
@@ -65,8 +86,8 @@ namespace Nowpose.Latency
         void Judge(TimeSpan median)
         {
             _clearFrames = median.Ticks < ClearlyInside * _range.Limit.Ticks ? _clearFrames + 1 : 0;
-            if (median > _range.Limit) State = RangeState.Outside;
-            else if (State == RangeState.Unknown || _clearFrames >= FramesToReturn) State = RangeState.Inside;
+            if (median > _range.Limit) _isBeyond = true;
+            else if (_isBeyond == null || _clearFrames >= FramesToReturn) _isBeyond = false;
         }
     }
 }

@@ -6,7 +6,7 @@ namespace Nowpose.Latency
         /// <summary>It is known.</summary>
         None,
 
-        /// <summary>The settings have no limit.</summary>
+        /// <summary>Neither settings nor calibration have a limit.</summary>
         NoLimit,
 
         /// <summary>Nothing measures the render time.</summary>
@@ -17,5 +17,8 @@ namespace Nowpose.Latency
 
         /// <summary>The limit was found with another source of the render time, so it means nothing for this one.</summary>
         OtherSource,
+
+        /// <summary>The render time is beyond all that was calibrated, and no limit was found up to there.</summary>
+        BeyondMeasured,
     }
 }

@@ -42,8 +42,8 @@ namespace Nowpose.Session
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
         readonly SampleBacklog _backlog;
         readonly ConcurrentQueue<PlannedMotion> _plans = new ConcurrentQueue<PlannedMotion>();
+        readonly MomentOfLight _light;
         readonly object _gate = new object();
-        VisualisationLatency _visualisation;
         volatile ReceivedDescription _description = ReceivedDescription.None;
         volatile string _descriptionFault;
         SyncClient _syncClient;
@@ -63,11 +63,11 @@ namespace Nowpose.Session
             _clock = clock;
             _newLink = newLink ?? WebSocketLinks.Create;
             Robot = robot;
-            _visualisation = settings.Visualisation;
+            _light = new MomentOfLight(settings.Visualisation, settings.Profile);
             _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
             _monitor = new ConstantLatencyMonitor(settings.Range);
             _tracks = new JointTracks(robot, settings.Prediction);
-            _frame = new DisplayFrame(robot, _tracks);
+            _frame = new DisplayFrame(robot, _tracks, settings.OutsideRange);
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
             _tracks.StartedAnew += _hindcast.StartAnew;
             _backlog = new SampleBacklog(robot, QueueLength);
@@ -131,11 +131,27 @@ namespace Nowpose.Session
         /// <summary>Sync exchanges that were dropped, by reason.</summary>
         public SyncFaultCounters SyncFaults { get; } = new SyncFaultCounters();
 
-        /// <summary>L_visu. May change while the session runs.</summary>
+        /// <summary>L_visu as calibrated. May change while the session runs; setting it says that it comes from no profile.</summary>
         public VisualisationLatency Visualisation
         {
-            get { lock (_gate) return _visualisation; }
-            set { lock (_gate) _visualisation = value; }
+            get { lock (_gate) return _light.Calibrated; }
+            set { lock (_gate) _light.Calibrated = value; }
+        }
+
+        /// <summary>What <see cref="Visualisation"/> comes from; null when it was told as a number. Any thread.</summary>
+        public LatencyProfile Profile
+        {
+            get { lock (_gate) return _light.Profile; }
+        }
+
+        /// <summary>
+        /// Tells when light appears, frame by frame, and is believed before <see cref="Visualisation"/>; null for none. Asked within
+        /// <see cref="Tick"/>; must not call back into the session. Any thread may set it.
+        /// </summary>
+        public IDisplayTimeSource DisplayTimeSource
+        {
+            get { lock (_gate) return _light.Source; }
+            set { lock (_gate) _light.Source = value; }
         }
 
         /// <summary>Δt_render as <see cref="Rendered"/> was told it last; null while nothing measures.</summary>
@@ -186,11 +202,26 @@ namespace Nowpose.Session
                 TakeArrivals(clock);
                 // Their stamps can be judged, and mean anything, only with the clock; a source may not send them again for long.
                 while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
-                var light = clock.IsKnown ? clock.ToControl(_visualisation.LightOf(start)) : (ControlTime?)null;
-                _frame.Update(start, light, IsTrusted(clock), _monitor.State);
+                var seen = _light.LightOf(start, isConstant: _monitor.State != RangeState.Outside);
+                var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
+                _frame.Update(start, light, IsTrusted(clock), _monitor.State, _light.IsDoubted);
                 _hindcast.Shown(_frame, clock.ErrorBound);
                 Ticked?.Invoke(_frame);
                 return _frame;
+            }
+        }
+
+        /// <summary>
+        /// Takes what a calibration found, from the next frame on: L_visu, and the range that render times are judged by. The
+        /// session goes on. Whether the profile is of this device is for the caller to ask. Any thread.
+        /// </summary>
+        public void Calibrate(LatencyProfile profile)
+        {
+            if (profile == null) throw new ArgumentNullException(nameof(profile));
+            lock (_gate)
+            {
+                _light.Calibrate(profile);
+                _monitor.Range = profile.WatchedRange;
             }
         }
 
@@ -271,6 +302,7 @@ namespace Nowpose.Session
                 FillLatency(into);
                 FillError(into);
                 into.Pose = _frame.State;
+                into.OutsideRange = _frame.OutsideRange;
                 into.RobotDescriptionMatch = RobotDescriptionMatch;
                 into.Samples = _samples;
                 into.Dropped = Drops.Total + SyncFaults.Total;
@@ -303,8 +335,12 @@ namespace Nowpose.Session
             into.ApplicationLatency = _latency.Median;
             into.ApplicationLatency95 = _latency.Percentile95;
             into.NegativeLatencies = _latency.NegativeCount;
-            into.VisualisationLatency = _visualisation.Length;
-            into.EndToEndLatency = _latency.Median is TimeSpan median ? _visualisation.EndToEnd(median) : (TimeSpan?)null;
+            into.VisualisationLatency = _light.Used;
+            into.EndToEndLatency = _latency.Median + _light.Used;
+            into.Profile = _light.Profile;
+            into.IsLightPredicted = _light.IsPredicted;
+            into.DisplayTimeDifference = _light.Difference;
+            into.IsDisplayTimeDoubted = _light.IsDoubted;
             into.Horizon = _frame.Horizon;
             into.RenderTime = _monitor.RenderTime;
             into.RenderTimeSource = _monitor.Source;

@@ -15,8 +15,9 @@ namespace Nowpose.Session
         readonly int _toolLink;
         readonly int[] _armJoints;
 
-        internal DisplayFrame(RobotModel robot, JointTracks tracks)
+        internal DisplayFrame(RobotModel robot, JointTracks tracks, OutsideRangeResponse outsideRange)
         {
+            OutsideRange = outsideRange;
             _tracks = tracks;
             _kinematics = new ForwardKinematics(robot);
             _linkPoses = new RigidTransform[robot.Links.Count];
@@ -41,6 +42,12 @@ namespace Nowpose.Session
         /// <summary>Whether the render time of the frames before lets the moment of light be known.</summary>
         public RangeState Range { get; private set; }
 
+        /// <summary>What is shown while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
+        public OutsideRangeResponse OutsideRange { get; }
+
+        /// <summary>Whether the runtime's display times and the calibration contradict each other, see <see cref="DisplayTimeCheck"/>.</summary>
+        public bool IsDisplayTimeDoubted { get; private set; }
+
         /// <summary>Displayed joint positions, one per moving joint of the robot in its order, rad or m, mimic joints completed.</summary>
         public ReadOnlySpan<double> Joints => _tracks.Positions;
 
@@ -57,8 +64,9 @@ namespace Nowpose.Session
         public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
 
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
-        internal void Update(HeadsetTime start, ControlTime? displayTime, bool isTimeTrusted, RangeState range)
+        internal void Update(HeadsetTime start, ControlTime? displayTime, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted)
         {
+            IsDisplayTimeDoubted = isDisplayTimeDoubted;
             Start = start;
             IsTimeTrusted = isTimeTrusted;
             Range = range;
@@ -66,8 +74,10 @@ namespace Nowpose.Session
             if (displayTime.HasValue) _tracks.Predict(displayTime.Value);
             else _tracks.Hold();
             Horizon = displayTime - _tracks.Newest;
-            _kinematics.Compute(_tracks.Positions, _linkPoses);
             State = JudgeState();
+            // After it was judged whether the samples would do: a pose that is held by choice is not stale.
+            if (State == PoseState.OutsideRange && OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();
+            _kinematics.Compute(_tracks.Positions, _linkPoses);
         }
 
         PoseState JudgeState()

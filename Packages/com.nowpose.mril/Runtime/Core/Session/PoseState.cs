@@ -20,7 +20,8 @@ namespace Nowpose.Session
 
         /// <summary>
         /// The render time is outside the constant-latency range, so that the light appears later than calibrated, by nobody
-        /// knows how much. The pose is made as a current one is.
+        /// knows how much. The pose is made as a current one is, unless the settings have it held, see
+        /// <see cref="OutsideRangeResponse"/>.
         /// </summary>
         OutsideRange,
 

@@ -31,5 +31,11 @@ namespace Nowpose.Session
         /// said once; the next time only after the arm was predicted for half a second again.
         /// </summary>
         Stale = 16,
+
+        /// <summary>
+        /// The display times that the headset's runtime predicts and the calibrated L_visu differ by more than 5 ms and do not
+        /// cease to: one of them is wrong. The next time only after they agreed again.
+        /// </summary>
+        DisplayTimeDoubted = 32,
     }
 }

@@ -20,17 +20,22 @@ namespace Nowpose.Session
         /// </param>
         /// <param name="range">The constant-latency range of this device; null when none was found yet.</param>
         /// <param name="clockEstimator">One of <see cref="ClockEstimators.Names"/>.</param>
+        /// <param name="profile">Takes the place of <paramref name="visualisation"/> and <paramref name="range"/>; null for none.</param>
+        /// <param name="outsideRange">What is shown while the render time is outside the range.</param>
         /// <param name="rewriteBeforeRender">As <see cref="RewriteBeforeRender"/>; L_visu is calibrated with the same choice.</param>
         public SessionSettings(
             ConnectionSettings connection, VisualisationLatency visualisation, PredictionSettings prediction = null,
             ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = ProtocolLimits.SyncIntervalMs,
             ConstantLatencyRange range = null, bool rewriteBeforeRender = false,
-            string clockEstimator = ClockEstimators.Default)
+            string clockEstimator = ClockEstimators.Default, LatencyProfile profile = null,
+            OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
-            Range = range;
+            Profile = profile;
+            OutsideRange = outsideRange;
+            Range = profile == null ? range : profile.WatchedRange;
             RewriteBeforeRender = rewriteBeforeRender;
             Connection = connection ?? throw new ArgumentNullException(nameof(connection));
-            Visualisation = visualisation;
+            Visualisation = profile?.Visualisation ?? visualisation;
             Prediction = prediction ?? PredictionSettings.Default;
             Clock = clock ?? ClockSettings.Default;
             Ransac = ransac ?? RansacSettings.Paper;
@@ -50,6 +55,11 @@ namespace Nowpose.Session
         /// <summary>One of <see cref="ClockEstimators.Names"/>.</summary>
         public string ClockEstimator { get; }
         public TimeSpan SyncInterval { get; }
+
+        /// <summary>What L_visu comes from; null when it was told as a number.</summary>
+        public LatencyProfile Profile { get; }
+
+        public OutsideRangeResponse OutsideRange { get; }
 
         /// <summary>Null when none is known.</summary>
         public ConstantLatencyRange Range { get; }

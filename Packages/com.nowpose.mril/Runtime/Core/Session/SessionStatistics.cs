@@ -29,7 +29,20 @@ namespace Nowpose.Session
         /// <summary>Samples that arrived, by the clocks, before they were taken.</summary>
         public long NegativeLatencies { get; internal set; }
 
+        /// <summary>Of the newest frame: as calibrated, or as the runtime predicts it.</summary>
         public TimeSpan VisualisationLatency { get; internal set; }
+
+        /// <summary>What the calibrated L_visu comes from; null when it was told as a number.</summary>
+        public LatencyProfile Profile { get; internal set; }
+
+        /// <summary>Whether <see cref="VisualisationLatency"/> is the runtime's prediction.</summary>
+        public bool IsLightPredicted { get; internal set; }
+
+        /// <summary>Median of predicted minus calibrated L_visu over the newest 60 frames.</summary>
+        public TimeSpan? DisplayTimeDifference { get; internal set; }
+
+        /// <summary>Whether that difference lasts and is too large for both to be right, see <see cref="DisplayTimeCheck"/>.</summary>
+        public bool IsDisplayTimeDoubted { get; internal set; }
 
         /// <summary>L of Eq. (1), with the median of L_app.</summary>
         public TimeSpan? EndToEndLatency { get; internal set; }
@@ -69,6 +82,10 @@ namespace Nowpose.Session
         public double? ErrorReduction => ToolError?.Reduction;
 
         public PoseState Pose { get; internal set; }
+
+        /// <summary>What is shown outside the constant-latency range.</summary>
+        public OutsideRangeResponse OutsideRange { get; internal set; }
+
         public RobotDescriptionMatch RobotDescriptionMatch { get; internal set; }
 
         /// <summary>Messages whose samples were used.</summary>

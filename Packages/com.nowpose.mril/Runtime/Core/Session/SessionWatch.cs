@@ -14,16 +14,19 @@ namespace Nowpose.Session
         static readonly TimeSpan Settle = TimeSpan.FromMilliseconds(500);
 
         SettledFlag _isSynchronised, _isInRange, _isFresh;
+        bool _isDisplayTimeDoubted;
 
         public SessionWatch() => Forget();
 
         /// <summary>What has changed with a frame.</summary>
-        public SessionChange Changed(DisplayFrame frame) => Changed(frame.Start, frame.State, frame.IsTimeTrusted, frame.Range);
+        public SessionChange Changed(DisplayFrame frame) =>
+            Changed(frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeDoubted);
 
         /// <summary>What has changed with a frame, told by its properties.</summary>
         /// <param name="at">Not earlier than the frame before.</param>
         /// <param name="isTimeTrusted">As <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
-        public SessionChange Changed(HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range)
+        /// <param name="isDisplayTimeDoubted">Settled already, as <see cref="DisplayFrame.IsDisplayTimeDoubted"/> is.</param>
+        public SessionChange Changed(HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted = false)
         {
             var changes = SessionChange.None;
             if (_isSynchronised.Update(at, isTimeTrusted, Settle)) changes |= isTimeTrusted ? SessionChange.Synchronised : SessionChange.Lost;
@@ -34,6 +37,8 @@ namespace Nowpose.Session
             if (pose == PoseState.Incomplete || pose == PoseState.Unsynchronised) _isFresh.Interrupt();
             else if (_isFresh.Update(at, pose != PoseState.Held, Settle) && pose == PoseState.Held)
                 changes |= SessionChange.Stale;
+            if (isDisplayTimeDoubted && !_isDisplayTimeDoubted) changes |= SessionChange.DisplayTimeDoubted;
+            _isDisplayTimeDoubted = isDisplayTimeDoubted;
             return changes;
         }
 
@@ -51,6 +56,7 @@ namespace Nowpose.Session
             _isSynchronised = new SettledFlag(false);
             _isInRange = new SettledFlag(null);
             _isFresh = new SettledFlag(false);
+            _isDisplayTimeDoubted = false;
         }
     }
 }

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Makes a pose that is not current look different: everything below this object is fainter and striped, and words say
+    /// Makes a pose that is not current look different: everything below this object is striped and fainter, and words say
     /// why. Before the first joint positions nothing is drawn but the words, nor is what a rig or gripper leaves standing that
     /// does not follow the session any more.
     /// </summary>
@@ -33,6 +33,7 @@ namespace Nowpose.Unity
         MaterialPropertyBlock _block;
         ReadingDistance _distance;
         PoseState? _pose;
+        OutsideRangeResponse _outsideRange;
         bool _isOn, _hasWords;
 
         internal PoseLook Look
@@ -40,7 +41,7 @@ namespace Nowpose.Unity
             get
             {
                 if (!(_pose is PoseState pose)) return PoseLook.Abandoned;
-                var look = PoseLook.Of(pose);
+                var look = PoseLook.Of(pose, _outsideRange);
                 return look.IsDrawn && Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
             }
         }
@@ -91,7 +92,7 @@ namespace Nowpose.Unity
             {
                 _source.Shown += Show;
                 _source.Hidden += Abandon;
-                if (_source.Frame != null) _pose = _source.Frame.State;
+                if (_source.Frame != null) Take(_source.Frame);
             }
             else ConsoleLog.Warn(this, "pose appearance '" + name + "' has no session above it to follow; assign one");
             Refresh();
@@ -124,8 +125,14 @@ namespace Nowpose.Unity
             var isNews = frame.State != _pose;
             foreach (var carrier in _carriers) isNews |= carrier.HasTurned();
             if (!isNews) return;
-            _pose = frame.State;
+            Take(frame);
             Draw();
+        }
+
+        void Take(DisplayFrame frame)
+        {
+            _pose = frame.State;
+            _outsideRange = frame.OutsideRange;
         }
 
         void Abandon()

@@ -2,14 +2,15 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity
 {
-    /// <summary>How a pose is drawn, so that one that is not current cannot be taken for one: fainter, striped and with words.</summary>
+    /// <summary>How a pose is drawn, so that one that is not current cannot be taken for one: striped, with words, and mostly fainter.</summary>
     readonly struct PoseLook
     {
         /// <summary>No frame is computed any more; what was drawn last stays.</summary>
         public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
 
-        PoseLook(string words, string reason, float fade, bool isDrawn = true)
+        PoseLook(string words, string reason, float fade, bool isDrawn = true, bool isHatched = true)
         {
+            IsHatched = isHatched;
             Reason = reason;
             Words = words;
             Fade = fade;
@@ -22,7 +23,7 @@ namespace Nowpose.Unity
         /// <summary>0 (as it is) to 1 (hardly to be seen): the less is known, the more.</summary>
         public float Fade { get; }
 
-        public bool IsHatched => Fade > 0;
+        public bool IsHatched { get; }
 
         /// <summary>Empty where there is nothing to say.</summary>
         public string Words { get; }
@@ -30,13 +31,14 @@ namespace Nowpose.Unity
         /// <summary>Why it is not plain; empty where it is.</summary>
         public string Reason { get; }
 
-        public static PoseLook Of(PoseState pose)
+        /// <param name="outsideRange">How to look outside the range.</param>
+        public static PoseLook Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
             var reason = StatusTexts.ReasonOf(pose);
             switch (pose)
             {
-                case PoseState.Current: return new PoseLook("", reason, 0);
-                case PoseState.OutsideRange: return new PoseLook(PoseWords.Of(pose), reason, 0.3f);
+                case PoseState.Current: return new PoseLook("", reason, 0, isHatched: false);
+                case PoseState.OutsideRange: return new PoseLook(PoseWords.Of(pose, outsideRange), reason, FadeOf(outsideRange));
                 case PoseState.Held: return new PoseLook(PoseWords.Of(pose), reason, 0.5f);
                 case PoseState.Unsynchronised: return new PoseLook(PoseWords.Of(pose), reason, 0.8f);
                 // The joints stand at zero, where the robot is not.
@@ -44,7 +46,17 @@ namespace Nowpose.Unity
             }
         }
 
+        static float FadeOf(OutsideRangeResponse outsideRange)
+        {
+            switch (outsideRange)
+            {
+                case OutsideRangeResponse.GoOn: return 0;
+                case OutsideRangeResponse.Hold: return 0.5f;
+                default: return 0.3f;
+            }
+        }
+
         /// <summary>The same for other words: of the parts that do not follow the pose, which are not drawn at all.</summary>
-        public PoseLook Saying(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn);
+        public PoseLook Saying(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);
     }
 }

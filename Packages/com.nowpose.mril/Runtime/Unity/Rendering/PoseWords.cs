@@ -5,8 +5,9 @@ namespace Nowpose.Unity
     /// <summary>What a wearer is told of a pose, the same words beside the robot and on the status panel.</summary>
     static class PoseWords
     {
-        public static string Of(PoseState pose)
+        public static string Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
+            if (pose == PoseState.OutsideRange && outsideRange == OutsideRangeResponse.Hold) return "held: outside range";
             switch (pose)
             {
                 case PoseState.Current: return "current";

@@ -34,6 +34,8 @@ namespace Nowpose.Unity
                 Debug.Log(ConsoleLog.Prefix + "render time within the constant-latency range", _context);
             if ((change & SessionChange.LeftRange) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
+            if ((change & SessionChange.DisplayTimeDoubted) != 0)
+                Debug.LogWarning(ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate anew", _context);
             if ((change & SessionChange.Stale) != 0) Debug.LogWarning(ConsoleLog.Prefix + "joint positions are stale; the pose is held", _context);
         }
 

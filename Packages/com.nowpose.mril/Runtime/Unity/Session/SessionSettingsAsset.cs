@@ -52,6 +52,10 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("What the render time was measured with when its limit was found. The limit means nothing for another source.")]
         RenderTimeSourceKind _renderTimeLimitSource = RenderTimeSourceKind.None;
 
+        [SerializeField, Tooltip("What is shown while the render time is outside the range: the pose goes on and fades, goes on as bright as ever, or "
+            + "the newest samples are held. It is striped and said in words each time. Fade: it is late by an unknown time, yet better than held.")]
+        OutsideRangeResponse _outsideRange = OutsideRangeResponse.Fade;
+
         [SerializeField, Tooltip("Compute and write the pose again right before rendering, with the newer time: a few ms less to predict for "
             + "twice the work. Off, for L_visu has to be calibrated with the same choice.")]
         bool _rewriteBeforeRender = false;
@@ -115,7 +119,8 @@ namespace Nowpose.Unity
                     syncIntervalMs: _syncIntervalMs,
                     range: _renderTimeLimitMs == 0 ? null : new ConstantLatencyRange(_renderTimeLimitMs, _renderTimeLimitSource),
                     rewriteBeforeRender: _rewriteBeforeRender,
-                    clockEstimator: _clockEstimator);
+                    clockEstimator: _clockEstimator,
+                    outsideRange: _outsideRange);
             }
             catch (InputException fault)
             {

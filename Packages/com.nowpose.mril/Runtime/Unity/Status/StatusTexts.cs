@@ -5,7 +5,7 @@ using Nowpose.Session;
 namespace Nowpose.Unity
 {
     /// <summary>What the status panel says: a value and a note per row. "!" marks what is not as it should be, "–" what is not known.</summary>
-    /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message changes, or a joint's number where joints are told of.</remarks>
+    /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message or the profile changes, or a joint's number where joints are told of.</remarks>
     sealed class StatusTexts
     {
         public const int Rows = (int)StatusRow.Message + 1;
@@ -21,8 +21,10 @@ namespace Nowpose.Unity
         };
 
         static readonly string[] Poses = WordsOfPoses();
+        static readonly string HeldOutside = "! " + PoseWords.Of(PoseState.OutsideRange, OutsideRangeResponse.Hold);
 
         static readonly NumberTexts Milliseconds = new NumberTexts("", " ms", (2, 1, 0));
+        static readonly NumberTexts DoubtedMilliseconds = new NumberTexts("! ", " ms", (2, 1, 0));
         static readonly NumberTexts Bounds = new NumberTexts("± ", " ms", (2, 1, 0));
         static readonly NumberTexts Percentiles = new NumberTexts("95 % below ", " ms", (0, 0, 0));
         static readonly NumberTexts Percents = new NumberTexts("", " %", (0, 0, 0));
@@ -34,6 +36,7 @@ namespace Nowpose.Unity
         readonly string[] _notes = new string[Rows];
         SessionSettings _settings;
         readonly JointErrorLine _joints = new JointErrorLine();
+        readonly LatencyOrigin _origin = new LatencyOrigin();
         bool _isLocal;
         string _message;
 
@@ -70,7 +73,7 @@ namespace Nowpose.Unity
 
         void UpdateTimes(SessionStatistics statistics)
         {
-            Set(StatusRow.Pose, PoseOf(statistics.Pose), ReasonOf(statistics.Pose));
+            Set(StatusRow.Pose, PoseOf(statistics), ReasonOf(statistics.Pose));
             Set(StatusRow.Clock, ClockOf(statistics.Clock.State), statistics.Clock.IsKnown ? Bounds.Of(statistics.Clock.ErrorBound) : "");
             Set(StatusRow.Horizon, Milliseconds.Of(statistics.Horizon), "");
         }
@@ -79,7 +82,8 @@ namespace Nowpose.Unity
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            Set(StatusRow.VisualisationLatency, Milliseconds.Of(statistics.VisualisationLatency), "as set");
+            var visualisation = statistics.IsDisplayTimeDoubted ? DoubtedMilliseconds : Milliseconds;
+            Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), DoubtOf(statistics.RangeDoubt));
             UpdateError(statistics.ToolError);
@@ -113,7 +117,9 @@ namespace Nowpose.Unity
             Set(StatusRow.Message, message == null ? "" : WrappedText.Of(mark + message, MessageWidth), "");
         }
 
-        static string PoseOf(PoseState pose) => Poses[(int)pose];
+        static string PoseOf(SessionStatistics statistics) =>
+            statistics.Pose == PoseState.OutsideRange && statistics.OutsideRange == OutsideRangeResponse.Hold
+                ? HeldOutside : Poses[(int)statistics.Pose];
 
         static string[] WordsOfPoses()
         {
@@ -161,10 +167,11 @@ namespace Nowpose.Unity
         {
             switch (doubt)
             {
-                case RangeDoubt.NoLimit: return "no limit is set";
+                case RangeDoubt.NoLimit: return "no limit is known";
                 case RangeDoubt.NoRenderTime: return "nothing measures";
                 case RangeDoubt.TooFewFrames: return "measuring";
                 case RangeDoubt.OtherSource: return "limit of another source";
+                case RangeDoubt.BeyondMeasured: return "beyond what was measured";
                 default: return "";
             }
         }

@@ -47,6 +47,8 @@ namespace Nowpose.Latency
             Range = renderLimitMs.HasValue ? new ConstantLatencyRange(renderLimitMs.Value, renderTimeSource) : null;
             ValidToRenderTime = validToRenderMs.HasValue
                 ? SettingRange.RequireMs(validToRenderMs.Value, LeastRenderMs, GreatestRenderMs, "greatest render time seen") : Range?.Limit;
+            WatchedRange = Range ?? (validToRenderMs.HasValue && renderTimeSource != RenderTimeSourceKind.None
+                ? new ConstantLatencyRange(validToRenderMs.Value, renderTimeSource, isLimitReached: false) : null);
         }
 
         public VisualisationLatency Visualisation { get; }
@@ -74,6 +76,9 @@ namespace Nowpose.Latency
 
         /// <summary>The greatest render time for which L_visu was seen to be this, or the limit; null when none was measured.</summary>
         public TimeSpan? ValidToRenderTime { get; }
+
+        /// <summary>What a monitor judges by: the range, or how far L_visu was seen to be constant; null when neither is known.</summary>
+        internal ConstantLatencyRange WatchedRange { get; }
 
         /// <summary>Why the profile must not be used on a device; null when it may. What either side does not know is not compared.</summary>
         /// <param name="device">As the device names its model; upper and lower case are the same.</param>

@@ -10,6 +10,7 @@ namespace Nowpose.Recording
     /// <summary>The first line of a session file: the format, and what was in force. No token, no address.</summary>
     static class HeaderLine
     {
+        static readonly LineNames Responses = new LineNames(typeof(OutsideRangeResponse));
         static readonly LineNames Sources = new LineNames(typeof(RenderTimeSourceKind));
         static readonly LineNames Securities = new LineNames(typeof(TransportSecurity));
 
@@ -58,8 +59,8 @@ namespace Nowpose.Recording
             AddLimit(line, "acceleration_limit", prediction.AccelerationLimit);
             AddLimit(line, "jerk_limit", prediction.JerkLimit);
             line.Add("visualisation_ms", settings.Visualisation.Length.TotalMilliseconds);
-            line.Add("rewrite_before_render", settings.RewriteBeforeRender);
-            if (settings.Range != null)
+            line.Add("outside_range_response", Responses[(int)settings.OutsideRange]).Add("rewrite_before_render", settings.RewriteBeforeRender);
+            if (settings.Range != null && settings.Range.IsLimitReached)
                 line.Add("render_time_limit_ms", settings.Range.Limit.TotalMilliseconds)
                     .Add("render_time_source", Sources[(int)settings.Range.Source]);
             line.Add("clock_estimator", settings.ClockEstimator).Add("sync_interval_ms", settings.SyncInterval.TotalMilliseconds);

@@ -206,6 +206,37 @@ namespace Nowpose.Tests
             Assert.That(monitor.RenderTime.Value.TotalMilliseconds, Is.EqualTo(100).Within(1e-3));
         }
 
+        [Test]
+        public void Range_AnotherWhileRunning_IsJudgedByFromTheNextFrameOn()
+        {
+            var monitor = Monitor(10);
+            Add(monitor, 12, 100);
+            var before = monitor.State;
+            monitor.Range = new ConstantLatencyRange(15, Source);
+            var (between, doubt) = (monitor.State, monitor.Doubt);
+
+            Add(monitor, 12);
+
+            Assert.That(before, Is.EqualTo(RangeState.Outside));
+            Assert.That(between, Is.EqualTo(RangeState.Unknown));
+            Assert.That(doubt, Is.EqualTo(RangeDoubt.TooFewFrames));
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Inside));
+        }
+
+        [Test]
+        public void State_LimitWasNotReached_IsInsideUpToThereAndUnknownBeyond()
+        {
+            var monitor = new ConstantLatencyMonitor(new ConstantLatencyRange(12, Source, isLimitReached: false));
+            Add(monitor, 11, 100);
+            var inside = monitor.State;
+
+            Add(monitor, 14, 100);
+
+            Assert.That(inside, Is.EqualTo(RangeState.Inside));
+            Assert.That(monitor.State, Is.EqualTo(RangeState.Unknown));
+            Assert.That(monitor.Doubt, Is.EqualTo(RangeDoubt.BeyondMeasured));
+        }
+
         [TestCase(0, RenderTimeSourceKind.DisplayGpuTime, "render time limit: 0 ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(double.NaN, RenderTimeSourceKind.DisplayGpuTime, "render time limit: NaN ms is out of range; allowed are 0.1 to 1000 ms")]
         [TestCase(15, RenderTimeSourceKind.None, "render time limit: say which source of the render time it was found with; it holds for no other")]

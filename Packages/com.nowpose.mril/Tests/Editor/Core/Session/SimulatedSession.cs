@@ -27,14 +27,17 @@ namespace Nowpose.Tests
         HeadsetTime _lastArrival;
         bool _isElbowNext;
 
-        public SimulatedSession(NetworkProfile network, int seed, string predictor = "quadratic", ConstantLatencyRange range = null)
+        public SimulatedSession(
+            NetworkProfile network, int seed, string predictor = "quadratic", ConstantLatencyRange range = null,
+            OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
             Link = new SimulatedLink(network, seed, skewPpm: 45, driftPpm: 2);
             _sampleDelay = network.Down(seed + 1000);
             _random = new Random(seed);
             Session = new CompensationSession(
                 new SessionSettings(
-                    new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor), range: range),
+                    new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor), range: range,
+                    outsideRange: outsideRange),
                 TestRobot.Model, new NoClock());
         }
 

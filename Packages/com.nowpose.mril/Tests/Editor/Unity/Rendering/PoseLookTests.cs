@@ -33,6 +33,19 @@ namespace Nowpose.Tests
             Assert.That(states.Select(s => PoseLook.Of(s).Words), Is.Unique);
         }
 
+        [TestCase(OutsideRangeResponse.Fade, 0.3f)]
+        [TestCase(OutsideRangeResponse.GoOn, 0)]
+        [TestCase(OutsideRangeResponse.Hold, 0.5f)]
+        public void Of_OutsideRange_IsStripedAndInWordsWhateverItsFade(OutsideRangeResponse response, float fade)
+        {
+            var look = PoseLook.Of(PoseState.OutsideRange, response);
+
+            Assert.That(look.Fade, Is.EqualTo(fade));
+            Assert.That(look.IsDrawn, Is.True);
+            Assert.That(look.IsHatched, Is.True);
+            Assert.That(look.Words, Does.Contain("outside range"));
+        }
+
         [Test]
         public void Of_Incomplete_IsNotDrawn()
         {

@@ -36,6 +36,7 @@ namespace Nowpose.Tests
             ("_jerkRadians", 75.0, s => s.Prediction.JerkLimit, 75.0),
             ("_clockEstimator", "ransac", s => s.ClockEstimator, "ransac"),
             ("_syncIntervalMs", 150.0, s => s.SyncInterval.TotalMilliseconds, 150.0),
+            ("_outsideRange", OutsideRangeResponse.Hold, s => s.OutsideRange, OutsideRangeResponse.Hold),
             ("_rewriteBeforeRender", true, s => s.RewriteBeforeRender, true),
         };
 

@@ -96,6 +96,37 @@ namespace Nowpose.Tests
             Assert.That(Row(StatusRow.Horizon, statistics), Is.EqualTo("−3 ms|"));
         }
 
+        [TestCase(CalibrationMethod.VisibleLight, "40.2 ms|by visible light, 2026-11-20")]
+        [TestCase(CalibrationMethod.Sine, "40.2 ms|by sine jog, 2026-11-20")]
+        [TestCase(CalibrationMethod.Nudge, "40.2 ms|by eye, 2026-11-20")]
+        [TestCase(CalibrationMethod.Manual, "40.2 ms|by hand, 2026-11-20")]
+        public void Update_VisualisationLatencyOfAProfile_SaysHowAndWhenItWasMeasured(CalibrationMethod method, string expected)
+        {
+            var profile = new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 11, 20, 23, 0, 0, DateTimeKind.Utc), method, 3);
+
+            Assert.That(Row(StatusRow.VisualisationLatency, ("VisualisationLatency", Ms(40.2)), ("Profile", profile)), Is.EqualTo(expected));
+        }
+
+        [TestCase(false, false, "47.0 ms|as set")]
+        [TestCase(true, false, "47.0 ms|predicted by the runtime")]
+        [TestCase(true, true, "! 47.0 ms|runtime and calibration differ")]
+        public void Update_VisualisationLatency_SaysWhereItComesFrom(bool isPredicted, bool isDoubted, string expected)
+        {
+            Assert.That(Row(StatusRow.VisualisationLatency, ("VisualisationLatency", Ms(47)), ("IsLightPredicted", isPredicted),
+                ("IsDisplayTimeDoubted", isDoubted)), Is.EqualTo(expected));
+        }
+
+        [TestCase(OutsideRangeResponse.Fade)]
+        [TestCase(OutsideRangeResponse.GoOn)]
+        [TestCase(OutsideRangeResponse.Hold)]
+        public void Update_PoseOutsideRange_SaysWhatStandsAtTheRobot(OutsideRangeResponse response)
+        {
+            var row = Row(StatusRow.Pose, ("Pose", PoseState.OutsideRange), ("OutsideRange", response)).Split('|');
+
+            Assert.That(row[0], Is.EqualTo("! " + PoseLook.Of(PoseState.OutsideRange, response).Words));
+            Assert.That(row[1], Is.EqualTo("rendering takes too long"));
+        }
+
         [TestCase(RenderTimeSourceKind.DisplayGpuTime, "9.5 ms|GPU time by headset")]
         [TestCase(RenderTimeSourceKind.EngineGpuTime, "9.5 ms|GPU time by Unity")]
         [TestCase(RenderTimeSourceKind.GpuCompletion, "9.5 ms|trigger to GPU done")]
@@ -107,9 +138,10 @@ namespace Nowpose.Tests
 
         [TestCase(RangeState.Inside, RangeDoubt.None, "inside|")]
         [TestCase(RangeState.Outside, RangeDoubt.None, "! outside|")]
-        [TestCase(RangeState.Unknown, RangeDoubt.NoLimit, "–|no limit is set")]
+        [TestCase(RangeState.Unknown, RangeDoubt.NoLimit, "–|no limit is known")]
         [TestCase(RangeState.Unknown, RangeDoubt.NoRenderTime, "–|nothing measures")]
         [TestCase(RangeState.Unknown, RangeDoubt.TooFewFrames, "–|measuring")]
+        [TestCase(RangeState.Unknown, RangeDoubt.BeyondMeasured, "–|beyond what was measured")]
         [TestCase(RangeState.Unknown, RangeDoubt.OtherSource, "–|limit of another source")]
         public void Update_Range_SaysWhyItIsNotKnown(RangeState range, RangeDoubt doubt, string expected)
         {

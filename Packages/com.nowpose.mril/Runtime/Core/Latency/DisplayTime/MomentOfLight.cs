@@ -1,0 +1,78 @@
+using System;
+
+namespace Nowpose.Latency
+{
+    /// <summary>When the light of each frame appears: as the runtime predicts it where it does, else as calibrated.</summary>
+    /// <remarks>Allocates nothing; not thread-safe.</remarks>
+    sealed class MomentOfLight
+    {
+        /// <summary>What lies further ahead, or behind, is not the light of this frame.</summary>
+        static readonly TimeSpan Furthest = ClockTicks.Span(LatencyProfile.GreatestVisuMs / 1000);
+
+        readonly DisplayTimeCheck _check = new DisplayTimeCheck();
+        VisualisationLatency _calibrated;
+        IDisplayTimeSource _source;
+
+        public MomentOfLight(VisualisationLatency calibrated, LatencyProfile profile)
+        {
+            _calibrated = calibrated;
+            Profile = profile;
+            Used = calibrated.Length;
+        }
+
+        /// <summary>The constant L_visu. Setting it says that it comes from no profile.</summary>
+        public VisualisationLatency Calibrated
+        {
+            get => _calibrated;
+            set => Calibrate(value, null);
+        }
+
+        /// <summary>What the constant comes from; null when it was told as a number.</summary>
+        public LatencyProfile Profile { get; private set; }
+
+        /// <summary>Null for none: light appears as calibrated.</summary>
+        public IDisplayTimeSource Source
+        {
+            get => _source;
+            set
+            {
+                _source = value;
+                IsPredicted = false;
+                Used = _calibrated.Length;
+                _check.Reset();
+            }
+        }
+
+        /// <summary>L_visu of the newest frame.</summary>
+        public TimeSpan Used { get; private set; }
+
+        /// <summary>Whether the source gave it.</summary>
+        public bool IsPredicted { get; private set; }
+
+        /// <summary>As of <see cref="DisplayTimeCheck"/>.</summary>
+        public TimeSpan? Difference => _check.Difference;
+
+        /// <inheritdoc cref="Difference"/>
+        public bool IsDoubted => _check.IsDoubted;
+
+        public void Calibrate(LatencyProfile profile) => Calibrate(profile.Visualisation, profile);
+
+        /// <param name="isConstant">False where the render time says that L_visu is not the calibrated one: nothing to compare with.</param>
+        public HeadsetTime LightOf(HeadsetTime frameStart, bool isConstant)
+        {
+            var ahead = _source?.LightOf(frameStart) - frameStart;
+            IsPredicted = ahead >= TimeSpan.Zero && ahead <= Furthest;
+            Used = IsPredicted ? ahead.Value : _calibrated.Length;
+            if (IsPredicted && isConstant) _check.Add(frameStart, ahead.Value - _calibrated.Length);
+            return frameStart + Used;
+        }
+
+        void Calibrate(VisualisationLatency calibrated, LatencyProfile profile)
+        {
+            if (calibrated.Length != _calibrated.Length) _check.Reset();
+            _calibrated = calibrated;
+            Profile = profile;
+            if (!IsPredicted) Used = calibrated.Length;
+        }
+    }
+}

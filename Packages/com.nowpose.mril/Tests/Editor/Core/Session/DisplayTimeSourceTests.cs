@@ -1,0 +1,107 @@
+using System;
+using Nowpose.Latency;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class DisplayTimeSourceTests
+    {
+        /// <summary>True L_visu changes between two and three refreshes every half a second: the display's runtime knows.</summary>
+        static double TrueMs(double seconds) => (int)(seconds * 2) % 2 == 0 ? 33.3 : 50;
+
+        sealed class Runtime : IDisplayTimeSource
+        {
+            public Func<double, double?> Ms { get; set; } = seconds => TrueMs(seconds);
+
+            public HeadsetTime? LightOf(HeadsetTime frameStart) => Ms(frameStart.SinceEpoch.TotalSeconds) is double ms
+                ? frameStart + Lengths.Ms(ms) : (HeadsetTime?)null;
+        }
+
+        static SimulatedSession Running(IDisplayTimeSource source)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, 5);
+            simulated.Session.DisplayTimeSource = source;
+            simulated.Run(10);
+            return simulated;
+        }
+
+        // Root mean square over 20 s of the shoulder's distance from where it is when the light truly appears, rad.
+        static double ErrorOf(IDisplayTimeSource source)
+        {
+            var simulated = Running(source);
+            double sum = 0;
+            var frames = 0;
+            simulated.Run(20, (frame, _) =>
+            {
+                var start = frame.Start.SinceEpoch.TotalSeconds;
+                var shoulder = frame.Joints[TestRobot.Model.IndexOfMovingJoint("shoulder")];
+                sum += Math.Pow(shoulder - SimulatedSession.TruthAt(start + TrueMs(start) / 1000).Shoulder, 2);
+                frames++;
+            });
+            return Math.Sqrt(sum / frames);
+        }
+
+        [Test]
+        public void DisplayTimeSource_LatencyThatVaries_IsCompensatedOnlyWithIt()
+        {
+            var with = ErrorOf(new Runtime());
+            var without = ErrorOf(null);
+
+            Assert.That(without, Is.GreaterThan(0.006), "8 ms at about 1 rad/s: the effect");
+            Assert.That(with, Is.LessThan(0.4 * without), "what is left is the prediction's");
+        }
+
+        [Test]
+        public void DisplayTimeSource_KnowsNothingOrNonsense_LightAppearsAsCalibrated([Values(null, -1.0, 501.0)] double? ms)
+        {
+            var simulated = Running(new Runtime { Ms = _ => ms });
+
+            var statistics = simulated.Session.Statistics(default);
+
+            Assert.That(statistics.VisualisationLatency, Is.EqualTo(Lengths.Ms(40)));
+            Assert.That(statistics.IsLightPredicted, Is.False);
+            Assert.That(statistics.DisplayTimeDifference, Is.Null);
+        }
+
+        [TestCase(46.5, true)]
+        [TestCase(44, false)]
+        public void DisplayTimeSource_LastingDifference_IsToldOnceAboveFiveMilliseconds(double ms, bool isTold)
+        {
+            var simulated = Running(null);
+            var watch = new SessionWatch();
+            var told = 0;
+            void See(DisplayFrame frame, double light)
+            {
+                if ((watch.Changed(frame) & SessionChange.DisplayTimeDoubted) != 0) told++;
+            }
+            simulated.Run(1, See);
+
+            simulated.Session.DisplayTimeSource = new Runtime { Ms = _ => ms };
+            simulated.Run(2.1, See);
+            simulated.Run(10, See);
+
+            var statistics = simulated.Session.Statistics(default);
+            Assert.That(told, Is.EqualTo(isTold ? 1 : 0));
+            Assert.That(statistics.IsDisplayTimeDoubted, Is.EqualTo(isTold));
+            Assert.That(statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(ms - 40).Within(1e-3));
+            Assert.That(statistics.VisualisationLatency, Is.EqualTo(Lengths.Ms(ms)), "the runtime is believed");
+        }
+
+        [Test]
+        public void DisplayTimeSource_OutsideTheRange_IsNotComparedWithWhatNoLongerHolds()
+        {
+            var simulated = Running(null);
+            simulated.Session.Calibrate(new LatencyProfile(
+                40, 1, "", 0, DateTime.UnixEpoch, CalibrationMethod.Sine, 1, 15, RenderTimeSourceKind.DisplayGpuTime));
+            for (var i = 0; i < 20; i++) simulated.Session.Rendered(Lengths.Ms(20), RenderTimeSourceKind.DisplayGpuTime);
+
+            simulated.Session.DisplayTimeSource = new Runtime { Ms = _ => 57 };
+            simulated.Run(5);
+
+            Assert.That(simulated.Session.Statistics(default).IsDisplayTimeDoubted, Is.False);
+            Assert.That(simulated.Session.Statistics(default).VisualisationLatency, Is.EqualTo(Lengths.Ms(57)));
+        }
+    }
+}
