@@ -15,6 +15,9 @@ sealed class Gpu
     /// <summary>Seconds, what the headset's display says of the last frame; null where it knows none.</summary>
     internal float? DisplayGpuTime { get; set; }
 
+    /// <summary>Refreshes per second of the headset's display; null where it does not tell.</summary>
+    internal float? DisplayHz { get; set; }
+
     /// <summary>Milliseconds of the last frames, newest first; empty where nothing is measured.</summary>
     internal List<FrameTiming> FrameTimings { get; } = new();
 

@@ -19,6 +19,7 @@ public sealed class Mesh : Object
         get => Copy(_vertices);
         set
         {
+            ThrowIfUploaded();
             _vertices = Copy(value);
             MeasureBounds();
         }
@@ -47,17 +48,36 @@ public sealed class Mesh : Object
         }
     }
 
+    /// <summary>Whether its content may still be read and changed.</summary>
+    internal bool IsReadable { get; private set; } = true;
+
     public void SetVertices(List<Vector3> inVertices) => vertices = inVertices.ToArray();
     public void SetVertices(Vector3[] inVertices) => vertices = inVertices;
+    public void SetVertices(Vector3[] inVertices, int start, int length) => vertices = inVertices.AsSpan(start, length).ToArray();
     public void SetNormals(List<Vector3> inNormals) => normals = inNormals.ToArray();
     public void SetNormals(Vector3[] inNormals) => normals = inNormals;
+    public void SetNormals(Vector3[] inNormals, int start, int length) => normals = inNormals.AsSpan(start, length).ToArray();
     public void SetTriangles(List<int> triangles, int submesh) => SetTriangles(triangles.ToArray(), submesh);
+    public void SetTriangles(int[] triangles, int submesh) => SetTriangles(triangles, submesh, calculateBounds: true);
 
-    public void SetTriangles(int[] triangles, int submesh)
+    public void SetTriangles(int[] triangles, int submesh, bool calculateBounds) =>
+        SetTriangles(triangles, 0, triangles.Length, submesh, calculateBounds);
+
+    /// <summary>Without an allocation while their number stays the same.</summary>
+    public void SetTriangles(int[] triangles, int trianglesStart, int trianglesLength, int submesh, bool calculateBounds = true, int baseVertex = 0)
     {
-        _triangles[submesh] = Checked(triangles);
-        MeasureBounds();
+        ThrowIfDestroyed();
+        ThrowIfUploaded();
+        if (_triangles[submesh].Length != trianglesLength) _triangles[submesh] = new int[trianglesLength];
+        var part = _triangles[submesh];
+        for (var i = 0; i < part.Length; i++) part[i] = triangles[trianglesStart + i] + baseVertex;
+        Check(part);
+        if (calculateBounds) MeasureBounds();
     }
+
+    public void MarkDynamic() { }
+
+    public void UploadMeshData(bool markNoLongerReadable) => IsReadable = IsReadable && !markNoLongerReadable;
 
     internal override Object Duplicate()
     {
@@ -83,6 +103,17 @@ public sealed class Mesh : Object
 
     int[] Checked(int[] triangles)
     {
+        Check(triangles);
+        return Copy(triangles);
+    }
+
+    void ThrowIfUploaded()
+    {
+        if (!IsReadable) throw new InvalidOperationException("Not allowed to access a mesh that was uploaded and is no longer readable.");
+    }
+
+    void Check(int[] triangles)
+    {
         if (triangles.Length % 3 != 0)
         {
             throw new ArgumentException("The number of supplied triangle indices must be a multiple of 3.", nameof(triangles));
@@ -95,7 +126,5 @@ public sealed class Mesh : Object
                 throw new ArgumentException($"Index {index} is out of the {vertexCount} vertices.", nameof(triangles));
             }
         }
-
-        return Copy(triangles);
     }
 }

@@ -8,4 +8,11 @@ public class XRDisplaySubsystem : IntegratedSubsystem<XRDisplaySubsystemDescript
         gpuTimeLastFrame = time ?? 0;
         return running && time.HasValue;
     }
+
+    public bool TryGetDisplayRefreshRate(out float displayRefreshRate)
+    {
+        var rate = World.Current.Gpu.DisplayHz;
+        displayRefreshRate = rate ?? 0;
+        return running && rate.HasValue;
+    }
 }

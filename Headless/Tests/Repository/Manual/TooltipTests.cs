@@ -12,6 +12,7 @@ public sealed partial class TooltipTests
     {
         ["Ms"] = "ms", ["Seconds"] = "seconds", ["Metres"] = "metres", ["Degrees"] = "degrees", ["Port"] = "port",
         ["Megabytes"] = "MB", ["Percent"] = "percent", ["Radians"] = "radians",
+        ["Vertices"] = "vertices", ["Steps"] = "steps",
     };
 
     static IEnumerable<Type> Types => InspectedType.All;

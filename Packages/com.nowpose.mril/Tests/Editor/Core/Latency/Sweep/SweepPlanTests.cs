@@ -27,7 +27,7 @@ namespace Nowpose.Tests
         {
             var plan = new SweepPlan(steps: 10, secondsPerLoad: 5, settleSeconds: 1);
 
-            Assert.That(plan.Duration, Is.EqualTo(TimeSpan.FromSeconds(21 * 6)));
+            Assert.That(plan.Duration, Is.EqualTo(new TimeSpan(0, 2, 6)));
         }
 
         [TestCase(2_000_001, 10, 5, 1, "greatest load of the sweep, vertices: 2000001 is out of range; allowed are 1000 to 2000000")]

@@ -1,0 +1,60 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Nowpose.Unity
+{
+    /// <summary>One patch of a load in the scene.</summary>
+    sealed class LoadSlot
+    {
+        readonly GameObject _object;
+        readonly MeshFilter _filter;
+        readonly MeshRenderer _renderer;
+        Mesh _mesh;
+
+        public LoadSlot(Transform parent, Material material)
+        {
+            _object = new GameObject("Load Patch") { layer = parent.gameObject.layer };
+            _object.transform.SetParent(parent, worldPositionStays: false);
+            _filter = _object.AddComponent<MeshFilter>();
+            _renderer = _object.AddComponent<MeshRenderer>();
+            _renderer.sharedMaterial = material;
+            _renderer.enabled = false;
+        }
+
+        /// <summary>Of the patch that it holds, shown or not.</summary>
+        public int Vertices { get; private set; }
+
+        public bool IsShown
+        {
+            get => _renderer.enabled;
+            set => _renderer.enabled = value;
+        }
+
+        /// <summary>Hands a patch to the GPU, in place of the one before. What was handed over takes no more room on this side.</summary>
+        public void Upload(Vector3[] vertices, Vector3[] normals, int vertexCount, int[] indices, int indexCount)
+        {
+            Free();
+            // Of the whole load: as many bytes are read for each of its vertices as of one big mesh.
+            _mesh = new Mesh { name = "Load Patch", indexFormat = IndexFormat.UInt32 };
+            _mesh.SetVertices(vertices, 0, vertexCount);
+            _mesh.SetNormals(normals, 0, vertexCount);
+            _mesh.SetTriangles(indices, 0, indexCount, 0);
+            _mesh.UploadMeshData(markNoLongerReadable: true);
+            _filter.sharedMesh = _mesh;
+            Vertices = vertexCount;
+        }
+
+        public void Destroy()
+        {
+            Free();
+            Object.Destroy(_object);
+        }
+
+        void Free()
+        {
+            if (_mesh != null) Object.Destroy(_mesh);
+            _mesh = null;
+            Vertices = 0;
+        }
+    }
+}
