@@ -1,3 +1,4 @@
+using Nowpose.Cli.Figures.Display;
 using Nowpose.Cli.Figures.Field;
 using Nowpose.Cli.Figures.Sweeps;
 using Nowpose.Cli.Figures.Swing;
@@ -9,9 +10,9 @@ static class FigureSet
 {
     /// <summary>The numbers, in order; the sweeps bring their letters.</summary>
     public static IReadOnlyList<string> Numbers { get; } =
-        ["4", "8", "12", "13a", "13b", "13c", "13d", "14a", "14b", "14c", "14d", "16", "17", "18"];
+        ["4", "8", "10", "11a", "11b", "12", "13a", "13b", "13c", "13d", "14a", "14b", "14c", "14d", "16", "17", "18"];
 
     /// <summary>The short ones first: who interrupts a run has something.</summary>
     public static IReadOnlyList<IFigureStudy> Studies(FigureSettings settings) =>
-        [new Figure12(settings), new SwingStudy(settings), new ClockAndFieldStudy(settings), .. SweepStudy.All(settings)];
+        [new DisplayStudy(settings), new Figure12(settings), new SwingStudy(settings), new ClockAndFieldStudy(settings), .. SweepStudy.All(settings)];
 }

@@ -14,6 +14,10 @@ static class DocumentPictures
         ("swing.svg", "16", 0, Wide, ["ground truth", "uncompensated", "quadratic", "adaptive"]),
         ("swing-error.svg", "16", 1, Wide, ["uncompensated", "quadratic", "adaptive"]),
         ("clock-error.svg", "8", 0, Wide, ["ransac", "default"]),
+        ("visu-at-normal-load.svg", "10", 0, Narrow, ["render time", "L_visu"]),
+        ("visu-at-high-load.svg", "10", 1, Narrow, ["render time", "L_visu"]),
+        ("visu-over-load.svg", "11a", 0, Narrow, ["render time", "L_visu"]),
+        ("visu-over-render-time.svg", "11b", 0, Narrow, ["pictures", "L_visu of the profile"]),
     ];
 
     /// <returns>The files written: those whose figure was computed.</returns>

@@ -26,7 +26,7 @@ sealed class SvgPlot(FigurePlot plot, int width)
         Axes();
         // What runs out of the plot ends at its edge.
         Append($"<clipPath id=\"plot\"><rect x=\"{Left}\" y=\"{Top}\" width=\"{width - Left - Right}\" height=\"{Height - Top - Bottom + 3}\"/></clipPath>\n");
-        foreach (var trace in plot.Traces) Line(trace);
+        foreach (var trace in plot.Traces) Draw(trace);
         foreach (var mark in plot.Marks) Mark(mark);
         Legend();
         return _svg.Append("</svg>\n").ToString();
@@ -52,9 +52,15 @@ sealed class SvgPlot(FigurePlot plot, int width)
         Append($"<text transform=\"translate(13 {(Top + Height - Bottom) / 2}) rotate(-90)\" text-anchor=\"middle\" fill=\"#55616f\" {Font} font-size=\"12\">{plot.Y.Label}</text>\n");
     }
 
+    void Draw(PlotTrace trace)
+    {
+        if (!trace.Scattered) Line(trace);
+        if (trace.Deviation != null) Bars(trace);
+        if (trace.Marked || trace.Scattered) Points(trace);
+    }
+
     void Line(PlotTrace trace)
     {
-        var ink = PictureInk.Of(trace.Look);
         var path = new StringBuilder();
         for (var i = 0; i < trace.X.Count; i++)
         {
@@ -62,10 +68,25 @@ sealed class SvgPlot(FigurePlot plot, int width)
             if (trace.Stepped && path.Length > 0) path.Append(CultureInfo.InvariantCulture, $"H{X(trace.X[i]):0.#}");
             path.Append(path.Length == 0 ? 'M' : 'L').Append(CultureInfo.InvariantCulture, $"{X(trace.X[i]):0.#} {Y(y):0.#}");
         }
-        Append($"<path d=\"{path}\" fill=\"none\" clip-path=\"url(#plot)\" {ink.Stroke}/>\n");
-        if (!trace.Marked) return;
+        Append($"<path d=\"{path}\" fill=\"none\" clip-path=\"url(#plot)\" {PictureInk.Of(trace.Look).Stroke}/>\n");
+    }
+
+    void Bars(PlotTrace trace)
+    {
+        Append($"<path clip-path=\"url(#plot)\" fill=\"none\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" d=\"");
         for (var i = 0; i < trace.X.Count; i++)
-            if (trace.Y[i] is double y) Append($"<circle cx=\"{X(trace.X[i]):0.#}\" cy=\"{Y(y):0.#}\" r=\"2.5\" fill=\"{ink.Colour}\"/>");
+            if (trace.Y[i] is double y && trace.Deviation[i] is double half)
+                Append($"M{X(trace.X[i]):0.#} {Y(y + half):0.#}V{Y(y - half):0.#}");
+        Append($"\"/>\n");
+    }
+
+    // All in one path of dots: a thousand circles would make a large file.
+    void Points(PlotTrace trace)
+    {
+        Append($"<path clip-path=\"url(#plot)\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" stroke-width=\"{(trace.Scattered ? 3 : 5)}\" stroke-linecap=\"round\" d=\"");
+        for (var i = 0; i < trace.X.Count; i++)
+            if (trace.Y[i] is double y) Append($"M{X(trace.X[i]):0.#} {Y(y):0.#}h0");
+        Append($"\"/>\n");
     }
 
     void Mark(PlotMark mark)
@@ -79,7 +100,8 @@ sealed class SvgPlot(FigurePlot plot, int width)
         double x = Left;
         foreach (var trace in plot.Traces)
         {
-            Append($"<path d=\"M{x:0.#} 17h24\" {PictureInk.Of(trace.Look).Stroke}/>");
+            if (trace.Scattered) Append($"<circle cx=\"{x + 16:0.#}\" cy=\"17\" r=\"3\" fill=\"{PictureInk.Of(trace.Look).Colour}\"/>");
+            else Append($"<path d=\"M{x:0.#} 17h24\" {PictureInk.Of(trace.Look).Stroke}/>");
             Text(x + 29, 21, "start", trace.Label, "#16202c");
             x += 29 + 7.1 * trace.Label.Length + 12;
         }
