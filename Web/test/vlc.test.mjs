@@ -123,7 +123,7 @@ describe('the page of the control clock\'s code', () => {
   }
 
   it('draws the codes of the vector file', () => {
-    const [, ...lines] = readFileSync(path('../../ControlSystem/timestamp-codes.csv'), 'utf8').trim().split('\n');
+    const [, ...lines] = readFileSync(path('../../Packages/com.nowpose.mril/Documentation~/led-matrix/timestamp-codes.csv'), 'utf8').trim().split('\n');
     const controls = lines.map(line => line.split(',')).filter(([, kind]) => kind === 'control');
 
     assert.ok(controls.length > 100);

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Headless.Tests.ControlSystem;
 
-/// <summary>ControlSystem/timestamp-codes.csv: codes by another program, which the package, the gateway's page and the PLC's code are held to.</summary>
+/// <summary>led-matrix/timestamp-codes.csv: codes by another program, which the package, the gateway's page and the PLC's code are held to.</summary>
 static class CodeVectors
 {
     public sealed record Row(int ValueMs, string Kind, byte[] Rows);
@@ -13,5 +13,5 @@ static class CodeVectors
             .Select(cells => new Row(int.Parse(cells[0], CultureInfo.InvariantCulture), cells[1], Convert.FromHexString(cells[2]))),
     ];
 
-    public static string PathOf(string file) => Path.Combine(Repository.RepositoryFiles.Root, "ControlSystem", file);
+    public static string PathOf(string file) => Path.Combine(Repository.RepositoryFiles.Root, Repository.RepositoryFiles.Package, "Documentation~", "led-matrix", file);
 }

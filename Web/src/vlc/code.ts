@@ -1,5 +1,5 @@
 // A control time as 8×8 lights: the same code as Nowpose.VisibleLight.TimestampCode, which explains it.
-// ControlSystem/timestamp-codes.csv holds both to one another.
+// led-matrix/timestamp-codes.csv of the manual holds both to one another.
 
 /** Cells along one side. */
 export const SIDE = 8;

@@ -1,0 +1,78 @@
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.ControlSystem;
+
+/// <summary>The PLC's Structured Text, run as it stands, against codes that another program made.</summary>
+public class LedMatrixTests
+{
+    const ulong NsPerMs = 1_000_000;
+    const ulong PeriodNs = 65_536 * NsPerMs;
+
+    static string Text(string file) => File.ReadAllText(CodeVectors.PathOf(file));
+
+    static StructuredText Block() => new(Text("FB_NowposeLedCode.st"));
+
+    static IEnumerable<CodeVectors.Row> Codes => CodeVectors.Read().Where(vector => vector.Kind == "control");
+
+    static byte[] RowsOf(StructuredText block, ulong controlTimeNs)
+    {
+        block["nControlTimeNs"] = controlTimeNs;
+        block.Run();
+        return [.. block.Array("aRows").Select(row => (byte)row)];
+    }
+
+    [Test]
+    public void Block_WholeMillisecondsOfTheFile_LightsItsRows()
+    {
+        var block = Block();
+
+        foreach (var code in Codes)
+            Assert.That(RowsOf(block, (ulong)code.ValueMs * NsPerMs), Is.EqualTo(code.Rows), code.ValueMs + " ms");
+    }
+
+    [TestCase(0UL)]
+    [TestCase(NsPerMs - 1)]
+    public void Block_AnyMomentOfAMillisecondLongAfterTheEpoch_ShowsThatMillisecond(ulong intoTheMillisecondNs)
+    {
+        var block = Block();
+        const ulong epoch = 26_000 * PeriodNs;
+
+        foreach (var code in Codes)
+            Assert.That(RowsOf(block, epoch + (ulong)code.ValueMs * NsPerMs + intoTheMillisecondNs), Is.EqualTo(code.Rows), code.ValueMs + " ms");
+    }
+
+    [Test]
+    public void Program_ACycle_ShowsTheTimeAtWhichItsOutputsSwitch()
+    {
+        var dcTime = 0UL;
+        var program = new StructuredText(
+            Text("PRG_NowposeLedMatrix.st"), new() { ["F_GetCurDcTaskTime64"] = () => dcTime }, type => type == "FB_NowposeLedCode" ? Block() : null);
+
+        foreach (var code in Codes.Where(code => code.ValueMs > 0))
+        {
+            dcTime = 3 * PeriodNs + (ulong)(code.ValueMs - 1) * NsPerMs;
+            program.Run();
+            Assert.That(program.Array("aLeds").Select(row => (byte)row), Is.EqualTo(code.Rows), code.ValueMs + " ms");
+        }
+    }
+
+    [TestCase("wValue XOR SHR(wValue, 1)", "wValue", TestName = "Block_WithoutGrayCode_IsFound")]
+    [TestCase("bOdd := NOT bOdd", "bEven := NOT bEven", TestName = "Block_WithOneParity_IsFound")]
+    [TestCase("MOD 65536", "MOD 32768", TestName = "Block_OfFewerBits_IsFound")]
+    [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_WithTheMarksOnTheOtherSide_IsFound")]
+    public void Block_Wrong(string right, string wrong)
+    {
+        var block = new StructuredText(Text("FB_NowposeLedCode.st").Replace(right, wrong));
+
+        Assert.That(Codes.Any(code => !RowsOf(block, (ulong)code.ValueMs * NsPerMs).SequenceEqual(code.Rows)), Is.True);
+    }
+
+    [TestCase("WHILE TRUE DO END_WHILE")]
+    [TestCase("wGray := ROL(wGray, 1);")]
+    public void StructuredText_OfAnotherSort_IsAnErrorNotSkipped(string statement)
+    {
+        var text = Text("FB_NowposeLedCode.st").Replace("END_FUNCTION_BLOCK", statement + "\nEND_FUNCTION_BLOCK");
+
+        Assert.That(() => new StructuredText(text).Run(), Throws.InstanceOf<Exception>());
+    }
+}

@@ -1,0 +1,268 @@
+using System.Text.RegularExpressions;
+
+namespace Nowpose.Headless.Tests.ControlSystem;
+
+/// <summary>Runs the little Structured Text (IEC 61131-3) that the files of the LED matrix are written in: the text itself, nothing made of it.</summary>
+/// <remarks>
+/// Whole numbers, BOOL, arrays from 0, assignments, IF, FOR, calls of function blocks with named inputs. Each variable holds what its
+/// type holds and no more. Anything else is an error that names it.
+/// </remarks>
+sealed partial class StructuredText
+{
+    static readonly Dictionary<string, int> Bits = new()
+    {
+        ["BOOL"] = 1, ["BYTE"] = 8, ["WORD"] = 16, ["INT"] = 16, ["DWORD"] = 32, ["ULINT"] = 64,
+    };
+
+    readonly List<string> _tokens;
+    readonly Dictionary<string, Variable> _variables = [];
+    readonly Dictionary<string, Func<ulong>> _functions;
+    readonly Func<string, StructuredText> _blocks;
+    readonly int _body;
+    int _at;
+
+    /// <param name="functions">Of libraries, without arguments.</param>
+    /// <param name="blocks">A new one of a function block's type.</param>
+    public StructuredText(string source, Dictionary<string, Func<ulong>> functions = null, Func<string, StructuredText> blocks = null)
+    {
+        _functions = functions ?? [];
+        _blocks = blocks ?? (_ => null);
+        _tokens = [.. Token().Matches(Comment().Replace(source, " ")).Select(match => match.Value)];
+        _at = 2;
+        while (Next.StartsWith("VAR", StringComparison.Ordinal)) Declare();
+        _body = _at;
+    }
+
+    string Next => _tokens[_at];
+
+    /// <summary>A variable that is no array.</summary>
+    public ulong this[string name]
+    {
+        get => _variables[name].Values[0];
+        set => _variables[name].Set(0, value);
+    }
+
+    public ulong[] Array(string name) => _variables[name].Values;
+
+    /// <summary>Runs the body once, as one cycle does.</summary>
+    public void Run()
+    {
+        _at = _body;
+        Block(runs: true);
+        if (!Next.StartsWith("END_", StringComparison.Ordinal)) throw Unknown();
+    }
+
+    [GeneratedRegex(@"\(\*.*?\*\)", RegexOptions.Singleline)]
+    private static partial Regex Comment();
+
+    [GeneratedRegex(@"[A-Z]+#(16#)?[0-9A-F]+|%Q\*|[A-Za-z_]\w*|\d+|:=|<>|\.\.|\S")]
+    private static partial Regex Token();
+
+    void Declare()
+    {
+        for (_at++; Next != "END_VAR";)
+        {
+            var name = Take();
+            if (TryTake("AT")) Take();
+            Expect(":");
+            _variables.Add(name, Type());
+            if (TryTake(":=")) this[name] = Expression();
+            Expect(";");
+        }
+        _at++;
+    }
+
+    Variable Type()
+    {
+        var length = 1UL;
+        if (TryTake("ARRAY"))
+        {
+            foreach (var token in new[] { "[", "0", ".." }) Expect(token);
+            length = ulong.Parse(Take()) + 1;
+            foreach (var token in new[] { "]", "OF" }) Expect(token);
+        }
+        var type = Take();
+        return Bits.TryGetValue(type, out var bits)
+            ? new Variable(bits, new ulong[length], null) : new Variable(0, null, _blocks(type) ?? throw new FormatException("no type " + type));
+    }
+
+    void Block(bool runs)
+    {
+        while (!Next.StartsWith("END_", StringComparison.Ordinal) && Next != "ELSE")
+        {
+            if (TryTake("IF")) If(runs);
+            else if (TryTake("FOR")) For(runs);
+            else Statement(runs);
+        }
+    }
+
+    void If(bool runs)
+    {
+        var isTrue = Expression() != 0;
+        Expect("THEN");
+        Block(runs && isTrue);
+        if (TryTake("ELSE")) Block(runs && !isTrue);
+        Expect("END_IF");
+        TryTake(";");
+    }
+
+    void For(bool runs)
+    {
+        var counter = _variables[Take()];
+        Expect(":=");
+        var first = Expression();
+        Expect("TO");
+        var last = Expression();
+        Expect("DO");
+        var body = _at;
+        if (!runs) Block(false);
+        for (var i = first; runs && i <= last; i++)
+        {
+            counter.Set(0, i);
+            _at = body;
+            Block(true);
+        }
+        Expect("END_FOR");
+        TryTake(";");
+    }
+
+    void Statement(bool runs)
+    {
+        var variable = _variables[Take()];
+        if (TryTake("(")) Call(variable.Block, runs);
+        else
+        {
+            var index = Index();
+            Expect(":=");
+            if (variable.Values.Length > 1 && index == null) Copy(variable, runs);
+            else
+            {
+                var value = Expression();
+                if (runs) variable.Set(index ?? 0, value);
+            }
+        }
+        Expect(";");
+    }
+
+    void Call(StructuredText block, bool runs)
+    {
+        while (!TryTake(")"))
+        {
+            var input = Take();
+            Expect(":=");
+            block[input] = Expression();
+            TryTake(",");
+        }
+        if (runs) block.Run();
+    }
+
+    // A whole array, as an output of a block.
+    void Copy(Variable target, bool runs)
+    {
+        var block = _variables[Take()].Block;
+        Expect(".");
+        var source = block.Array(Take());
+        if (runs) source.CopyTo(target.Values, 0);
+    }
+
+    ulong? Index()
+    {
+        if (!TryTake("[")) return null;
+        var index = Expression();
+        Expect("]");
+        return index;
+    }
+
+    // From weakest to strongest, as the standard has them.
+    ulong Expression() => Binary(0);
+
+    ulong Binary(int level)
+    {
+        string[][] levels = [["OR"], ["XOR"], ["AND"], ["=", "<>"], ["+", "-"], ["*", "/", "MOD"]];
+        if (level == levels.Length) return Unary();
+        var value = Binary(level + 1);
+        while (levels[level].Contains(Next)) value = Apply(Take(), value, Binary(level + 1));
+        return value;
+    }
+
+    static ulong Apply(string sign, ulong a, ulong b) => sign switch
+    {
+        "OR" => a | b,
+        "XOR" => a ^ b,
+        "AND" => a & b,
+        "=" => a == b ? 1UL : 0,
+        "<>" => a != b ? 1UL : 0,
+        "+" => a + b,
+        "-" => a - b,
+        "*" => a * b,
+        "/" => a / b,
+        _ => a % b,
+    };
+
+    ulong Unary()
+    {
+        // Of BOOL only: of other types it would need their width.
+        if (TryTake("NOT")) return 1 - Unary();
+        if (TryTake("(")) return Closed(Expression());
+        var token = Take();
+        if (char.IsDigit(token[0])) return ulong.Parse(token);
+        if (token.Contains('#')) return Literal(token);
+        if (token is "TRUE" or "FALSE") return token == "TRUE" ? 1UL : 0;
+        if (token is "SHR" or "SHL") return Shift(token);
+        if (TryTake("("))
+        {
+            if (_functions.TryGetValue(token, out var function)) return Closed(function());
+            var target = token.Split("_TO_");
+            if (target.Length == 2 && Bits.TryGetValue(target[1], out var bits)) return Closed(Expression() & Mask(bits));
+            throw Unknown();
+        }
+        if (!_variables.TryGetValue(token, out var variable)) throw Unknown();
+        return variable.Values[Index() ?? 0];
+    }
+
+    ulong Shift(string direction)
+    {
+        Expect("(");
+        var value = Expression();
+        Expect(",");
+        var by = (int)Expression();
+        return Closed(direction == "SHR" ? value >> by : value << by);
+    }
+
+    ulong Closed(ulong value)
+    {
+        Expect(")");
+        return value;
+    }
+
+    static ulong Literal(string token)
+    {
+        var parts = token.Split('#');
+        var value = Convert.ToUInt64(parts[^1], parts.Length == 3 ? 16 : 10);
+        if (value > Mask(Bits[parts[0]])) throw new FormatException(token + " does not fit");
+        return value;
+    }
+
+    string Take() => _tokens[_at++];
+
+    bool TryTake(string token)
+    {
+        if (Next != token) return false;
+        _at++;
+        return true;
+    }
+
+    void Expect(string token)
+    {
+        if (!TryTake(token)) throw new FormatException($"'{token}' expected, there is '{Next}' behind '{_tokens[_at - 1]}'");
+    }
+
+    FormatException Unknown() => new($"'{_tokens[_at - 1]} {Next}': not of the Structured Text that is run here");
+
+    static ulong Mask(int bits) => ulong.MaxValue >> (64 - bits);
+
+    sealed record Variable(int BitCount, ulong[] Values, StructuredText Block)
+    {
+        public void Set(ulong index, ulong value) => Values[index] = value & Mask(BitCount);
+    }
+}
