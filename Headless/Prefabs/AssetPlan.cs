@@ -12,6 +12,7 @@ public static class AssetPlan
         (PackagePaths.Ghost, MaterialAssets.Ghost),
         (PackagePaths.Occluder, MaterialAssets.Occluder),
         (PackagePaths.Panel, MaterialAssets.Panel),
+        (PackagePaths.Timestamp, MaterialAssets.Timestamp),
         (PackagePaths.Youbot, w => RobotAssets.Description(w, PackagePaths.Youbot, PackagePaths.YoubotUrdf)),
         (PackagePaths.Ur5, w => RobotAssets.Description(w, PackagePaths.Ur5, PackagePaths.Ur5Urdf)),
         (PackagePaths.Settings, w => RobotAssets.Settings(w, PackagePaths.Settings)),

@@ -24,6 +24,9 @@ static class MaterialAssets
     /// <summary>Behind the status panel's text: dark, so on a headset hardly there, in the editor a ground for light letters.</summary>
     public static string Panel(Workshop workshop) => Make(workshop, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
 
+    /// <summary>Lit squares of a code: as bright as the display can.</summary>
+    public static string Timestamp(Workshop workshop) => Make(workshop, "Timestamp", Color.white);
+
     static string Make(Workshop workshop, string name, Color colour, int renderQueue = -1)
     {
         var material = new Material(workshop.Load<Shader>(PackagePaths.HologramShader))

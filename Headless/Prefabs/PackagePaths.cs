@@ -14,6 +14,7 @@ static class PackagePaths
     public const string Ghost = Runtime + "Materials/Ghost.mat";
     public const string Occluder = Runtime + "Materials/Occluder.mat";
     public const string Panel = Runtime + "Materials/Panel.mat";
+    public const string Timestamp = Runtime + "Materials/Timestamp.mat";
     public const string YoubotUrdf = Runtime + "Robots/youbot.urdf";
     public const string Ur5Urdf = Runtime + "Robots/ur5.urdf";
     public const string Youbot = Runtime + "Robots/youBot.asset";

@@ -6,12 +6,12 @@ namespace Nowpose.Unity
     static class FrameControlTime
     {
         /// <param name="source">Whose frame it is, while it is shown.</param>
-        /// <returns>Null while the control time is not known well enough to show a pose as current.</returns>
+        /// <returns>Null unless the clock is synchronised: in a holdover it may be ten times as wrong as what is measured with it.</returns>
         public static ControlTime? Of(MrilSession source, DisplayFrame frame)
         {
-            if (!frame.IsTimeTrusted || source.Session == null) return null;
+            if (source.Session == null) return null;
             var clock = source.Session.Clock.ModelAt(frame.Start);
-            return clock.IsKnown ? clock.ToControl(frame.Start) : (ControlTime?)null;
+            return clock.State == ClockState.Synchronised ? clock.ToControl(frame.Start) : (ControlTime?)null;
         }
     }
 }

@@ -1,0 +1,66 @@
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>A control time as text, seconds with milliseconds, letter by letter: showing another time allocates nothing.</summary>
+    sealed class TimestampDigits
+    {
+        /// <summary>What is shown repeats after so many milliseconds, a little more than a day.</summary>
+        public const int PeriodMs = 100_000_000;
+
+        /// <summary>A digit stands where there is a 0.</summary>
+        const string Pattern = "00 000.000 s";
+
+        /// <summary>From one letter to the next, in heights of the font: wider than any digit.</summary>
+        const float Pitch = 0.6f;
+
+        static readonly string[] Digits = { "0", "1", "2", "3", "4", "5", "6", "7", "8", "9" };
+
+        readonly PanelCell[] _letters = new PanelCell[Pattern.Length];
+
+        /// <param name="place">Middle of the text.</param>
+        /// <param name="height">Of the font, metres.</param>
+        public TimestampDigits(Transform parent, TextMesh model, Vector3 place, float height)
+        {
+            for (var i = 0; i < _letters.Length; i++)
+                _letters[i] = Copy(
+                    "Letter " + i, parent, model, place + (i - (Pattern.Length - 1) / 2f) * Pitch * height * Vector3.right, height);
+        }
+
+        /// <summary>A copy of a text in another place and size.</summary>
+        public static PanelCell Copy(string name, Transform parent, TextMesh model, Vector3 place, float height)
+        {
+            var copy = Object.Instantiate(model, parent);
+            copy.name = name;
+            copy.anchor = TextAnchor.MiddleCenter;
+            copy.alignment = TextAlignment.Center;
+            copy.richText = false;
+            copy.text = "";
+            copy.transform.PlaceLocally(place, Quaternion.identity);
+            copy.transform.localScale = Vector3.one * (height / LetterSize.Of(model));
+            copy.gameObject.SetActive(true);
+            return new PanelCell(copy);
+        }
+
+        /// <param name="ms">0 to <see cref="PeriodMs"/> − 1; leading zeros are not shown.</param>
+        public void Show(int ms)
+        {
+            // From the right; the digit before the point is always there.
+            for (var i = Pattern.Length - 1; i >= 0; i--)
+            {
+                if (Pattern[i] != '0')
+                {
+                    _letters[i].Show(Pattern[i] == '.' ? "." : Pattern[i] == 's' ? "s" : "");
+                    continue;
+                }
+                _letters[i].Show(ms > 0 || i >= Pattern.IndexOf('.') - 1 ? Digits[ms % 10] : "");
+                ms /= 10;
+            }
+        }
+
+        public void Clear()
+        {
+            for (var i = 0; i < _letters.Length; i++) _letters[i].Show("");
+        }
+    }
+}

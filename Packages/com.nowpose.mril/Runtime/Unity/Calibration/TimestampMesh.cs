@@ -1,0 +1,53 @@
+using System;
+using Nowpose.VisibleLight;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>A timestamp code as a mesh: 64 squares, of which the lit ones have triangles. Dark is nothing, as on the display.</summary>
+    sealed class TimestampMesh
+    {
+        const int Corners = 4, IndicesPerCell = 6;
+
+        /// <summary>Two triangles of a square's corners, clockwise for who looks along +z.</summary>
+        static readonly int[] Square = { 0, 1, 2, 1, 3, 2 };
+
+        readonly int[] _indices = new int[TimestampCode.CellCount * IndicesPerCell];
+
+        /// <param name="side">Of the whole code, metres; it is centred.</param>
+        public TimestampMesh(float side)
+        {
+            var vertices = new Vector3[TimestampCode.CellCount * Corners];
+            var normals = new Vector3[vertices.Length];
+            for (var i = 0; i < vertices.Length; i++)
+            {
+                int cell = i / Corners, corner = i % Corners;
+                // Corners: lower left, upper left, lower right, upper right.
+                float column = cell % TimestampCode.Side + corner / 2, row = cell / TimestampCode.Side + 1 - corner % 2;
+                vertices[i] = new Vector3((column / TimestampCode.Side - 0.5f) * side, (0.5f - row / TimestampCode.Side) * side, 0);
+                normals[i] = Vector3.back;
+            }
+            Mesh = new Mesh { name = "Timestamp Code" };
+            Mesh.MarkDynamic();
+            Mesh.SetVertices(vertices);
+            Mesh.SetNormals(normals);
+            Mesh.bounds = new Bounds(Vector3.zero, new Vector3(side, side, side / TimestampCode.Side));
+        }
+
+        public Mesh Mesh { get; }
+
+        /// <summary>Allocates nothing.</summary>
+        /// <param name="value">As of <see cref="TimestampCode.ValueOf"/>.</param>
+        public void Show(int value)
+        {
+            Span<bool> cells = stackalloc bool[TimestampCode.CellCount];
+            TimestampCode.Draw(value, CodeKind.Headset, cells);
+            var count = 0;
+            for (var cell = 0; cell < cells.Length; cell++)
+                if (cells[cell])
+                    foreach (var corner in Square) _indices[count++] = cell * Corners + corner;
+            // The bounds stay: they are of all squares.
+            Mesh.SetTriangles(_indices, 0, count, 0, calculateBounds: false);
+        }
+    }
+}
