@@ -27,7 +27,7 @@ namespace Nowpose.Latency
         const int MostRounds = 8;
 
         /// <param name="pairs"><see cref="LeastPairs"/> or more, in any order.</param>
-        /// <exception cref="InputException">Too few pairs.</exception>
+        /// <exception cref="InputException">Too few pairs, or L_visu is constant nowhere.</exception>
         public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)
         {
             if (pairs.Count < LeastPairs)
@@ -43,7 +43,10 @@ namespace Nowpose.Latency
                 for (var i = 0; i < sorted.Length; i++) good[i] = Math.Abs(sorted[i].VisuMs - plateau.Centre) <= tolerance;
                 var before = split.Count;
                 split = RangeSplit.Find(good);
-                plateau = Plateau.Of(sorted.Take(split.Count).Where((_, i) => good[i]));
+                var inside = sorted.Take(split.Count).Where((_, i) => good[i]).ToArray();
+                if (inside.Length < LeastPairs / 2)
+                    throw new InputException("pairs: L_visu is not the same at the lowest render times, so there is no range; check how it was measured");
+                plateau = Plateau.Of(inside);
                 // What lies beyond the limit is nearer to what lies there than to the plateau, however wide that is.
                 if (split.IsReached) nearest = Math.Max(LeastTolerance, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
                 if (split.Count == before && round > 1) break;

@@ -11,8 +11,11 @@ namespace Nowpose.Latency
     {
         const double LeastBelow = 0.005, GreatestBelow = 0.2, LeastBeyond = 0.7, GreatestBeyond = 0.999;
 
-        /// <summary>So many pairs beyond, at least, make a limit: a few may be misread, or slow by themselves.</summary>
+        /// <summary>So many pairs beyond, at least, make a limit: a few may be misread.</summary>
         const int LeastBeyondCount = 12;
+
+        /// <summary>And so large a share of all: at any load one frame in a hundred is slow by itself.</summary>
+        const double LeastBeyondShare = 0.04;
 
         /// <summary>So much likelier, as a logarithm, than that the row never turns.</summary>
         const double LeastEvidence = 12;
@@ -45,7 +48,8 @@ namespace Nowpose.Latency
                 best = likelihood;
                 count = i;
             }
-            return new RangeSplit(count, good.Length - count >= LeastBeyondCount && best - never >= LeastEvidence);
+            var beyond = good.Length - count;
+            return new RangeSplit(count, beyond >= LeastBeyondCount && beyond >= LeastBeyondShare * good.Length && best - never >= LeastEvidence);
         }
 
         static double LogLikelihood(int bad, int count, double least, double greatest)

@@ -53,11 +53,12 @@ namespace Nowpose.Tests
             Assert.That(near, Is.GreaterThanOrEqualTo(90), limits);
         }
 
-        [TestCase(0.02, 0.01)]
-        [TestCase(0.05, 0.01)]
-        public void Fit_LoadsThatNeverReachTheLimit_InventNone(double misread, double spikeChance)
+        [TestCase(30, 0.02, 0.01)]
+        [TestCase(30, 0.05, 0.01)]
+        [TestCase(100, 0.02, 0.03)]
+        public void Fit_LoadsThatNeverReachTheLimit_InventNone(int perLoad, double misread, double spikeChance)
         {
-            var plateau = new SimulatedPictures { Loads = BelowTheLimit, Misread = misread, Display = new DisplayPipelineSettings(spikeChance: spikeChance) };
+            var plateau = new SimulatedPictures { PerLoad = perLoad, Loads = BelowTheLimit, Misread = misread, Display = new DisplayPipelineSettings(spikeChance: spikeChance) };
 
             foreach (var seed in Enumerable.Range(3000, 100))
             {
@@ -107,6 +108,33 @@ namespace Nowpose.Tests
         [Test]
         public void Fit_TooFewPairs_SaysHowManyAreNeeded() =>
             Assert.That(() => RangeFit.Fit(new LatencyPair[19]), Throws.TypeOf<InputException>().With.Message.Contains("19").And.Message.Contains("20"));
+
+        // Whatever it is given: a result that makes sense, or one line that says why there is none.
+        [Test]
+        public void Fit_AnyPairs_GivesAResultWithinThemOrSaysWhyNot()
+        {
+            var refused = 0;
+            for (var seed = 0; seed < 500; seed++)
+            {
+                var random = new Random(seed);
+                var clusters = Enumerable.Range(0, 1 + random.Next(5)).Select(_ => -500 + 1000 * random.NextDouble()).ToArray();
+                var width = Math.Pow(10, 3 * random.NextDouble() - 1);
+                var pairs = Enumerable.Range(0, 20 + random.Next(60)).Select(_ => new LatencyPair(
+                    0.1 + 30 * random.NextDouble(), clusters[random.Next(clusters.Length)] + width * (random.NextDouble() - 0.5))).ToArray();
+                try
+                {
+                    var fit = RangeFit.Fit(pairs);
+
+                    Assert.That(fit.ValidToRenderMs, Is.InRange(pairs.Min(pair => pair.RenderMs), pairs.Max(pair => pair.RenderMs)), "seed " + seed);
+                    Assert.That(fit.VisuMs, Is.InRange(-1000, 1000), "seed " + seed);
+                }
+                catch (InputException)
+                {
+                    refused++;
+                }
+            }
+            Assert.That(refused, Is.InRange(1, 400));
+        }
 
         [TestCase(0, 40, "render_ms")]
         [TestCase(-1, 40, "render_ms")]
