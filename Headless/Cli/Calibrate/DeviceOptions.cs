@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 
@@ -7,13 +8,19 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>What a profile says of the headset that was measured, for measurements that do not say it themselves.</summary>
 sealed class DeviceOptions
 {
+    /// <summary>What is taken where nobody says.</summary>
+    public const string Standard = "HoloLens 2";
+
+    /// <summary>Refreshes per second of <see cref="Standard"/>.</summary>
+    public const double StandardHz = 60;
+
     readonly Option<string> _device = new("--device")
     {
         Description = "The headset's model as Unity names it; the headset refuses a profile of another one",
-        DefaultValueFactory = _ => "HoloLens 2",
+        DefaultValueFactory = _ => Standard,
     };
 
-    readonly Option<double> _displayHz = NumberOption.Create("--display-hz", "Refresh rate of the headset's display", 60.0, 1, 1000, "Hz");
+    readonly Option<double> _displayHz = NumberOption.Create("--display-hz", "Refresh rate of the headset's display", StandardHz, 1, 1000, "Hz");
 
     public void AddTo(Command verb)
     {
@@ -24,6 +31,12 @@ sealed class DeviceOptions
     public string Device(ParseResult parsed) => parsed.GetValue(_device);
 
     public double DisplayHz(ParseResult parsed) => parsed.GetValue(_displayHz);
+
+    /// <summary>Null where it was not typed: a log may know better.</summary>
+    public string GivenDevice(ParseResult parsed) => RecordingOptions.IsGiven(parsed, _device) ? Device(parsed) : null;
+
+    /// <summary>As <see cref="GivenDevice"/>.</summary>
+    public double? GivenDisplayHz(ParseResult parsed) => RecordingOptions.IsGiven(parsed, _displayHz) ? DisplayHz(parsed) : null;
 
     /// <summary>The source of the render time, where a limit is found.</summary>
     public static Option<string> Source() => ChoiceOption.Create(

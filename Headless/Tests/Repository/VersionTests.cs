@@ -12,6 +12,8 @@ public sealed class VersionTests
     [TestCase("Directory.Build.props", @"<Version>([^<]+)</Version>")]
     [TestCase("Web/package.json", @"""version"": ""([^""]+)""")]
     [TestCase("Web/package-lock.json", @"""version"": ""([^""]+)""")]
+    [TestCase("Vision/package.json", @"""version"": ""([^""]+)""")]
+    [TestCase("Vision/package-lock.json", @"""version"": ""([^""]+)""")]
     [TestCase("CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
     [TestCase(RepositoryFiles.Package + "/CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
     public void Version_EveryPlace_IsThePackages(string path, string pattern)

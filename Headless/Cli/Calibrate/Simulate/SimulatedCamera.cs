@@ -1,0 +1,83 @@
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Replay;
+using Nowpose.VisibleLight;
+using Nowpose.Vision;
+
+namespace Nowpose.Cli.Calibrate.Simulate;
+
+/// <summary>The pictures of a sweep, as they are to be drawn.</summary>
+sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
+{
+    const double MsPerTick = 1.0 / TimeSpan.TicksPerMillisecond;
+
+    /// <summary>The camera is held by hand: it moves by up to so much from picture to picture, px.</summary>
+    const double Shake = 2;
+
+    /// <param name="spoiledBy">What is wrong with the picture; empty for nothing.</param>
+    public Shot Take(int picture, out string spoiledBy)
+    {
+        var random = new RandomStream(settings.Seed, purpose: -1 - picture);
+        var place = new SimulatedPlace(picture / settings.PicturesPerPlace, settings.Seed);
+        double dx = Shake * (random.Next() - 0.5), dy = Shake * (random.Next() - 0.5);
+        double[][] control = Moved(place.Control, dx, dy), headset = Moved(place.Headset, dx, dy);
+        var moment = sweep.Moments[picture];
+        var (controlLit, headsetLit) = (ControlLight(moment, control, headset), HeadsetLight(moment, headset));
+        var shot = new Shot(
+            SimulatedPlace.Width, SimulatedPlace.Height, place.Scene, place.SceneLight,
+            [
+                new DrawnCode(control, controlLit, place.ControlLight, place.Dot, place.Panel),
+                new DrawnCode(headset, headsetLit, place.HeadsetLight, 0, null),
+            ],
+            place.Blur, [0, 0], [], [], place.Noise, picture);
+        spoiledBy = "";
+        return random.Next() < settings.Spoiled ? Spoiling.Of(shot, random, out spoiledBy) : shot;
+    }
+
+    /// <summary>Each cell's share of the exposure; rows of a rolling shutter are exposed one after the other.</summary>
+    double[] ControlLight(SimulatedMoment moment, double[][] corners, double[][] headset)
+    {
+        var lit = Ring(CodeKind.Control, 1);
+        for (var pair = 0; pair < TimestampCode.PairCount; pair++)
+        {
+            var cell = TimestampCode.CellOf(pair);
+            var middle = MsOf(moment.Middle) + DelayMs(cell, corners, headset);
+            var mean = CodeWords.MeanSign(pair, middle - moment.ExposureMs / 2, moment.ExposureMs);
+            (lit[cell], lit[cell + 1]) = ((1 + mean) / 2, (1 - mean) / 2);
+        }
+        return lit;
+    }
+
+    double[] HeadsetLight(SimulatedMoment moment, double[][] corners)
+    {
+        var lit = new double[TimestampCode.CellCount];
+        var drawn = new bool[TimestampCode.CellCount];
+        for (var cell = 0; cell < lit.Length; cell++)
+        {
+            var middle = moment.Middle + TimeSpan.FromMilliseconds(DelayMs(cell, corners, corners));
+            foreach (var (frame, share) in sweep.LightOf(moment, middle))
+            {
+                TimestampCode.Draw(TimestampCode.ValueOf(sweep.StartOf(frame)), CodeKind.Headset, drawn);
+                if (drawn[cell]) lit[cell] += share;
+            }
+        }
+        return lit;
+    }
+
+    /// <summary>How much later a cell's row is exposed than the middle of the headset's code.</summary>
+    double DelayMs(int cell, double[][] corners, double[][] headset)
+    {
+        double u = (cell % TimestampCode.Side + 0.5) / TimestampCode.Side, v = (cell / TimestampCode.Side + 0.5) / TimestampCode.Side;
+        return settings.ReadoutMs * (HeightOf(corners, u, v) - HeightOf(headset, 0.5, 0.5)) / SimulatedPlace.Height;
+    }
+
+    static double HeightOf(double[][] corners, double u, double v) =>
+        (1 - v) * ((1 - u) * corners[0][1] + u * corners[1][1]) + v * ((1 - u) * corners[3][1] + u * corners[2][1]);
+
+    // Within a period of the codes: all the digits are needed behind the point.
+    static double MsOf(ControlTime time) => time.SinceEpoch.Ticks % (TimestampCode.PeriodMs * TimeSpan.TicksPerMillisecond) * MsPerTick;
+
+    static double[] Ring(CodeKind kind, double light) =>
+        [.. Enumerable.Range(0, TimestampCode.CellCount).Select(cell => TimestampCode.IsRing(cell) && TimestampCode.IsLitRing(cell, kind) ? light : 0)];
+
+    static double[][] Moved(double[][] corners, double dx, double dy) => [.. corners.Select(corner => new[] { corner[0] + dx, corner[1] + dy })];
+}

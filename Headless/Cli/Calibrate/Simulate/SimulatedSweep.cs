@@ -1,0 +1,98 @@
+using Nowpose.Cli.Replay;
+using Nowpose.Latency;
+using Nowpose.Simulation;
+
+namespace Nowpose.Cli.Calibrate.Simulate;
+
+/// <summary>The frames of a load sweep behind a simulated display, and the moments at which a camera takes pictures of it.</summary>
+/// <remarks>
+/// The camera is not synchronised: a picture's middle lies anywhere in the time in which a frame is lit. Moments at which nothing is
+/// lit are not photographed.
+/// </remarks>
+sealed class SimulatedSweep
+{
+    /// <summary>From one picture to the next: about 8 pictures a second.</summary>
+    const int FramesPerPicture = 7;
+
+    /// <summary>Frames before and after the pictures, so that each has neighbours.</summary>
+    const int Margin = 12;
+
+    const int OrdinaryVertices = 300_000, GreatestVertices = SweepPlan.GreatestVertices;
+
+    /// <summary>What is sold as 60 Hz; frames then begin at any fraction of a millisecond.</summary>
+    const double RefreshMs = 1000 / 59.94;
+
+    static readonly ControlTime Beginning = ControlTime.FromSeconds(86_400);
+
+    readonly SimulationSettings _settings;
+    readonly List<ControlTime> _starts = [], _lights = [];
+
+    public SimulatedSweep(SimulationSettings settings)
+    {
+        _settings = settings;
+        var pipeline = new DisplayPipeline(settings.Seed, new DisplayPipelineSettings(refreshMs: RefreshMs, plateauMs: settings.VisuMs));
+        var frames = settings.Pictures * FramesPerPicture + 2 * Margin;
+        var rows = new List<SweepRow>(frames);
+        var rendered = new Queue<PipelineFrame>();
+        double? renderMs = null;
+        for (var i = 0; i < frames; i++)
+        {
+            var vertices = VerticesOf(i, frames);
+            var frame = pipeline.Next(vertices);
+            // The render time that a frame knows is that of the newest one the GPU has finished.
+            for (; rendered.TryPeek(out var oldest) && oldest.Done <= frame.Start; rendered.Dequeue()) renderMs = oldest.RenderTime.TotalMilliseconds;
+            rendered.Enqueue(frame);
+            _starts.Add(Beginning + frame.Start);
+            _lights.Add(Beginning + frame.Start + frame.Visualisation);
+            rows.Add(new SweepRow(_starts[i], vertices, renderMs, RenderTimeSourceKind.DisplayGpuTime, DeviceOptions.Standard, DeviceOptions.StandardHz));
+        }
+        Rows = rows;
+        var random = new RandomStream(settings.Seed, purpose: 1);
+        Moments = [.. Enumerable.Range(0, settings.Pictures).Select(picture => MomentOf(picture, random))];
+    }
+
+    public IReadOnlyList<SweepRow> Rows { get; }
+
+    /// <summary>One of each picture.</summary>
+    public IReadOnlyList<SimulatedMoment> Moments { get; }
+
+    public ControlTime StartOf(int frame) => _starts[frame];
+
+    /// <summary>Eq. (7) with true times, ms.</summary>
+    public double VisuMsOf(SimulatedMoment moment) => (moment.Middle - _starts[moment.Frame]).TotalMilliseconds;
+
+    /// <summary>How much of the light that a frame gives at most a picture gets from each frame.</summary>
+    /// <param name="middle">Of the exposure of the row that is asked for.</param>
+    public IEnumerable<(int Frame, double Share)> LightOf(SimulatedMoment moment, ControlTime middle)
+    {
+        var half = TimeSpan.FromMilliseconds(moment.ExposureMs / 2);
+        var lit = TimeSpan.FromMilliseconds(_settings.LitMs / 2);
+        for (var frame = Math.Max(0, moment.Frame - 3); frame < Math.Min(_starts.Count, moment.Frame + 4); frame++)
+        {
+            // Of two frames for the same refresh the later one is shown.
+            if (frame + 1 < _lights.Count && _lights[frame + 1] - _lights[frame] < lit) continue;
+            var from = Later(middle - half, _lights[frame] - lit);
+            var to = Earlier(middle + half, _lights[frame] + lit);
+            if (to > from) yield return (frame, (to - from).TotalMilliseconds / Math.Min(moment.ExposureMs, _settings.LitMs));
+        }
+    }
+
+    SimulatedMoment MomentOf(int picture, RandomStream random)
+    {
+        var frame = Margin + picture * FramesPerPicture + (int)(random.Next() * FramesPerPicture);
+        while (frame + 1 < _lights.Count && _lights[frame + 1] - _lights[frame] < TimeSpan.FromMilliseconds(_settings.LitMs / 2)) frame++;
+        var exposure = 1 + (_settings.ExposureMs - 1) * random.Next();
+        return new SimulatedMoment(_lights[frame] + TimeSpan.FromMilliseconds(_settings.LitMs * (random.Next() - 0.5)), exposure, frame);
+    }
+
+    int VerticesOf(int frame, int frames)
+    {
+        if (_settings.LoadSteps == 0) return OrdinaryVertices;
+        var step = (int)((long)frame * (_settings.LoadSteps + 1) / frames);
+        return (int)((long)GreatestVertices * step / _settings.LoadSteps);
+    }
+
+    static ControlTime Earlier(ControlTime a, ControlTime b) => a < b ? a : b;
+
+    static ControlTime Later(ControlTime a, ControlTime b) => a > b ? a : b;
+}

@@ -1,0 +1,69 @@
+using System.Globalization;
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Vision;
+
+namespace Nowpose.Cli.Calibrate.Simulate;
+
+/// <summary>How well pictures with known truth are read.</summary>
+sealed class SimulationCheck
+{
+    /// <summary>A picture that is read and wrong by more than this is misread, ms: half of it come from whole milliseconds.</summary>
+    public const double MisreadMs = 2.5;
+
+    readonly SortedDictionary<int, (PictureResult Result, double ErrorMs, string SpoiledBy)> _pictures = [];
+
+    /// <summary>Makes all pictures in memory and reads them.</summary>
+    public static SimulationCheck Run(SimulationSettings settings, CancellationToken cancellation)
+    {
+        var check = new SimulationCheck();
+        var sweep = new SimulatedSweep(settings);
+        var camera = new SimulatedCamera(settings, sweep);
+        var reader = new PictureReader(settings.ReadoutMs, 0);
+        var spoiled = new string[settings.Pictures];
+        using var pool = new VisionPool();
+        PictureProgress.Run("reading pictures", settings.Pictures, report => pool.Look(
+            Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out spoiled[i]))),
+            (place, seen) =>
+            {
+                var result = reader.Read(FormattableString.Invariant($"{place}"), seen);
+                check._pictures[place] = (result, result.VisuMs - sweep.VisuMsOf(sweep.Moments[place]), spoiled[place]);
+                report(check._pictures.Count);
+            },
+            cancellation));
+        return check;
+    }
+
+    public int Pictures => _pictures.Count;
+
+    public int Read => _pictures.Values.Count(picture => picture.Result.IsRead);
+
+    public int Misread => Wrong().Count();
+
+    /// <summary>Of pictures that nothing is wrong with, the share that is read.</summary>
+    public double ReadOfGood => _pictures.Values.Where(picture => picture.SpoiledBy.Length == 0).Select(picture => picture.Result.IsRead ? 1.0 : 0).DefaultIfEmpty(1).Average();
+
+    /// <summary>Of all that are read, ms.</summary>
+    public double MeanErrorMs => Errors().DefaultIfEmpty(double.NaN).Average();
+
+    /// <summary>Of the absolute error, ms.</summary>
+    public double ErrorP95Ms => Read == 0 ? double.NaN : Quantile.Of(Errors().Select(Math.Abs), 0.95);
+
+    /// <summary>In words, a line each.</summary>
+    public IEnumerable<string> Lines()
+    {
+        yield return Text($"{Pictures} pictures, {Read} read ({100 * ReadOfGood:0.0} % of those that nothing is wrong with), {Misread} misread by more than {MisreadMs} ms");
+        yield return Text($"error of L_visu: mean {MeanErrorMs:0.000} ms, P95 {ErrorP95Ms:0.000} ms");
+        foreach (var group in _pictures.Values.GroupBy(picture => picture.SpoiledBy).OrderBy(group => group.Key, StringComparer.Ordinal))
+            yield return Text($"{(group.Key.Length == 0 ? "nothing wrong" : group.Key)}: {group.Count()} pictures, {group.Count(picture => picture.Result.IsRead)} read");
+        foreach (var fault in _pictures.Values.Where(picture => !picture.Result.IsRead).GroupBy(picture => picture.Result.Fault).OrderByDescending(fault => fault.Count()))
+            yield return Text($"rejected: {fault.Key}: {fault.Count()}");
+        foreach (var (result, error, spoiledBy) in Wrong().Take(20)) yield return Text($"misread: picture {result.File}, by {error:0.0} ms {spoiledBy}");
+    }
+
+    IEnumerable<double> Errors() => _pictures.Values.Where(picture => picture.Result.IsRead).Select(picture => picture.ErrorMs);
+
+    IEnumerable<(PictureResult Result, double ErrorMs, string SpoiledBy)> Wrong() =>
+        _pictures.Values.Where(picture => picture.Result.IsRead && !(Math.Abs(picture.ErrorMs) <= MisreadMs));
+
+    static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

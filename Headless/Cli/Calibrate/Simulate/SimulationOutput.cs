@@ -1,0 +1,63 @@
+using Nowpose.Latency;
+using Nowpose.Vision;
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.VisibleLight;
+
+namespace Nowpose.Cli.Calibrate.Simulate;
+
+/// <summary>A folder of pictures with the sweep's log and the truth, to try the whole chain without hardware.</summary>
+static class SimulationOutput
+{
+    const string TruthHeader = "file,led_ms,headset_ms,visu_ms,spoiled";
+
+    /// <returns>How many pictures were written.</returns>
+    public static int Write(SimulationSettings settings, string folder, CancellationToken cancellation)
+    {
+        var sweep = new SimulatedSweep(settings);
+        var camera = new SimulatedCamera(settings, sweep);
+        var pictures = Path.Combine(Made(folder), "pictures");
+        Made(pictures);
+        foreach (var earlier in Directory.GetFiles(pictures, "picture-*.jpg")) File.Delete(earlier);
+        using (var log = File.CreateText(Path.Combine(folder, "sweep.csv")))
+        {
+            SweepLog.WriteHeader(log);
+            foreach (var row in sweep.Rows) SweepLog.Write(log, row);
+        }
+        var spoiled = new string[settings.Pictures];
+        string NameOf(int picture) => FormattableString.Invariant($"picture-{picture + 1:00000}.jpg");
+        var done = 0;
+        using var pool = new VisionPool();
+        PictureProgress.Run("taking pictures", settings.Pictures, report => pool.Look(
+            Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out spoiled[i]), Path.Combine(pictures, NameOf(i)))),
+            (_, made) =>
+            {
+                if (made.Fault != null) throw new InputException($"--out: {folder}: {made.Fault}");
+                report(++done);
+            },
+            cancellation));
+        using var truth = File.CreateText(Path.Combine(folder, "truth.csv"));
+        truth.Write(TruthHeader + "\n");
+        for (var i = 0; i < settings.Pictures; i++) truth.Write(TruthOf(sweep, i, NameOf(i), spoiled[i]) + "\n");
+        return done;
+    }
+
+    static string TruthOf(SimulatedSweep sweep, int picture, string name, string spoiledBy)
+    {
+        var moment = sweep.Moments[picture];
+        var start = sweep.StartOf(moment.Frame);
+        var led = moment.Middle.SinceEpoch.TotalMilliseconds % TimestampCode.PeriodMs;
+        return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{spoiledBy}");
+    }
+
+    static string Made(string folder)
+    {
+        try
+        {
+            return Directory.CreateDirectory(folder).FullName;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new InputException($"--out: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using Nowpose.Cli.Replay;
+using Nowpose.Vision;
+
+namespace Nowpose.Cli.Calibrate.Simulate;
+
+/// <summary>What goes wrong with pictures: something in front of a code, a reflection on it, a blow to the camera, half of a code outside.</summary>
+static class Spoiling
+{
+    static readonly (string Name, Func<Shot, RandomStream, Shot> Do)[] Ways =
+        [("covered", Covered), ("glare", Dazzled), ("smeared", Smeared), ("cut off", CutOff)];
+
+    public static Shot Of(Shot shot, RandomStream random, out string name)
+    {
+        var way = Ways[(int)(random.Next() * Ways.Length)];
+        name = way.Name;
+        return way.Do(shot, random);
+    }
+
+    static Shot Covered(Shot shot, RandomStream random)
+    {
+        var (left, top, size) = BoundsOf(AnyCode(shot, random));
+        double Part() => size * (0.15 + 0.6 * random.Next());
+        return shot with { Covers = [new Cover([left + size * random.Next() - Part() / 2, top + size * random.Next() - Part() / 2, Part(), Part()], 0.02 + 0.6 * random.Next())] };
+    }
+
+    static Shot Dazzled(Shot shot, RandomStream random)
+    {
+        var (left, top, size) = BoundsOf(AnyCode(shot, random));
+        return shot with { Glares = [new Glare(left + size * random.Next(), top + size * random.Next(), size * (0.15 + 0.7 * random.Next()), 0.3 + 2 * random.Next())] };
+    }
+
+    static Shot Smeared(Shot shot, RandomStream random)
+    {
+        double angle = 2 * Math.PI * random.Next(), length = 4 + 24 * random.Next();
+        return shot with { Motion = [length * Math.Cos(angle), length * Math.Sin(angle)] };
+    }
+
+    static Shot CutOff(Shot shot, RandomStream random)
+    {
+        var code = AnyCode(shot, random);
+        var (left, _, size) = BoundsOf(code);
+        // The picture's left or right edge goes through the code.
+        var cut = size * (0.1 + 0.6 * random.Next());
+        var by = left < shot.Width / 2 ? -left - cut : shot.Width - left - size + cut;
+        return shot with { Codes = [.. shot.Codes.Select(each => each with { Corners = [.. each.Corners.Select(corner => new[] { corner[0] + by, corner[1] })] })] };
+    }
+
+    static DrawnCode AnyCode(Shot shot, RandomStream random) => shot.Codes[(int)(random.Next() * shot.Codes.Count)];
+
+    static (double Left, double Top, double Size) BoundsOf(DrawnCode code)
+    {
+        double left = code.Corners.Min(corner => corner[0]), top = code.Corners.Min(corner => corner[1]);
+        return (left, top, Math.Max(code.Corners.Max(corner => corner[0]) - left, code.Corners.Max(corner => corner[1]) - top));
+    }
+}

@@ -1,0 +1,67 @@
+using System.CommandLine;
+using Nowpose.Cli.Calibrate.Simulate;
+using Nowpose.Gateway.Options;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary><c>calibrate simulate</c>: pictures with known truth, to try the evaluation without hardware.</summary>
+static class SimulateVerb
+{
+    static readonly SimulationSettings Standard = new();
+
+    static readonly Option<int> Pictures = NumberOption.Create("--pictures", "How many.", Standard.Pictures, 1, 100_000, "");
+    static readonly Option<double> Visu = NumberOption.Create("--visu-ms", "True L_visu while frames are ready in time.", Standard.VisuMs, 17, 300, "ms");
+    static readonly Option<double> Spoiled = NumberOption.Create("--spoiled", "Share of pictures with something wrong.", Standard.Spoiled, 0, 1, "");
+    static readonly Option<int> LoadSteps = NumberOption.Create(
+        "--load-steps", "Steps of the load from 0 to 2 million vertices; 0 stays at 300 000.", Standard.LoadSteps, 0, 100, "");
+    static readonly Option<double> Lit = NumberOption.Create(
+        "--lit-ms", "How long each frame is in the light; pictures scatter by half of it.", Standard.LitMs, 0.5, 16.6, "ms");
+    static readonly Option<double> Exposure = NumberOption.Create("--exposure-ms", "Greatest exposure, uniform from 1 ms.", Standard.ExposureMs, 1, 40, "ms");
+    static readonly Option<double> Readout = NumberOption.Create(
+        "--readout-ms", "Rolling shutter: how much later the last row is exposed than the first.", 0.0, -100, 100, "ms");
+    static readonly Option<int> Seed = NumberOption.Create("--seed", "Start of all that is random.", Standard.Seed, int.MinValue, int.MaxValue, "");
+    static readonly Option<bool> Check = new("--check") { Description = "Keep no pictures: read each at once, and say how well. 1 is returned when L_visu is missed." };
+    static readonly Option<string> Output = new("--out")
+    {
+        Description = "Folder for pictures, sweep.csv and truth.csv", DefaultValueFactory = _ => "nowpose-pictures",
+    };
+
+    public static Command Create()
+    {
+        var verb = new Command("simulate", "Take pictures of a simulated display and LED matrix, with a sweep's log and the truth, to try calibrate vlc on.")
+        {
+            Pictures, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, Seed, Check, Output,
+        };
+        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
+        return verb;
+    }
+
+    static int Run(ParseResult parsed, CancellationToken cancel)
+    {
+        var settings = new SimulationSettings
+        {
+            Pictures = parsed.GetValue(Pictures), VisuMs = parsed.GetValue(Visu), Spoiled = parsed.GetValue(Spoiled), LoadSteps = parsed.GetValue(LoadSteps),
+            LitMs = parsed.GetValue(Lit), ExposureMs = parsed.GetValue(Exposure), ReadoutMs = parsed.GetValue(Readout), Seed = parsed.GetValue(Seed),
+        };
+        var status = parsed.GetValue(Check) ? CheckAll(settings, cancel) : TakeAll(settings, parsed.GetValue(Output), cancel);
+        return cancel.IsCancellationRequested ? ExitStatus.Interrupted : status;
+    }
+
+    static int CheckAll(SimulationSettings settings, CancellationToken cancel)
+    {
+        var check = SimulationCheck.Run(settings, cancel);
+        foreach (var line in check.Lines()) Console.Out.WriteLine(line);
+        // Once in 10 000 pictures is what is promised.
+        var isGood = Math.Abs(check.MeanErrorMs) <= 1 && check.ErrorP95Ms <= 2 && check.Misread <= Math.Max(1, check.Pictures / 10_000);
+        return isGood ? ExitStatus.Done : ExitStatus.Failed;
+    }
+
+    static int TakeAll(SimulationSettings settings, string folder, CancellationToken cancel)
+    {
+        var taken = SimulationOutput.Write(settings, folder, cancel);
+        var full = Path.GetFullPath(folder);
+        Console.Out.WriteLine($"{taken} pictures in {Path.Combine(full, "pictures")}, with {Path.Combine(full, "sweep.csv")} and {Path.Combine(full, "truth.csv")}");
+        return ExitStatus.Done;
+    }
+}

@@ -1,0 +1,53 @@
+using Nowpose.VisibleLight;
+
+namespace Nowpose.Cli.Calibrate.Vlc;
+
+/// <summary>All codes there are, by value and by word.</summary>
+static class CodeWords
+{
+    static readonly int[] Words = [.. Enumerable.Range(0, TimestampCode.PeriodMs).Select(TimestampCode.WordOf)];
+
+    // Time for which each pair has said 1, less that for which it has said 0, from value 0 to a value, ms.
+    static readonly int[][] Sums = [.. Enumerable.Range(0, TimestampCode.PairCount).Select(SumsOf)];
+
+    /// <summary>1 where the pair's left cell is lit, −1 where its right one is.</summary>
+    /// <param name="value">Any whole number: codes repeat.</param>
+    public static int SignOf(int value, int pair) => (Words[Wrap(value)] >> (TimestampCode.PairCount - 1 - pair) & 1) * 2 - 1;
+
+    /// <summary>Values whose words agree with this one in the bits of a mask.</summary>
+    public static IEnumerable<int> Matching(int word, int mask)
+    {
+        for (var value = 0; value < Words.Length; value++)
+            if (((Words[value] ^ word) & mask) == 0) yield return value;
+    }
+
+    /// <summary>−1 when the parity is wrong.</summary>
+    public static int ValueOf(int word)
+    {
+        var value = word >> 2;
+        for (var shift = 1; shift < TimestampCode.ValueBits; shift <<= 1) value ^= value >> shift;
+        return Words[value] == word ? value : -1;
+    }
+
+    /// <summary>What a pair says on average, −1 to 1, while codes follow each other for a while.</summary>
+    /// <param name="start">ms, within a period of 0; value v is shown from v to v + 1.</param>
+    /// <param name="length">Above zero, ms.</param>
+    public static double MeanSign(int pair, double start, double length) => (SumTo(pair, start + length) - SumTo(pair, start)) / length;
+
+    static double SumTo(int pair, double time)
+    {
+        var whole = Math.Floor(time);
+        var value = (int)whole;
+        var periods = Math.DivRem(value - Wrap(value), TimestampCode.PeriodMs).Quotient;
+        return periods * Sums[pair][TimestampCode.PeriodMs] + Sums[pair][Wrap(value)] + (time - whole) * SignOf(value, pair);
+    }
+
+    static int[] SumsOf(int pair)
+    {
+        var sums = new int[TimestampCode.PeriodMs + 1];
+        for (var value = 0; value < TimestampCode.PeriodMs; value++) sums[value + 1] = sums[value] + SignOf(value, pair);
+        return sums;
+    }
+
+    static int Wrap(int value) => value & (TimestampCode.PeriodMs - 1);
+}

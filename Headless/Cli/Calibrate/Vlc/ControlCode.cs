@@ -1,0 +1,96 @@
+using Nowpose.VisibleLight;
+
+namespace Nowpose.Cli.Calibrate.Vlc;
+
+/// <summary>Reads a code that changes every millisecond: an exposure shows a run of them.</summary>
+static class ControlCode
+{
+    /// <summary>A pair that says more than this says what it says in the middle of the exposure.</summary>
+    const double Decided = 0.55;
+
+    /// <summary>More undecided pairs than a run of codes leaves.</summary>
+    const int MostUndecided = 9;
+
+    /// <summary>Root mean square of what the run does not explain, of the light; what the next best one must leave more.</summary>
+    const double GreatestRest = 0.2, Margin = 1.5;
+
+    const double LeastAmplitude = 0.4, GreatestAmplitude = 1.35;
+
+    /// <summary>Runs this close to each other are the same reading, ms.</summary>
+    const double Alike = 2;
+
+    static readonly double[] Lengths = [0.25, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24];
+
+    /// <param name="delaysMs">Of each pair, by how much later it was exposed than the code's middle: rows of a rolling shutter.</param>
+    /// <returns>The time in the middle of the exposure, as the mean of the codes that were shown.</returns>
+    public static Reading Read(CodeContrasts contrasts, double[] delaysMs)
+    {
+        if (contrasts.Covered > 0) return Reading.Not("partly covered");
+        var run = ReadRun(contrasts, delaysMs);
+        if (run.Fault == null) return run;
+        // A monitor shows a code for a frame, as the headset does.
+        var frames = HeadsetCode.Read(contrasts, leastStep: 1);
+        return frames.Fault == null ? frames : run;
+    }
+
+    static Reading ReadRun(CodeContrasts contrasts, double[] delaysMs)
+    {
+        var mask = 0;
+        for (var pair = 0; pair < TimestampCode.PairCount; pair++) mask = mask << 1 | (Math.Abs(contrasts[pair]) > Decided ? 1 : 0);
+        if (TimestampCode.PairCount - int.PopCount(mask) > MostUndecided) return Reading.Not("undecided");
+        Run best = default, other = default;
+        best.Rest = other.Rest = double.MaxValue;
+        foreach (var value in CodeWords.Matching(contrasts.Word(), mask))
+            for (var middle = value + 0.125; middle < value + 1; middle += 0.25)
+                foreach (var length in Lengths)
+                {
+                    var run = Fit(contrasts, delaysMs, middle, length);
+                    if (run.Rest < best.Rest)
+                    {
+                        if (!IsSame(run, best)) other = best;
+                        best = run;
+                    }
+                    else if (run.Rest < other.Rest && !IsSame(run, best)) other = run;
+                }
+        if (best.Rest == double.MaxValue) return Reading.Not("wrong parity");
+        if (best.Rest > GreatestRest) return Reading.Not("inconsistent");
+        if (best.Amplitude is < LeastAmplitude or > GreatestAmplitude) return Reading.Not("too weak");
+        if (other.Rest < Math.Max(Margin * best.Rest, GreatestRest)) return Reading.Not("ambiguous");
+        // Value v is shown from v to v + 1: the mean of the values lies half a millisecond before the middle of the time.
+        return Reading.Of(Wrap(Refined(contrasts, delaysMs, best).Middle - 0.5));
+    }
+
+    static Run Refined(CodeContrasts contrasts, double[] delaysMs, Run best)
+    {
+        foreach (var step in new[] { 0.12, 0.06, 0.03 })
+            foreach (var (middle, length) in new[] { (step, 0.0), (-step, 0.0), (0.0, step), (0.0, -step), (step, 0.0), (-step, 0.0) })
+            {
+                var tried = Fit(contrasts, delaysMs, best.Middle + middle, Math.Max(0.1, best.Length + length));
+                if (tried.Rest < best.Rest) best = tried;
+            }
+        return best;
+    }
+
+    static Run Fit(CodeContrasts contrasts, double[] delaysMs, double middle, double length)
+    {
+        double squares = 0, products = 0, models = 0;
+        for (var pair = 0; pair < TimestampCode.PairCount; pair++)
+        {
+            var model = CodeWords.MeanSign(pair, middle - length / 2 + delaysMs[pair], length);
+            squares += contrasts[pair] * contrasts[pair];
+            products += contrasts[pair] * model;
+            models += model * model;
+        }
+        var amplitude = products / models;
+        return new Run { Middle = middle, Length = length, Amplitude = amplitude, Rest = Math.Sqrt(Math.Max(0, squares - amplitude * products) / TimestampCode.PairCount) };
+    }
+
+    static bool IsSame(Run a, Run b) => Math.Abs(a.Middle - b.Middle) < Math.Max(Alike, 0.2 * Math.Max(a.Length, b.Length));
+
+    static double Wrap(double ms) => ms < 0 ? ms + TimestampCode.PeriodMs : ms;
+
+    struct Run
+    {
+        public double Middle, Length, Amplitude, Rest;
+    }
+}

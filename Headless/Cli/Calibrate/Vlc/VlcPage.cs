@@ -1,0 +1,17 @@
+using Nowpose.Cli.Calibrate.Page;
+using Nowpose.Cli.Figures.Model;
+
+namespace Nowpose.Cli.Calibrate.Vlc;
+
+/// <summary>L_visu from picture to picture, where there is no load to draw it over.</summary>
+static class VlcPage
+{
+    public static CalibrationSection OverPictures(VlcResult result)
+    {
+        double[] places = [.. Enumerable.Range(1, result.Pictures.Count).Where(i => result.Pictures[i - 1].IsRead).Select(i => (double)i)];
+        var trace = new PlotTrace("L_visu", Looks.Adaptive, places, [.. result.Read.Select(picture => (double?)picture.VisuMs)]) { Scattered = true };
+        return new("L_visu from picture to picture", "Fig. 10",
+            "A picture is taken at any moment at which a frame is in the light: L_visu scatters by half of that time to either side, and its mean is what is sought.",
+            [new FigurePlot("Over pictures", new("picture"), new("L_visu", "ms"), [trace]) { FromZero = true }]);
+    }
+}

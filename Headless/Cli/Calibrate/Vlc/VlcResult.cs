@@ -1,0 +1,23 @@
+using MathNet.Numerics.Statistics;
+
+namespace Nowpose.Cli.Calibrate.Vlc;
+
+/// <summary>All pictures, in their order.</summary>
+sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
+{
+    public IReadOnlyList<PictureResult> Pictures { get; } = pictures;
+
+    public IReadOnlyList<PictureResult> Read { get; } = [.. pictures.Where(picture => picture.IsRead)];
+
+    public int Rejected => Pictures.Count - Read.Count;
+
+    /// <summary>ms; null when no picture was read.</summary>
+    public double? Mean => Read.Count == 0 ? null : Read.Average(picture => picture.VisuMs);
+
+    /// <summary>Standard deviation, ms; null below two pictures.</summary>
+    public double? Deviation => Read.Count < 2 ? null : Read.Select(picture => picture.VisuMs).StandardDeviation();
+
+    /// <summary>Why pictures were rejected, the most frequent reason first.</summary>
+    public IEnumerable<(string Fault, int Count)> Faults() => Pictures.Where(picture => !picture.IsRead).GroupBy(picture => picture.Fault)
+        .Select(group => (group.Key, group.Count())).OrderByDescending(fault => fault.Item2);
+}

@@ -1,0 +1,84 @@
+using System.CommandLine;
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Gateway.Options;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate;
+
+/// <summary><c>calibrate vlc PICTURES</c>: L_visu from pictures that show the control's and the headset's code at once.</summary>
+static class VlcVerb
+{
+    /// <summary>Pictures whose rejection is told one by one.</summary>
+    const int MostTold = 10;
+
+    static readonly Argument<string[]> Pictures = new("PICTURES")
+    {
+        Description = "Pictures (.png, .jpg) in the order they were taken, a folder of them, or a video (needs ffmpeg).",
+        Arity = ArgumentArity.OneOrMore,
+    };
+    static readonly Option<string> Sweep = new("--sweep") { Description = "The load sweep's log, by which each picture's render time is found" };
+    static readonly Option<double> Readout = NumberOption.Create(
+        "--readout-ms", "Rolling shutter: how much later the last row of a picture is exposed than the first", 0.0, -100, 100, "ms");
+    static readonly Option<double> ControlDelay = NumberOption.Create(
+        "--control-delay-ms", "Latency of a monitor that shows the control's code; 0 for LEDs", 0.0, 0, 500, "ms");
+    static readonly Option<string> Output = OutOption.Create();
+    static readonly Option<bool> Json = OutOption.Json();
+    static readonly DeviceOptions Device = new();
+
+    public static Command Create()
+    {
+        var verb = new Command("vlc", "Evaluate pictures of both codes, the control's and the headset's: L_visu of each, and with a sweep's log the range.")
+        {
+            Pictures, Sweep, Readout, ControlDelay, Output, Json,
+        };
+        Device.AddTo(verb);
+        // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
+        verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
+        return verb;
+    }
+
+    static int Run(ParseResult parsed, CancellationToken cancel)
+    {
+        var arguments = parsed.GetValue(Pictures);
+        var files = PictureFiles.Of(arguments);
+        var sweep = parsed.GetValue(Sweep) is string path ? SweepLogReader.Read(path) : null;
+        var output = CalibrationOutput.At(parsed.GetValue(Output));
+        var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
+        var result = run.Run(files, cancel);
+        Tell(result, run);
+        var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
+        if (result.Read.Count == 0) return status == ExitStatus.Done ? throw NothingRead(arguments, result) : status;
+        var evaluation = new VlcEvaluation(result, sweep, Device.GivenDevice(parsed), Device.GivenDisplayHz(parsed));
+        output.Write(evaluation.Profile, evaluation.Page);
+        if (sweep != null) output.WritePairs(evaluation.Pictures);
+        if (parsed.GetValue(Json))
+        {
+            foreach (var warning in evaluation.Page.Warnings) Console.Error.WriteLine("nowpose: " + warning);
+            Console.Out.WriteLine(VlcJson.Of(result));
+        }
+        else
+        {
+            ResultTable.Print(evaluation.Page, output, evaluation.Profile != null);
+        }
+        return status;
+    }
+
+    static void Tell(VlcResult result, VlcRun run)
+    {
+        if (run.MixedSizes.Count > 0)
+            Console.Error.WriteLine(
+                $"nowpose: the pictures have {run.MixedSizes.Count} sizes ({string.Join(", ", run.MixedSizes.Select(size => $"{size.Width}x{size.Height}"))}): "
+                + "is one of another camera among them?");
+        if (result.Read.Count == 0) return;
+        var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
+        foreach (var picture in rejected.Take(MostTold)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");
+        if (rejected.Count > MostTold) Console.Error.WriteLine($"nowpose: {rejected.Count - MostTold} more were rejected");
+    }
+
+    static InputException NothingRead(string[] arguments, VlcResult result)
+    {
+        if (result.Pictures.Count == 1) return new InputException($"{result.Pictures[0].File}: {result.Pictures[0].Fault}");
+        var (fault, count) = result.Faults().First();
+        return new InputException($"{arguments[0]}: none of {result.Pictures.Count} pictures could be read; {count} of them: {fault}");
+    }
+}

@@ -1,0 +1,21 @@
+using System.Text.Json;
+using Nowpose.VisibleLight;
+
+namespace Nowpose.Vision;
+
+/// <summary>What a code looks like, for the worker, so that <see cref="TimestampCode"/> is the one specification.</summary>
+static class CodePattern
+{
+    public static string Json()
+    {
+        int[] ring = [.. Enumerable.Range(0, TimestampCode.CellCount).Where(TimestampCode.IsRing)];
+        var pattern = new
+        {
+            side = TimestampCode.Side,
+            pairs = Enumerable.Range(0, TimestampCode.PairCount).Select(TimestampCode.CellOf),
+            ring,
+            kinds = Enum.GetValues<CodeKind>().ToDictionary(kind => kind.ToString(), kind => ring.Select(cell => TimestampCode.IsLitRing(cell, kind))),
+        };
+        return JsonSerializer.Serialize(new { pattern });
+    }
+}

@@ -1,0 +1,28 @@
+using System.Text.Json;
+
+namespace Nowpose.Vision;
+
+/// <summary>A picture that a worker is to look at, or to make.</summary>
+public sealed class PictureRequest
+{
+    static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
+
+    readonly object _message;
+
+    PictureRequest(object message) => _message = message;
+
+    /// <param name="path">A PNG or JPEG file.</param>
+    public static PictureRequest File(string path) => new(new { file = Path.GetFullPath(path) });
+
+    /// <param name="bytes">Grey, row by row.</param>
+    public static PictureRequest Grey(int width, int height, byte[] bytes) => new(new { grey = new { width, height, data = Convert.ToBase64String(bytes) } });
+
+    /// <summary>A picture that is made, and looked at without a file.</summary>
+    public static PictureRequest Made(Shot shot) => new(new { shot });
+
+    /// <summary>A picture that is made and kept.</summary>
+    /// <param name="path">Ends with .png or .jpg.</param>
+    public static PictureRequest Made(Shot shot, string path) => new(new { shot, to = Path.GetFullPath(path) });
+
+    internal string Json() => JsonSerializer.Serialize(_message, Options);
+}

@@ -1,0 +1,109 @@
+using System.Collections.Concurrent;
+using System.Text.Json;
+using Nowpose.VisibleLight;
+
+namespace Nowpose.Vision;
+
+/// <summary>Looks at many pictures, as many at a time as there are cores.</summary>
+/// <remarks>Each worker remembers where it saw codes last; which pictures a worker gets depends on their number alone, so results do not change from run to run.</remarks>
+public sealed class VisionPool : IDisposable
+{
+    const int MostWorkers = 4;
+    const int Waiting = 4;
+
+    readonly VisionWorker[] _workers;
+
+    /// <param name="workers">0 for as many as cores, four at most.</param>
+    /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
+    public VisionPool(int workers = 0)
+    {
+        _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MostWorkers)];
+        try
+        {
+            for (var i = 0; i < _workers.Length; i++) _workers[i] = new VisionWorker();
+        }
+        catch
+        {
+            Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Runs to the end of the pictures, or until it is cancelled.</summary>
+    /// <param name="pictures">Read as they are needed, on a thread of its own.</param>
+    /// <param name="seen">Takes each picture's place in the order and what was seen; one call at a time, in any order.</param>
+    public void Look(IEnumerable<PictureRequest> pictures, Action<int, SeenPicture> seen, CancellationToken cancellation)
+    {
+        using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        var queues = _workers.Select(_ => new BlockingCollection<(int, PictureRequest)>(Waiting)).ToArray();
+        var gate = new object();
+        Task[] tasks =
+        [
+            Task.Run(() => Feed(pictures, queues, stop), CancellationToken.None),
+            .. _workers.Select((worker, i) => Task.Factory.StartNew(
+                () => Work(worker, queues[i], (place, picture) => { lock (gate) seen(place, picture); }, stop),
+                CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default)),
+        ];
+        try
+        {
+            Task.WaitAll(tasks, CancellationToken.None);
+        }
+        catch (AggregateException faults)
+        {
+            var faultsProper = faults.Flatten().InnerExceptions.Where(fault => fault is not OperationCanceledException).ToList();
+            if (faultsProper.Count > 0) throw faultsProper.OfType<InputException>().FirstOrDefault() ?? faultsProper[0];
+        }
+    }
+
+    static void Feed(IEnumerable<PictureRequest> pictures, BlockingCollection<(int, PictureRequest)>[] queues, CancellationTokenSource stop)
+    {
+        try
+        {
+            var place = 0;
+            foreach (var picture in pictures)
+            {
+                queues[place % queues.Length].Add((place, picture), stop.Token);
+                place++;
+            }
+        }
+        catch (Exception e) when (e is not OperationCanceledException)
+        {
+            stop.Cancel();
+            throw;
+        }
+        finally
+        {
+            foreach (var queue in queues) queue.CompleteAdding();
+        }
+    }
+
+    static void Work(VisionWorker worker, BlockingCollection<(int, PictureRequest)> queue, Action<int, SeenPicture> seen, CancellationTokenSource stop)
+    {
+        try
+        {
+            foreach (var (place, picture) in queue.GetConsumingEnumerable(stop.Token)) seen(place, SeenOf(worker.Ask(picture.Json())));
+        }
+        catch (Exception e) when (e is not OperationCanceledException)
+        {
+            stop.Cancel();
+            throw;
+        }
+    }
+
+    static SeenPicture SeenOf(JsonElement answer)
+    {
+        if (answer.TryGetProperty("error", out var error)) return new SeenPicture(0, 0, [], error.GetString().ReplaceLineEndings(" "));
+        if (!answer.TryGetProperty("codes", out var codes)) return new SeenPicture(0, 0, [], null);
+        return new SeenPicture(answer.GetProperty("width").GetInt32(), answer.GetProperty("height").GetInt32(), [.. codes.EnumerateArray().Select(CodeOf)], null);
+    }
+
+    static FoundCode CodeOf(JsonElement code) => new(
+        Enum.Parse<CodeKind>(code.GetProperty("kind").GetString()),
+        [.. code.GetProperty("levels").EnumerateArray().Select(level => level.GetDouble())],
+        [.. code.GetProperty("corners").EnumerateArray().Select(corner => (corner[0].GetDouble(), corner[1].GetDouble()))]);
+
+    public void Dispose()
+    {
+        foreach (var worker in _workers) worker?.Dispose();
+    }
+}

@@ -1,0 +1,83 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Text;
+using System.Text.Json;
+
+namespace Nowpose.Vision;
+
+/// <summary>A process under Node.js that looks at one picture at a time. Not thread-safe.</summary>
+sealed class VisionWorker : IDisposable
+{
+    const string Needed = "Node.js 18 or newer is needed to read pictures";
+    const int ErrorsKept = 4000;
+
+    static readonly string Script = Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs");
+
+    readonly Process _process;
+    readonly StringBuilder _errors = new();
+
+    /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
+    public VisionWorker()
+    {
+        if (!File.Exists(Script)) throw new InputException($"{Needed}; this program was built without it: install it and build again");
+        _process = new Process
+        {
+            StartInfo = new ProcessStartInfo("node", [Script])
+            {
+                RedirectStandardInput = true,
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
+                StandardInputEncoding = new UTF8Encoding(false),
+                StandardOutputEncoding = Encoding.UTF8,
+            },
+        };
+        _process.ErrorDataReceived += (_, line) => Keep(line.Data);
+        try
+        {
+            _process.Start();
+        }
+        catch (Win32Exception e)
+        {
+            throw new InputException($"{Needed}; it could not be started: {e.Message}. Install it from nodejs.org", e);
+        }
+        _process.BeginErrorReadLine();
+        Ask(CodePattern.Json());
+    }
+
+    /// <param name="request">One line of JSON.</param>
+    /// <exception cref="InvalidOperationException">The worker has ended.</exception>
+    public JsonElement Ask(string request)
+    {
+        try
+        {
+            _process.StandardInput.Write(request + "\n");
+            _process.StandardInput.Flush();
+            if (_process.StandardOutput.ReadLine() is string answer) return JsonDocument.Parse(answer).RootElement;
+        }
+        catch (IOException)
+        {
+            // Its end of the pipe is closed: said below.
+        }
+        _process.WaitForExit(1000);
+        lock (_errors) throw new InvalidOperationException($"what reads pictures has ended unexpectedly ({Script}): {_errors.ToString().Trim()}");
+    }
+
+    public void Dispose()
+    {
+        try
+        {
+            _process.Kill();
+        }
+        catch (InvalidOperationException)
+        {
+            // Has ended by itself.
+        }
+        _process.Dispose();
+    }
+
+    void Keep(string line)
+    {
+        lock (_errors)
+            if (_errors.Length < ErrorsKept) _errors.AppendLine(line);
+    }
+}

@@ -1,0 +1,10 @@
+// What a build of Vision.csproj runs; sources and outputs are its VisionSource and BundledWorker.
+import { dirname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { prepare } from '../Web/preparation.mjs';
+
+process.exitCode = await prepare({
+  folder: dirname(fileURLToPath(import.meta.url)),
+  sources: ['src', 'package-lock.json', 'bundle.mjs', 'prepare.mjs', '../Web/preparation.mjs'],
+  outputs: ['worker.mjs', 'worker-licences.txt'],
+});

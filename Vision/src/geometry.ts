@@ -1,0 +1,42 @@
+export type Point = [x: number, y: number];
+
+/** Corners of a code in the picture, px: top left, top right, bottom right, bottom left of the code as it is read. */
+export type Quad = [Point, Point, Point, Point];
+
+/**
+ * From the unit square to a quad, x then y, by perspective (Heckbert 1989): u runs along the code's top edge, v along its left one.
+ * Returns the eight numbers of (a u + b v + c) / (g u + h v + 1), (d u + e v + f) / (g u + h v + 1).
+ */
+export function homography([p0, p1, p2, p3]: Quad): number[] {
+  const sx = p0[0] - p1[0] + p2[0] - p3[0], sy = p0[1] - p1[1] + p2[1] - p3[1];
+  const dx1 = p1[0] - p2[0], dy1 = p1[1] - p2[1], dx2 = p3[0] - p2[0], dy2 = p3[1] - p2[1];
+  const area = dx1 * dy2 - dx2 * dy1;
+  const g = (sx * dy2 - dx2 * sy) / area, h = (dx1 * sy - sx * dy1) / area;
+  return [
+    p1[0] - p0[0] + g * p1[0], p3[0] - p0[0] + h * p3[0], p0[0],
+    p1[1] - p0[1] + g * p1[1], p3[1] - p0[1] + h * p3[1], p0[1], g, h,
+  ];
+}
+
+/** The same quad with another corner first, by so many quarter turns of the code, clockwise. */
+export const turned = (q: Quad, turns: number): Quad => [0, 1, 2, 3].map(i => q[(i + turns) & 3]) as Quad;
+
+export const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+/** Mean length of the sides, px. */
+export const sizeOf = (q: Quad): number => q.reduce((sum, p, i) => sum + distance(p, q[(i + 1) & 3]), 0) / 4;
+
+export const centreOf = (q: Quad): Point => [q.reduce((s, p) => s + p[0], 0) / 4, q.reduce((s, p) => s + p[1], 0) / 4];
+
+export const scaled = (q: Quad, factor: number): Quad => q.map(p => [p[0] * factor, p[1] * factor]) as Quad;
+
+/** Whether it is a convex, clockwise (y down) quad whose sides do not differ more than a code seen aslant has them. */
+export function isPlausible(q: Quad, least: number): boolean {
+  const sides = q.map((p, i) => distance(p, q[(i + 1) & 3]));
+  if (Math.min(...sides) < least || Math.max(...sides) > 2.5 * Math.min(...sides)) return false;
+  return q.every((p, i) => {
+    const a = q[(i + 1) & 3], b = q[(i + 2) & 3];
+    const turn = (a[0] - p[0]) * (b[1] - a[1]) - (a[1] - p[1]) * (b[0] - a[0]);
+    return turn > 0.4 * sides[i] * sides[(i + 1) & 3];
+  });
+}

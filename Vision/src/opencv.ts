@@ -1,0 +1,14 @@
+import library from '@techstark/opencv-js';
+
+type OpenCv = typeof library;
+
+/** OpenCV, once `loaded` has settled. Its objects live outside JavaScript's heap: whoever makes one deletes it. */
+export let cv: OpenCv;
+
+/** The package hands over a promise, or a module that calls back: both have been seen, by version. */
+export const loaded: Promise<void> = (async () => {
+  // Awaiting the module itself would never end: it has a `then` that yields itself.
+  const given = library instanceof Promise ? ((await library) as OpenCv) : library;
+  if (!given.Mat) await new Promise<void>(resolve => { given.onRuntimeInitialized = () => resolve(); });
+  cv = given;
+})();

@@ -1,0 +1,53 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import decodeJpeg, { init as initDecoder } from '@jsquash/jpeg/decode.js';
+import encodeJpeg, { init as initEncoder } from '@jsquash/jpeg/encode.js';
+import decoder from '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm';
+import encoder from '@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm';
+import { PNG } from 'pngjs';
+import type { Grey } from './levels';
+
+// The codecs know a browser's class, which Node lacks.
+(globalThis as { ImageData?: unknown }).ImageData ??= class {
+  constructor(readonly data: Uint8ClampedArray, readonly width: number, readonly height: number) { }
+};
+
+let isDecoding = false, isEncoding = false;
+
+/** A PNG or JPEG file in grey. Throws with what is wrong with it. Turned as the sensor saw it: its rows are then rows of the exposure. */
+export async function readPicture(path: string): Promise<Grey> {
+  const bytes = readFileSync(path);
+  if (bytes.length === 0) throw new Error('the file is empty');
+  if (bytes.readUInt32BE(0) === 0x89504e47) return greyOf(PNG.sync.read(bytes));
+  if (bytes.readUInt16BE(0) !== 0xffd8) throw new Error('it is neither a PNG nor a JPEG picture');
+  if (!isDecoding) await initDecoder(new WebAssembly.Module(decoder));
+  isDecoding = true;
+  return greyOf(await decodeJpeg(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length) as ArrayBuffer));
+}
+
+/** @param path Ends with .png or .jpg. */
+export async function writePicture(path: string, grey: Grey): Promise<void> {
+  if (path.endsWith('.png')) return writePng(path, grey);
+  if (!isEncoding) await initEncoder(new WebAssembly.Module(encoder));
+  isEncoding = true;
+  const data = new Uint8ClampedArray(4 * grey.data.length);
+  for (let i = 0; i < grey.data.length; i++) {
+    data[4 * i] = data[4 * i + 1] = data[4 * i + 2] = grey.data[i];
+    data[4 * i + 3] = 255;
+  }
+  const picture = new ImageData(data, grey.width, grey.height);
+  const options = { quality: 88, color_space: 1, progressive: false, optimize_coding: false, trellis_multipass: false };
+  writeFileSync(path, Buffer.from(await encodeJpeg(picture, options)));
+}
+
+function writePng(path: string, { width, height, data }: Grey): void {
+  const png = new PNG({ width, height });
+  png.data = Buffer.from(data.buffer, data.byteOffset, data.length);
+  writeFileSync(path, PNG.sync.write(png, { colorType: 0, inputColorType: 0, deflateLevel: 1, filterType: 1 }));
+}
+
+/** Rec. 601 luma: what the picture's own JPEG coding took for brightness. */
+function greyOf({ width, height, data }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray }): Grey {
+  const grey = new Uint8Array(width * height);
+  for (let i = 0, j = 0; i < grey.length; i++, j += 4) grey[i] = (77 * data[j] + 150 * data[j + 1] + 29 * data[j + 2]) >> 8;
+  return { width, height, data: grey };
+}

@@ -1,0 +1,14 @@
+/** The bundler puts the bytes in. */
+declare module '*.wasm' {
+  const bytes: Uint8Array<ArrayBuffer>;
+  export default bytes;
+}
+declare module 'pngjs' {
+  export class PNG {
+    constructor(options: { width: number; height: number });
+    width: number;
+    height: number;
+    data: Buffer;
+    static sync: { read(bytes: Buffer): PNG; write(png: PNG, options: object): Buffer };
+  }
+}

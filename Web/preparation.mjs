@@ -1,0 +1,82 @@
+// What builds of Web.csproj and Vision.csproj run: installs the pinned packages when package-lock.json changed and bundles when
+// a source changed. Builds that run at the same time take turns.
+// Status: 0 done, 3 the packages cannot be had here (the build goes on without), 1 the sources are at fault.
+import { execSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+
+const unavailable = 3;
+
+function newest(path) {
+  if (!statSync(path).isDirectory()) return statSync(path).mtimeMs;
+  return Math.max(...readdirSync(path).map(name => newest(join(path, name))));
+}
+
+function isRunning(pid) {
+  try {
+    process.kill(pid, 0);
+    return true;
+  } catch (error) {
+    return error.code === 'EPERM';
+  }
+}
+
+/** Waits for the other build, however long its installation takes; one that died does not hold us up. */
+async function takeTurn(lock) {
+  mkdirSync(dirname(lock), { recursive: true });
+  for (;;) {
+    try {
+      return writeFileSync(lock, String(process.pid), { flag: 'wx' });
+    } catch (error) {
+      if (error.code !== 'EEXIST') throw error;
+    }
+    const holder = existsSync(lock) ? readFileSync(lock, 'utf8') : '';
+    if (holder !== '' && !isRunning(Number(holder))) rmSync(lock, { force: true });
+    await new Promise(resolve => setTimeout(resolve, 100));
+  }
+}
+
+function install(folder) {
+  const stamp = join(folder, 'node_modules', '.installed');
+  const wanted = createHash('sha256').update(readFileSync(join(folder, 'package-lock.json'))).digest('hex');
+  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted) return true;
+  try {
+    execSync('npm ci', { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
+  } catch (error) {
+    console.error(`npm ci failed: ${String(error.stderr).trim()}`);
+    return false;
+  }
+  writeFileSync(stamp, wanted);
+  return true;
+}
+
+function isCurrent(folder, sources, outputs) {
+  const results = outputs.map(name => join(folder, 'dist', name));
+  const changed = Math.max(...sources.map(s => newest(join(folder, s))));
+  return results.every(path => existsSync(path) && statSync(path).mtimeMs >= changed);
+}
+
+/**
+ * Bundles what is in a folder with package.json and bundle.mjs, when it must.
+ * @param sources Files and folders whose change makes the bundle old.
+ * @param outputs What bundle.mjs writes to dist.
+ */
+export async function prepare({ folder, sources, outputs }) {
+  if (Number(process.versions.node.split('.')[0]) < 18) {
+    console.error(`Node.js ${process.versions.node} is too old; 18 or newer is needed`);
+    return unavailable;
+  }
+  const lock = join(folder, 'obj', 'prepare.lock');
+  await takeTurn(lock);
+  try {
+    if (isCurrent(folder, sources, outputs)) return 0;
+    if (!install(folder)) return unavailable;
+    execSync(`"${process.execPath}" bundle.mjs`, { cwd: folder, stdio: 'inherit' });
+    return 0;
+  } catch {
+    return 1;
+  } finally {
+    rmSync(lock, { force: true });
+  }
+}
