@@ -9,6 +9,7 @@ using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Sync;
 using Nowpose.Gateway.VisibleLight;
 using Nowpose.Protocol;
+using Nowpose.Web;
 
 namespace Nowpose.Gateway;
 
@@ -19,11 +20,14 @@ public sealed class GatewayServer : IAsyncDisposable
 
     readonly SyncServer _sync;
     readonly RosbridgeServer _rosbridge;
+    readonly CodePage _page;
     readonly WebApplication _web;
     readonly IPAddress _bind;
 
-    GatewayServer(GatewayOptions options, SyncServer sync, RosbridgeServer rosbridge, MessageHub hub, WebApplication web)
+    GatewayServer(
+        GatewayOptions options, SyncServer sync, RosbridgeServer rosbridge, CodePage page, MessageHub hub, WebApplication web)
     {
+        _page = page;
         _sync = sync;
         _rosbridge = rosbridge;
         _web = web;
@@ -39,7 +43,7 @@ public sealed class GatewayServer : IAsyncDisposable
     public IPEndPoint WebSocketEndPoint { get; private set; }
 
     /// <summary>Where browsers find the control clock as a code for cameras; null where the page was not built.</summary>
-    public Uri CodePageUri => !CodePage.HasPage
+    public Uri CodePageUri => !_page.IsBuilt
         ? null : new Uri($"{(Pin == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)}://{WebSocketEndPoint}{CodePage.Path}");
 
     /// <summary>What headsets pin; null without TLS.</summary>
@@ -64,9 +68,9 @@ public sealed class GatewayServer : IAsyncDisposable
         var hub = new MessageHub();
         var connections = new ConnectionCounters();
         var rosbridge = new RosbridgeServer(options, clock, hub, connections, log);
-        var page = new CodePage(options, clock, connections, log);
+        var page = new CodePage(options, clock, connections, log, LightCodePage.Html);
         var sync = new SyncServer(options, clock, log);
-        var server = new GatewayServer(options, sync, rosbridge, hub, Build(options, rosbridge, page));
+        var server = new GatewayServer(options, sync, rosbridge, page, hub, Build(options, rosbridge, page));
         try
         {
             await server.StartWebAsync(options, cancellation);

@@ -8,10 +8,18 @@ sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<st
     /// <summary>The role of whoever asks; null when the request was refused, and answered.</summary>
     public async Task<Role?> AdmitAsync(HttpContext context)
     {
-        if (!_rule.IsOriginAllowed(context))
-            return await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin, "the Origin is not the gateway's own");
-        return _rule.RoleOf(context)
-            ?? await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, "no or an unknown bearer token");
+        if (!await AdmitOriginAsync(context)) return null;
+        if (_rule.RoleOf(context) is { } role) return role;
+        await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, "no or an unknown bearer token");
+        return null;
+    }
+
+    /// <summary>Whether it is not another site's page that asks; when it is, the request was refused, and answered.</summary>
+    public async Task<bool> AdmitOriginAsync(HttpContext context)
+    {
+        if (_rule.IsOriginAllowed(context)) return true;
+        await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin, "the Origin is not the gateway's own");
+        return false;
     }
 
     /// <summary>One line of text, and the end of the connection.</summary>
@@ -24,13 +32,12 @@ sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<st
         return context.Response.WriteAsync(text + "\n");
     }
 
-    async Task<Role?> RefuseAsync(HttpContext context, int status, Closure why, string text)
+    Task RefuseAsync(HttpContext context, int status, Closure why, string text)
     {
         counters.Count(why);
         log($"websocket: refused a connection, {why}");
         if (status == StatusCodes.Status401Unauthorized)
             context.Response.Headers.WWWAuthenticate = "Bearer";
-        await AnswerAsync(context, status, text);
-        return null;
+        return AnswerAsync(context, status, text);
     }
 }

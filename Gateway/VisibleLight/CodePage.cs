@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Text;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Security;
-using Nowpose.Web;
 
 namespace Nowpose.Gateway.VisibleLight;
 
@@ -11,7 +10,8 @@ namespace Nowpose.Gateway.VisibleLight;
 /// The page tells nothing and needs no token, for a browser that opens it has none to send; the time needs one where there are tokens. It
 /// is asked for by POST, with which browsers always say what page asks.
 /// </remarks>
-sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCounters counters, Action<string> log)
+/// <param name="html">Null where it was not built.</param>
+sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/vlc";
     const string TimePath = "/vlc/time";
@@ -20,11 +20,10 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
     public const string MissingPage =
         "the page is missing, for this gateway was built without Node.js; install Node.js 18 or newer with npm and build again";
 
-    static readonly byte[] Page = LightCodePage.Html == null ? null : Encoding.UTF8.GetBytes(LightCodePage.Html);
-
+    readonly byte[] _page = html == null ? null : Encoding.UTF8.GetBytes(html);
     readonly Door _door = new(options, counters, log);
 
-    public static bool HasPage => Page != null;
+    public bool IsBuilt => _page != null;
 
     /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
@@ -36,19 +35,24 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
         return !isSocket && context.Request.Path == Path ? ShowAsync(context) : next(context);
     }
 
-    static Task ShowAsync(HttpContext context)
+    async Task ShowAsync(HttpContext context)
     {
-        if (!HttpMethods.IsGet(context.Request.Method) && !HttpMethods.IsHead(context.Request.Method))
-            return RefuseMethodAsync(context, "GET, HEAD");
-        if (!HasPage) return Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, MissingPage);
+        if (!await _door.AdmitOriginAsync(context)) return;
+        if (!HttpMethods.IsGet(context.Request.Method)) await RefuseMethodAsync(context, "GET");
+        else if (!IsBuilt) await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, MissingPage);
+        else await SendPageAsync(context);
+    }
+
+    Task SendPageAsync(HttpContext context)
+    {
         var response = context.Response;
         response.ContentType = "text/html; charset=utf-8";
-        response.ContentLength = Page.Length;
+        response.ContentLength = _page.Length;
         response.Headers.CacheControl = "no-store";
         // A page that shares its process with no other is given a finer clock by browsers.
         response.Headers["Cross-Origin-Opener-Policy"] = "same-origin";
         response.Headers["Cross-Origin-Embedder-Policy"] = "require-corp";
-        return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : response.Body.WriteAsync(Page).AsTask();
+        return response.Body.WriteAsync(_page).AsTask();
     }
 
     async Task TellTimeAsync(HttpContext context, ControlTime received)

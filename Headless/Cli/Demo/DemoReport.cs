@@ -22,7 +22,7 @@ static class DemoReport
             Subtitle = "What the headset would have shown, against where the simulated robot truly was at the moment of light.",
             Settings = Settings(run.Settings),
             Summary = Summary(score, result.ToolErrorMm),
-            Facts = Facts(result),
+            Facts = Facts(result, new DemoRangeWords(run.Settings, result, score.Range)),
             Error = Error(score, run, start),
             Joint = new DemoJointSeries(run, start).Busiest(),
             Field = Field(score, run),
@@ -54,11 +54,12 @@ static class DemoReport
         new { Label = "Greatest", Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
     ];
 
-    static string[][] Facts(DemoResult r) =>
+    static string[][] Facts(DemoResult r, DemoRangeWords range) =>
     [
         ["Reduction as the headset measured it", $"{Number(100 * r.Hindcast.Reduction)} ± {Number(100 * r.Hindcast.ReductionUncertainty)} %"],
         ["Application latency, median and P95", $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
         ["Error of the moment of light, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
+        .. range.Rows.Select(row => new[] { char.ToUpperInvariant(row.Label[0]) + row.Label[1..], row.Value }),
         ["Clock offset error, median and P95", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
         ["Clock offset error, greatest", $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
         ["Clock synchronised after", $"{Number(r.Clock.ConvergedS)} s"],

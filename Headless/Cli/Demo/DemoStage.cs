@@ -45,18 +45,17 @@ static class DemoStage
     static DemoRun Play(
         DemoSettings settings, ConnectionSettings connection, DemoTruth truth, string recordingPath, CancellationToken cancel)
     {
-        var profile = settings.Load == null ? null : DemoCalibration.Of(settings);
-        var told = profile?.Visualisation
-            ?? new VisualisationLatency(TimeSpan.FromMilliseconds(settings.VisualisationMs + settings.VisualisationErrorMs));
+        var told = new VisualisationLatency(TimeSpan.FromMilliseconds(settings.VisualisationMs + settings.VisualisationErrorMs));
+        var session = new SessionSettings(
+            connection, told, new PredictionSettings(settings.Predictor), profile: settings.Load == null ? null : DemoCalibration.Of(settings));
         var clock = new StopwatchHeadsetClock();
         using var headset = new DemoHeadset(
-            settings.Robot, new SessionSettings(connection, told, new PredictionSettings(settings.Predictor), range: profile?.Range), clock,
-            (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000, recordingPath);
+            settings.Robot, session, clock, (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000, recordingPath);
         var loop = new DemoFrameLoop(settings, headset, clock, truth);
         DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
         if (headset.EndRecording() is string problem) Console.Error.WriteLine("nowpose: " + problem);
         if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);
         return new DemoRun(settings, truth, loop.Frames, headset.ApplicationLatencies, headset.Session.Statistics(clock.Now),
-            profile?.Range?.Limit, headset.Alarms);
+            session.Range?.Limit, headset.Alarms);
     }
 }

@@ -11,7 +11,7 @@ static class DemoTable
         var console = ResultConsole.Create();
         console.WriteLine($"{settings.Robot.Name}, {settings.Predictor}, {result.Network}: error of the tool centre point");
         console.Write(Errors(score, result));
-        console.Write(Facts(result, settings, score.Range));
+        console.Write(Facts(result, new DemoRangeWords(settings, result, score.Range)));
         console.WriteLine("result  " + output.ResultPath);
         console.WriteLine("report  " + output.ReportPath);
         console.WriteLine("session " + output.SessionPath);
@@ -30,7 +30,7 @@ static class DemoTable
         return table;
     }
 
-    static Grid Facts(DemoResult result, DemoSettings settings, DemoRange range)
+    static Grid Facts(DemoResult result, DemoRangeWords range)
     {
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
@@ -39,12 +39,7 @@ static class DemoTable
         Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
         Row("visualisation latency", Ms(result.LatencyMs.Visu));
         Row("error of the moment of light", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");
-        if (result.Range is { } seen)
-        {
-            Row("render load", FormattableString.Invariant($"{settings.Load} vertices, {Times(settings)}"));
-            Row("constant-latency range", $"up to {Ms(seen.LimitRenderMs)}; {Story(seen)}");
-            if (seen.FramesOutside > 0) Row($"{seen.FramesOutside} frames outside", Against(range));
-        }
+        foreach (var (label, value) in range.Rows) Row(label, value);
         var clock = result.Clock;
         Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} greatest");
         Row("clock synchronised after", Text(result.Clock.ConvergedS, "0.0", " s"));
@@ -53,23 +48,6 @@ static class DemoTable
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
         return grid;
     }
-
-    static string Times(DemoSettings settings)
-    {
-        var load = new DemoLoad(settings.Load.Value, settings.Seconds);
-        return FormattableString.Invariant($"from {load.FromSeconds:0.0} to {load.ToSeconds:0.0} s");
-    }
-
-    static string Story(DemoResult.Ranges seen)
-    {
-        if (seen.LeftS == null) return "never left, no alarm";
-        var found = seen.FoundS == null ? "not found again" : $"found again at {Text(seen.FoundS, "0.0", " s")}";
-        return $"alarm: left at {Text(seen.LeftS, "0.0", " s")}, {found}" + (seen.Alarms > 1 ? $", {seen.Alarms} alarms" : "");
-    }
-
-    static string Against(DemoRange range) =>
-        $"L_visu {Ms(range.VisualisationMs(true))}, inside {Ms(range.VisualisationMs(false))}; "
-        + $"error {Mm(range.RmsMm(true))} RMS, inside {Mm(range.RmsMm(false))}";
 
     static string Mm(double? value) => Text(value, "0.00", " mm");
     static string Ms(double? value) => Text(value, "0.0#", " ms");

@@ -1,0 +1,32 @@
+using System.Globalization;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>What table and report say of the constant-latency range; nothing without a load.</summary>
+sealed class DemoRangeWords(DemoSettings settings, DemoResult result, DemoRange range)
+{
+    public IEnumerable<(string Label, string Value)> Rows
+    {
+        get
+        {
+            if (result.Range is not { } seen) yield break;
+            var load = new DemoLoad(settings.Load.Value, settings.Seconds);
+            yield return ("render load", FormattableString.Invariant($"{load.Vertices} vertices, from {load.FromSeconds:0.0} to {load.ToSeconds:0.0} s"));
+            yield return ("constant-latency range", $"up to {Number(seen.LimitRenderMs, "0.0#")} ms; {Story(seen)}");
+            if (seen.FramesOutside > 0) yield return ($"{seen.FramesOutside} frames outside", Against());
+        }
+    }
+
+    static string Story(DemoResult.Ranges seen)
+    {
+        if (seen.LeftS == null) return "never left, no alarm";
+        var found = seen.FoundS == null ? "not found again" : $"found again at {Number(seen.FoundS, "0.0")} s";
+        return $"alarm: left at {Number(seen.LeftS, "0.0")} s, {found}" + (seen.Alarms > 1 ? $", {seen.Alarms} alarms" : "");
+    }
+
+    string Against() =>
+        $"L_visu {Number(range.VisualisationMs(true), "0.0#")} ms, inside {Number(range.VisualisationMs(false), "0.0#")} ms; "
+        + $"error {Number(range.RmsMm(true), "0.00")} mm RMS, inside {Number(range.RmsMm(false), "0.00")} mm";
+
+    static string Number(double? value, string format) => value?.ToString(format, CultureInfo.InvariantCulture) ?? "–";
+}
