@@ -31,6 +31,7 @@ sealed class CellPrefab
         Fields.Set(_session, "_settings", _workshop.Load<SessionSettingsAsset>(PackagePaths.Settings));
         Fields.Set(_session, "_robot", _robot);
         Fields.Set(_session.gameObject.AddComponent<RenderTimeSource>(), "_session", _session);
+        Fields.Set(_session.gameObject.AddComponent<LatencyProfileLoader>(), "_session", _session);
 
         var anchor = Child("Base Anchor");
         anchor.AddComponent<BaseAnchor>();

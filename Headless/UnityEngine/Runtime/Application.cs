@@ -28,6 +28,7 @@ public class Application
     }
 
     public static string persistentDataPath => Host.PersistentDataPath;
+    public static string streamingAssetsPath => Host.StreamingAssetsPath;
 
     static Host Host => World.Current.Host;
 }

@@ -14,7 +14,10 @@ sealed class Host
     internal bool Focused { get; set; } = true;
 
     /// <summary>Where the application may keep files; nobody makes it before something is kept.</summary>
-    internal string PersistentDataPath { get; } = Path.Combine(Path.GetTempPath(), "Nowpose Player");
+    internal string PersistentDataPath { get; set; } = Path.Combine(Path.GetTempPath(), "Nowpose Player");
+
+    /// <summary>What is shipped beside the application as files; an address where it lies in an archive.</summary>
+    internal string StreamingAssetsPath { get; set; } = Path.Combine(Path.GetTempPath(), "Nowpose Player", "StreamingAssets");
 
     internal int SubscriberCount => Count(LogReceived);
 

@@ -215,13 +215,13 @@ namespace Nowpose.Session
         /// Takes what a calibration found, from the next frame on: L_visu, and the range that render times are judged by. The
         /// session goes on. Whether the profile is of this device is for the caller to ask. Any thread.
         /// </summary>
+        /// <param name="profile">Null goes back to what the settings say.</param>
         public void Calibrate(LatencyProfile profile)
         {
-            if (profile == null) throw new ArgumentNullException(nameof(profile));
             lock (_gate)
             {
-                _light.Calibrate(profile);
-                _monitor.Range = profile.WatchedRange;
+                _light.Calibrate(profile?.Visualisation ?? _settings.Visualisation, profile ?? _settings.Profile);
+                _monitor.Range = profile == null ? _settings.Range : profile.WatchedRange;
             }
         }
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Nowpose.Latency;
 using Nowpose.Session;
 
@@ -19,20 +18,9 @@ namespace Nowpose.Unity
             if (statistics.Profile != _profile)
             {
                 _profile = statistics.Profile;
-                _measured = MethodOf(_profile.Method) + ", " + _profile.MeasuredUtc.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
+                _measured = CalibrationWords.OriginOf(_profile);
             }
             return _measured;
-        }
-
-        static string MethodOf(CalibrationMethod method)
-        {
-            switch (method)
-            {
-                case CalibrationMethod.VisibleLight: return "by visible light";
-                case CalibrationMethod.Sine: return "by sine jog";
-                case CalibrationMethod.Nudge: return "by eye";
-                default: return "by hand";
-            }
         }
     }
 }

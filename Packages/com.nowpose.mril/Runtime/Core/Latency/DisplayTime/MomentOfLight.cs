@@ -55,8 +55,6 @@ namespace Nowpose.Latency
         /// <inheritdoc cref="Difference"/>
         public bool IsDoubted => _check.IsDoubted;
 
-        public void Calibrate(LatencyProfile profile) => Calibrate(profile.Visualisation, profile);
-
         /// <param name="isConstant">False where the render time says that L_visu is not the calibrated one: nothing to compare with.</param>
         public HeadsetTime LightOf(HeadsetTime frameStart, bool isConstant)
         {
@@ -67,7 +65,8 @@ namespace Nowpose.Latency
             return frameStart + Used;
         }
 
-        void Calibrate(VisualisationLatency calibrated, LatencyProfile profile)
+        /// <param name="profile">What it comes from; null when it was told as a number.</param>
+        public void Calibrate(VisualisationLatency calibrated, LatencyProfile profile)
         {
             if (calibrated.Length != _calibrated.Length) _check.Reset();
             _calibrated = calibrated;

@@ -100,6 +100,19 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Calibrate_Null_GoesBackToTheSettings()
+        {
+            var session = Running().Session;
+            session.Calibrate(Profile());
+
+            session.Calibrate(null);
+
+            Assert.That(session.Profile, Is.Null);
+            Assert.That(session.Visualisation.Length, Is.EqualTo(Lengths.Ms(40)));
+            Assert.That(session.Statistics(default).RangeDoubt, Is.EqualTo(RangeDoubt.NoLimit));
+        }
+
+        [Test]
         public void SessionSettings_Profile_TakesThePlaceOfLatencyAndRange()
         {
             var profile = Profile();

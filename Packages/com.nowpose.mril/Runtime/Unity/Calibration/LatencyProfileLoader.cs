@@ -1,0 +1,120 @@
+using Nowpose.Latency;
+using Nowpose.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Gives a session what the calibration of this device found, and keeps what is found on the device.</summary>
+    /// <remarks>
+    /// Looks below the persistent data path, then in StreamingAssets, then at its asset. A profile that is torn, of a newer
+    /// version, of another device or of another display rate is refused in one line and the next place is looked at; what was
+    /// in use stays.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Latency Profile Loader")]
+    [DisallowMultipleComponent]
+    public sealed class LatencyProfileLoader : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The session that is calibrated. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("Name of the profile's file below the application's persistent data path, where it is also saved, and in "
+            + "StreamingAssets; or a full path.")]
+        string _fileName = "latency-profile.json";
+
+        [SerializeField, Tooltip("The profile where neither folder has one: the only way to ship it with an Android app. Empty: none.")]
+        TextAsset _shipped = null;
+
+        /// <summary>A display begins some frames after the scene, and only then tells its rate.</summary>
+        const int FramesBetweenLooks = 60, MostLooks = 10;
+
+        MrilSession _source;
+        CompensationSession _calibrated;
+        int _frames;
+
+        /// <summary>What is in use; null while the session has what its settings say.</summary>
+        public LatencyProfile Profile { get; private set; }
+
+        /// <summary>The file or asset that <see cref="Profile"/> came from; null before the first.</summary>
+        public string From { get; private set; }
+
+        /// <summary>Why a profile was refused or could not be saved, in one line; null when nothing is wrong.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>Looks for a profile anew: somebody may have put one there. What is in use stays where none can be used.</summary>
+        public void Reload()
+        {
+            var places = Places;
+            var profile = places.Find(out var from);
+            Problem = null;
+            foreach (var refusal in places.Refusals) Fail(refusal);
+            if (profile != null) Use(profile, from);
+        }
+
+        /// <summary>Keeps a profile on the device, and uses it from the next frame on, also where it cannot be kept.</summary>
+        /// <returns>Whether it is kept; <see cref="Problem"/> says why not. One of another device is not even used.</returns>
+        public bool Save(LatencyProfile profile)
+        {
+            Problem = profile.RefusalFor(ThisDevice.Name, ThisDevice.DisplayHz);
+            if (Problem == null) Keep(profile);
+            if (Problem != null) ConsoleLog.Warn(this, Problem);
+            return Problem == null;
+        }
+
+        ProfilePlaces Places => new ProfilePlaces(_fileName, _shipped);
+
+        void OnEnable()
+        {
+            _source = this.SessionOr(_session);
+            if (_source == null) ConsoleLog.Warn(this, "latency profile loader '" + name + "' has no session above it to calibrate; assign one");
+            _calibrated = null;
+            _frames = 0;
+            Reload();
+        }
+
+        // Before the session computes its frame. A session that begins anew has its settings' L_visu.
+        void Update()
+        {
+            if (_frames < FramesBetweenLooks * MostLooks && ++_frames % FramesBetweenLooks == 0) LookAtDisplay();
+            if (Profile == null || _source == null || _source.Session == _calibrated) return;
+            _calibrated = _source.Session;
+            _calibrated?.Calibrate(Profile);
+        }
+
+        void LookAtDisplay()
+        {
+            var refusal = Profile?.RefusalFor(ThisDevice.Name, ThisDevice.DisplayHz);
+            if (refusal == null) return;
+            Profile = null;
+            _calibrated?.Calibrate(null);
+            Reload();
+        }
+
+        void Keep(LatencyProfile profile)
+        {
+            var path = Places.SavedPath;
+            try
+            {
+                LatencyProfileFile.Save(path, profile);
+            }
+            catch (InputException fault)
+            {
+                Problem = fault.Message;
+            }
+            Use(profile, path);
+        }
+
+        void Use(LatencyProfile profile, string from)
+        {
+            Profile = profile;
+            From = from;
+            _calibrated = null;
+            ConsoleLog.Say(this, "latency profile: " + CalibrationWords.Of(profile) + "; from " + from);
+        }
+
+        void Fail(string problem)
+        {
+            Problem ??= problem;
+            ConsoleLog.Warn(this, problem);
+        }
+    }
+}
