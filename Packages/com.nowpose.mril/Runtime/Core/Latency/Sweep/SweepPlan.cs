@@ -25,7 +25,7 @@ namespace Nowpose.Latency
         public SweepPlan(
             int mostVertices = GreatestVertices, int steps = 10, double secondsPerLoad = 5, double settleSeconds = 1, bool goesDown = true)
         {
-            SettingRange.RequireCount(mostVertices, 1000, GreatestVertices, "greatest load of the sweep, vertices");
+            MostVertices = SettingRange.RequireCount(mostVertices, 1000, GreatestVertices, "greatest load of the sweep, vertices");
             SettingRange.RequireCount(steps, 2, 100, "steps of the sweep");
             Settling = SettingRange.RequireSeconds(settleSeconds, 0, 60, "time for a load to settle");
             TimePerLoad = Settling + SettingRange.RequireSeconds(secondsPerLoad, 0.5, 600, "time of a load");
@@ -36,6 +36,9 @@ namespace Nowpose.Latency
                 if (goesDown) _loads[2 * steps - i] = _loads[i];
             }
         }
+
+        /// <summary>Of the greatest load.</summary>
+        public int MostVertices { get; }
 
         /// <summary>Vertices, one after the other.</summary>
         public IReadOnlyList<int> Loads => _loads;

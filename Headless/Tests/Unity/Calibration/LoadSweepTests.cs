@@ -1,0 +1,231 @@
+using Nowpose.Latency;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using Nowpose.Unity;
+using Nowpose.VisibleLight;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Headless.Tests.Unity.Calibration;
+
+/// <summary>A sweep in a played scene whose display has a GPU that takes longer for more vertices.</summary>
+public sealed class LoadSweepTests
+{
+    PlayedCell _cell;
+    MrilSession _session;
+    LoadGenerator _load;
+    LoadSweep _sweep;
+    TimestampDisplay _display;
+    DisplayPipeline _gpu;
+    string _folder;
+
+    [SetUp]
+    public void Begin()
+    {
+        _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+        _cell = new PlayedCell();
+        _gpu = new DisplayPipeline(1);
+    }
+
+    [TearDown]
+    public void End()
+    {
+        _cell.Dispose();
+        if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
+        else File.Delete(_folder);
+    }
+
+    void Play(bool rewrites = false, int vertices = 100_000, float seconds = 0.5f)
+    {
+        _session = _cell.NewSession(settings: new SessionSettings(
+            PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, rewriteBeforeRender: rewrites));
+        _session.gameObject.AddComponent<RenderTimeSource>();
+        var material = new Material((Shader)null);
+        var wall = new GameObject("Load");
+        wall.transform.SetParent(_session.transform, worldPositionStays: false);
+        _load = wall.AddComponent<LoadGenerator>().With("_material", material).With("_vertices", 7777);
+        _display = _session.gameObject.AddComponent<TimestampDisplay>().With("_light", material);
+        _sweep = _session.gameObject.AddComponent<LoadSweep>()
+            .With("_folder", _folder).With("_mostVertices", vertices).With("_steps", 2).With("_secondsPerLoad", seconds).With("_settleSeconds", 0.1f);
+        _cell.Player.World.Gpu.ConnectDisplay();
+        _cell.Player.World.Gpu.DisplayHz = 60;
+        _session.gameObject.SetActive(true);
+    }
+
+    void Run(double seconds, bool gpuSeesLoad = true, Action seen = null)
+    {
+        for (var end = _cell.Now + seconds; _cell.Now < end; seen?.Invoke())
+        {
+            // A much greater effect than so few vertices have: what is tested is the way to the verdict.
+            var vertices = gpuSeesLoad ? 10.0 * _load.VerticesShown : 0;
+            _cell.Player.World.Gpu.DisplayGpuTime = (float)_gpu.Next(vertices).RenderTime.TotalSeconds;
+            _cell.Frame(_session);
+        }
+    }
+
+    Task Judged() => Soon.BecomesAsync(
+        () =>
+        {
+            _cell.Frame(_session);
+            return _sweep.Verdict != null || _sweep.Problem != null;
+        },
+        "the sweep is judged");
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public async Task Log_OfASweep_HasARowForEachCodeWithItsLoad(bool rewrites)
+    {
+        Play(rewrites);
+        Run(5);
+        _sweep.StartSweep();
+        var seen = new Dictionary<int, int>();
+
+        Run(5, seen: () =>
+        {
+            if (_display.FrameStart is ControlTime start) seen[TimestampCode.ValueOf(start)] = _load.VerticesShown;
+        });
+        await Judged();
+
+        var rows = SweepLogReader.Read(_sweep.Path);
+        Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.EqualTo(new[] { 0, 50_000, 100_000 }));
+        Assert.That(rows, Has.Count.InRange(5 * 36, 5 * 38), "five loads of 0.6 s at 60 Hz");
+        foreach (var row in rows)
+            Assert.That(seen[TimestampCode.ValueOf(row.FrameStart)], Is.EqualTo(row.Vertices), "by the code of " + row.FrameStart);
+        Assert.That(rows, Has.All.Matches<SweepRow>(row => row.Source == RenderTimeSourceKind.DisplayGpuTime && row.RenderMs > 2));
+        Assert.That(rows, Has.All.Matches<SweepRow>(row => row.Device == SystemInfo.deviceModel && row.DisplayHz == 60));
+    }
+
+    [Test]
+    public async Task Sweep_OfAGpu_SaysThatItSeesLoadAndWhereTheLogIs()
+    {
+        Play();
+        var words = new List<string>();
+        _sweep.Progressed += () => words.Add(_sweep.Words);
+        _sweep.StartSweep();
+        Assert.That(_sweep.IsRunning);
+
+        Run(12);
+        await Judged();
+
+        Assert.That(_sweep.Verdict.Sight, Is.EqualTo(LoadSight.Seen));
+        Assert.That(_sweep.IsRunning, Is.False);
+        Assert.That(_load.Vertices, Is.EqualTo(7777), "as before");
+        Assert.That(words[0], Is.EqualTo("waiting for the clock"));
+        Assert.That(words, Has.Some.EqualTo("building 50000 vertices").And.Some.EqualTo("load 2 of 5: 50000 vertices"));
+        Assert.That(words[^1], Does.StartWith("this source sees load: "));
+        Assert.That(_cell.Messages, Has.Some.EqualTo("[Nowpose] load sweep done: " + _sweep.Verdict.Words + "; log: " + _sweep.Path));
+    }
+
+    [Test]
+    public async Task Sweep_OfASourceThatStaysTheSame_SaysThatItCannotSeeLoad()
+    {
+        Play();
+        _sweep.StartSweep();
+
+        Run(12, gpuSeesLoad: false);
+        await Judged();
+
+        Assert.That(_sweep.Verdict.Words, Does.StartWith("this source cannot see load: "));
+        Assert.That(_cell.Messages, Has.Some.StartWith("[Nowpose] load sweep done: this source cannot see load: "));
+    }
+
+    [Test]
+    public void Clock_NotSynchronised_IsWaitedFor()
+    {
+        Play();
+        _cell.IsSyncUp = false;
+        _sweep.StartSweep();
+
+        Run(20);
+
+        Assert.That(_sweep.Words, Is.EqualTo("waiting for the clock"));
+        Assert.That(_load.Vertices, Is.Zero);
+    }
+
+    [Test]
+    public async Task Stopped_InTheMiddle_KeepsWhatWasLogged()
+    {
+        Play();
+        _sweep.StartSweep();
+        Run(6.5);
+        var path = _sweep.Path;
+
+        _sweep.StopSweep();
+        Run(0.1);
+
+        Assert.That(_sweep.IsRunning, Is.False);
+        Assert.That(_sweep.Words, Is.EqualTo("sweep stopped"));
+        Assert.That(_load.Vertices, Is.EqualTo(7777));
+        await Soon.BecomesAsync(() => File.Exists(path) && SweepLogReader.Read(path).Count > 30, "the log is written");
+        Run(1);
+        Assert.That(_sweep.Verdict, Is.Null);
+    }
+
+    [Test]
+    public void Disabled_WhileItRuns_StopsAndListensNoMore()
+    {
+        Play();
+        _sweep.StartSweep();
+        Run(5);
+
+        _sweep.enabled = false;
+        Run(1);
+
+        Assert.That(_sweep.IsRunning, Is.False);
+        Assert.That(_cell.Messages.Where(m => m.Contains("Exception", StringComparison.Ordinal)), Is.Empty);
+    }
+
+    [Test]
+    public void Frames_OfOneLoad_AllocateNothing()
+    {
+        Play(seconds: 60);
+        Run(10);
+        _cell.Allocated = 0;
+        Run(2);
+        var without = _cell.Allocated;
+        _sweep.StartSweep();
+        Run(1);
+        _cell.Allocated = 0;
+
+        Run(2);
+
+        Assert.That(_sweep.Words, Does.StartWith("load 1 of 5"));
+        Assert.That(_cell.Allocated, Is.EqualTo(without));
+    }
+
+    [Test]
+    public async Task Folder_ThatCannotBeMade_IsSaidOnceAndEndsTheSweep()
+    {
+        File.WriteAllText(_folder, "a file where the folder should be");
+        Play();
+        _sweep.StartSweep();
+        Run(12);
+        await Judged();
+
+        Assert.That(_sweep.Problem, Does.StartWith("sweep log " + _sweep.Path + " cannot be written: "));
+        Assert.That(_cell.Messages.Count(m => m.Contains("cannot be written", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_load.Vertices, Is.EqualTo(7777));
+    }
+
+    [Test]
+    public void Parts_Missing_AreSaid()
+    {
+        var sweep = new GameObject("Alone").AddComponent<LoadSweep>();
+
+        sweep.StartSweep();
+
+        Assert.That(sweep.Problem, Is.EqualTo("load sweep 'Alone' has no session above it; assign one"));
+        Assert.That(sweep.IsRunning, Is.False);
+    }
+
+    [Test]
+    public void Plan_OutOfRange_IsSaid()
+    {
+        Play();
+        _sweep.With("_steps", 1);
+
+        _sweep.StartSweep();
+
+        Assert.That(_sweep.Problem, Does.Contain("steps of the sweep: 1 is out of range"));
+    }
+}

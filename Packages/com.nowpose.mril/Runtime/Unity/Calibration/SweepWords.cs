@@ -1,0 +1,22 @@
+using System.Globalization;
+using Nowpose.Latency;
+
+namespace Nowpose.Unity
+{
+    /// <summary>What a sweep says of itself, once per change.</summary>
+    static class SweepWords
+    {
+        public const string WaitingForClock = "waiting for the clock", Stopped = "sweep stopped", Judging = "sweep done, judging";
+
+        public static string Building(int vertices) => Of("building {0} vertices", vertices);
+
+        public static string Showing(SweepRun run, SweepPlan plan) =>
+            Of("load {0} of {1}: {2} vertices", run.Index + 1, plan.Loads.Count, run.Vertices);
+
+        public static string Begun(SweepPlan plan, string path) => Of(
+            "load sweep of {0} loads up to {1} vertices, {2:0} s and the time to build them, to {3}",
+            plan.Loads.Count, plan.MostVertices, plan.Duration.TotalSeconds, path);
+
+        static string Of(string format, params object[] values) => string.Format(CultureInfo.InvariantCulture, format, values);
+    }
+}

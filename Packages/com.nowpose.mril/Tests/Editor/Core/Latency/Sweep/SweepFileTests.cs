@@ -1,0 +1,78 @@
+using System;
+using System.IO;
+using System.Linq;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class SweepFileTests
+    {
+        string _folder;
+
+        [SetUp]
+        public void SetUp() => _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+
+        [TearDown]
+        public void TearDown()
+        {
+            if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
+            else File.Delete(_folder);
+        }
+
+        SweepFile NewFile() => new SweepFile(Path.Combine(_folder, "sweep.csv"), 100);
+
+        static LoadSensitivity Finished(SweepFile file)
+        {
+            var closing = file.CloseAsync();
+            Assert.That(closing.Wait(TimeSpan.FromTicks(30 * TimeSpan.TicksPerSecond)), "the file is closed");
+            return closing.Result;
+        }
+
+        [Test]
+        public void Rows_OfAllLoads_AreInTheFileAndJudged()
+        {
+            var sweep = new SimulatedSweep(new SweepPlan(2_000_000, 4, 1, 0), 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
+            var rows = sweep.Rows((t, v) => sweep.GpuMs(t, v));
+            var file = NewFile();
+
+            for (var i = 0; i < rows.Count; i++)
+            {
+                file.Add(rows[i]);
+                if (i + 1 < rows.Count && rows[i + 1].Vertices != rows[i].Vertices) file.EndLoad();
+            }
+            var judged = Finished(file);
+
+            var read = SweepLogReader.Read(file.Path);
+            Assert.That(read.Select(row => row.FrameStart), Is.EqualTo(rows.Select(row => row.FrameStart)));
+            Assert.That(read.Select(row => row.Vertices), Is.EqualTo(rows.Select(row => row.Vertices)));
+            Assert.That(judged.Words, Is.EqualTo(LoadSensitivity.Judge(rows).Words));
+            Assert.That(judged.Sight, Is.EqualTo(LoadSight.Seen));
+            Assert.That(file.Problem, Is.Null);
+        }
+
+        [Test]
+        public void NoRows_MakeNoFile()
+        {
+            var file = NewFile();
+
+            var judged = Finished(file);
+
+            Assert.That(File.Exists(file.Path), Is.False);
+            Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unseen));
+        }
+
+        [Test]
+        public void File_ThatCannotBeMade_IsOneLineAndNoVerdict()
+        {
+            File.WriteAllText(_folder, "a file where the folder should be");
+            var file = NewFile();
+            file.Add(new SweepRow(ControlTime.FromSeconds(1), 0, 4, RenderTimeSourceKind.CameraCpu, "", 60));
+
+            var judged = Finished(file);
+
+            Assert.That(judged, Is.Null);
+            Assert.That(file.Problem, Does.StartWith("sweep log " + file.Path + " cannot be written: ").And.Not.Contain("\n"));
+        }
+    }
+}
