@@ -8,8 +8,8 @@ export const greatestSide = 2.4 * leastSide;
 
 /** Lit parts of a code are nowhere wider than two cells: what is wider than this is scene, px. */
 const widest = 41;
-/** Closes what is between round LEDs, and joins cells that touch at a corner, px. */
-const gap = 9;
+/** Closes what is between round LEDs, and joins cells that touch at a corner, px; the least also keeps a code from its panel's edge. */
+const gaps = [5, 9];
 /** Neighbourhood whose mean tells lit from dark: about a code, px. */
 const neighbourhood = 111;
 /** Brighter than the mean by so much, of 255. */
@@ -21,23 +21,35 @@ const thinnest = 5;
 
 /** Where codes of `leastSide` to `greatestSide` might be, as quads, clockwise from any corner, in pixels of the picture. */
 export function candidatesIn(grey: InstanceType<typeof cv.Mat>): Quad[] {
-  const light = new cv.Mat(), binary = new cv.Mat();
-  const [wide, narrow, thin] = [widest, gap, thinnest].map(size => cv.getStructuringElement(cv.MORPH_RECT, new cv.Size(size, size)));
+  const light = new cv.Mat(), closed = new cv.Mat(), wide = square(widest);
   try {
     cv.morphologyEx(grey, light, cv.MORPH_TOPHAT, wide);
-    cv.morphologyEx(light, light, cv.MORPH_CLOSE, narrow);
-    cv.adaptiveThreshold(light, binary, 255, cv.ADAPTIVE_THRESH_MEAN_C, cv.THRESH_BINARY, neighbourhood, -least);
-    cv.morphologyEx(binary, binary, cv.MORPH_OPEN, thin);
-    const quads = quadsIn(binary);
-    for (const brightness of brightnesses) {
-      cv.threshold(light, binary, brightness, 255, cv.THRESH_BINARY);
-      cv.morphologyEx(binary, binary, cv.MORPH_OPEN, thin);
-      quads.push(...quadsIn(binary));
-    }
-    return quads;
+    return gaps.flatMap(gap => {
+      const narrow = square(gap);
+      cv.morphologyEx(light, closed, cv.MORPH_CLOSE, narrow);
+      narrow.delete();
+      return quadsInLight(closed);
+    });
   } finally {
-    for (const made of [light, binary, wide, narrow, thin]) made.delete();
+    for (const made of [light, closed, wide]) made.delete();
   }
+}
+
+const square = (size: number) => cv.getStructuringElement(cv.MORPH_RECT, new cv.Size(size, size));
+
+function quadsInLight(light: InstanceType<typeof cv.Mat>): Quad[] {
+  const binary = new cv.Mat(), thin = square(thinnest);
+  cv.adaptiveThreshold(light, binary, 255, cv.ADAPTIVE_THRESH_MEAN_C, cv.THRESH_BINARY, neighbourhood, -least);
+  cv.morphologyEx(binary, binary, cv.MORPH_OPEN, thin);
+  const quads = quadsIn(binary);
+  for (const brightness of brightnesses) {
+    cv.threshold(light, binary, brightness, 255, cv.THRESH_BINARY);
+    cv.morphologyEx(binary, binary, cv.MORPH_OPEN, thin);
+    quads.push(...quadsIn(binary));
+  }
+  binary.delete();
+  thin.delete();
+  return quads;
 }
 
 function quadsIn(binary: InstanceType<typeof cv.Mat>): Quad[] {

@@ -21,8 +21,8 @@ const longestSearched = 1280;
 
 /** What is accepted as a code: by how much its light stands out, of 255, and over what is not explained. */
 const leastLight = 12, greatestRest = 0.25, leastContrast = 0.45, leastEdge = 0.1;
-/** What was at the same place before must fit as well as this to spare the search. */
-const greatestRestAgain = 0.2;
+/** A code that is as good as this spares further search. */
+const greatestRestOfGood = 0.15, leastContrastOfGood = 0.7;
 
 interface Layer {
   factor: number;
@@ -76,31 +76,44 @@ export class Finder {
     return layers;
   }
 
+  /** Where they were before, or near there. */
   #again(layers: Layer[]): Map<string, Fit> {
-    const fits = new Map<string, Fit>();
+    const fits: Fit[] = [];
     for (const [kind, quad] of this.#last) {
       const layer = layers.find(l => sizeOf(quad) * l.factor <= greatestSide) ?? layers.at(-1);
       if (!layer) continue;
-      const guess = layer.refiner.guess(scaled(quad, layer.factor));
-      if (!guess || guess.agreement.kind !== kind || guess.agreement.turns !== 0) continue;
-      const fit = layer.refiner.refine(guess);
-      if (isCode(fit) && fit.agreement.rest < greatestRestAgain * fit.agreement.light && layer.refiner.isClear(fit))
-        fits.set(kind, inPicture(fit, layer));
-    }
-    return fits;
-  }
-
-  #search(layers: Layer[], known: Map<string, Fit>): Map<string, Fit> {
-    const fits = [...known.values()];
-    for (const layer of layers) {
-      for (const quad of candidatesIn(layer.mat)) {
-        const guess = best([1, 0.93, 1.08].map(factor => layer.refiner.guess(grownBy(quad, factor))));
-        if (!guess || guess.agreement.light < leastLight / 2 || guess.agreement.rest > 0.7 * guess.agreement.light) continue;
-        const fit = layer.refiner.refine(guess);
-        if (isCode(fit) && layer.refiner.isClear(fit)) fits.push(inPicture(fit, layer));
-      }
+      const near = scaled(quad, layer.factor);
+      const guess = layer.refiner.guess(near);
+      const fit = guess && guess.agreement.kind === kind && guess.agreement.turns === 0 ? layer.refiner.refine(guess) : null;
+      if (fit && isCode(fit) && layer.refiner.isClear(fit) && isGood(fit)) fits.push(inPicture(fit, layer));
+      else fits.push(...this.#codesIn(layer, around(near, layer.mat)).filter(f => f.agreement.kind === kind && isGood(f)));
     }
     return bestOfEach(fits);
+  }
+
+  /** Everywhere; large codes first, which are found quickly. */
+  #search(layers: Layer[], known: Map<string, Fit>): Map<string, Fit> {
+    const fits = [...known.values()];
+    let found = known;
+    for (const layer of [...layers].reverse()) {
+      fits.push(...this.#codesIn(layer, new cv.Rect(0, 0, layer.mat.cols, layer.mat.rows)));
+      found = bestOfEach(fits);
+      if (found.size === this.#kinds.length && [...found.values()].every(isGood)) break;
+    }
+    return found;
+  }
+
+  #codesIn(layer: Layer, part: { x: number; y: number; width: number; height: number }): Fit[] {
+    const fits: Fit[] = [], view = layer.mat.roi(part);
+    for (const inPart of candidatesIn(view)) {
+      const quad = inPart.map(p => [p[0] + part.x, p[1] + part.y]) as Quad;
+      const guess = best([1, 0.93, 1.08].map(factor => layer.refiner.guess(grownBy(quad, factor))));
+      if (!guess || guess.agreement.light < leastLight / 2 || guess.agreement.rest > 0.7 * guess.agreement.light) continue;
+      const fit = layer.refiner.refine(guess);
+      if (isCode(fit) && layer.refiner.isClear(fit)) fits.push(inPicture(fit, layer));
+    }
+    view.delete();
+    return fits;
   }
 
   #foundAs(kind: string, fit: Fit, grey: Grey): Found[] {
@@ -113,8 +126,17 @@ function isCode({ agreement: { light, rest }, contrast, edge }: Fit): boolean {
   return light >= leastLight && rest < greatestRest * light && contrast > leastContrast * light && !(edge < leastEdge * light);
 }
 
+const isGood = ({ agreement: { light, rest }, contrast }: Fit) => rest < greatestRestOfGood * light && contrast > leastContrastOfGood * light;
+
 /** Of fits to the same code, which lies better; of several things, which is more of a code. */
 const quality = (fit: Fit) => fit.score / Math.max(fit.agreement.light, fit.contrast);
+
+/** A quad's surroundings, as far as a hand moves a camera from picture to picture. */
+function around(quad: Quad, { cols, rows }: { cols: number; rows: number }) {
+  const size = sizeOf(quad), [x, y] = centreOf(quad), reach = 1.4 * size;
+  const left = Math.max(0, Math.floor(x - reach)), top = Math.max(0, Math.floor(y - reach));
+  return new cv.Rect(left, top, Math.min(cols, Math.ceil(x + reach)) - left, Math.min(rows, Math.ceil(y + reach)) - top);
+}
 
 const best = (fits: (Fit | null)[]) => fits.reduce((a, b) => !a || b && b.score > a.score ? b : a, null);
 

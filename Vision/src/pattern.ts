@@ -15,12 +15,12 @@ export interface Agreement {
   turns: number;
   /** How much brighter a lit cell is than a dark one, in the levels' unit. */
   light: number;
-  /** Root mean square of what a scene that changes evenly, and that light, do not explain. */
+  /** Root mean square of what a scene that changes gently, and that light, do not explain. */
   rest: number;
 }
 
 /**
- * Explains levels by a scene that changes evenly across the code plus the light of the lit cells. Of a pair, the mean is looked at:
+ * Explains levels by a scene that changes gently across the code plus the light of the lit cells. Of a pair, the mean is looked at:
  * it has half of the light, whichever of the two is lit and however many codes one exposure shows.
  */
 export class Matcher {
@@ -63,10 +63,11 @@ export class Matcher {
     let squares = 0;
     for (let i = 0; i < y.length; i++) {
       const row = design[i];
-      const rest = y[i] - row[0] * found[0] - row[1] * found[1] - row[2] * found[2] - row[3] * found[3];
+      let rest = y[i];
+      for (let k = 0; k < row.length; k++) rest -= row[k] * found[k];
       squares += rest * rest;
     }
-    return { kind, turns, light: found[3], rest: Math.sqrt(squares / y.length) };
+    return { kind, turns, light: found[0], rest: Math.sqrt(squares / y.length) };
   }
 
   kindIndex(kind: string): number { return this.#kinds.findIndex(k => k.kind === kind); }
@@ -88,9 +89,12 @@ export class Matcher {
   }
 }
 
-/** For each observation: 1, column, row, share of the light. */
+/** For each observation: share of the light, then the scene, which bends at most as a parabola. */
 function designOf({ side, pairs, ring }: Pattern, lit: boolean[]): number[][] {
-  const at = (column: number, row: number, light: number) => [1, column / (side - 1) - 0.5, row / (side - 1) - 0.5, light];
+  const at = (column: number, row: number, light: number) => {
+    const x = column / (side - 1) - 0.5, y = row / (side - 1) - 0.5;
+    return [light, 1, x, y, x * x, x * y, y * y];
+  };
   return [
     ...ring.map((cell, i) => at(cell % side, Math.floor(cell / side), lit[i] ? 1 : 0)),
     ...pairs.map(cell => at(cell % side + 0.5, Math.floor(cell / side), 0.5)),

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>What the pairs of a code say: 1 for the left cell lit all the exposure long, −1 for the right one, 0 for both alike.</summary>
 /// <remarks>
-/// Levels are explained by a scene that changes evenly across the code plus the light of lit cells. The ring tells how bright that
+/// Levels are explained by a scene that changes gently across the code plus the light of lit cells. The ring tells how bright that
 /// is; of a pair the mean has half of it, whatever the code.
 /// </remarks>
 sealed class CodeContrasts
@@ -33,7 +33,7 @@ sealed class CodeContrasts
             observed.Add((code.Levels[cell] + code.Levels[cell + 1]) / 2);
         }
         var found = MultipleRegression.QR([.. design], [.. observed], intercept: false);
-        Light = found[3];
+        Light = found[0];
         var pairsStart = observed.Count - TimestampCode.PairCount;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
         {
@@ -60,5 +60,10 @@ sealed class CodeContrasts
         return word;
     }
 
-    static double[] Row(double column, double row, double light) => [1, column / (TimestampCode.Side - 1) - 0.5, row / (TimestampCode.Side - 1) - 0.5, light];
+    // The light, then the scene, which bends at most as a parabola.
+    static double[] Row(double column, double row, double light)
+    {
+        double x = column / (TimestampCode.Side - 1) - 0.5, y = row / (TimestampCode.Side - 1) - 0.5;
+        return [light, 1, x, y, x * x, x * y, y * y];
+    }
 }

@@ -11,8 +11,11 @@ static class ControlCode
     /// <summary>More undecided pairs than a run of codes leaves.</summary>
     const int MostUndecided = 9;
 
-    /// <summary>Root mean square of what the run does not explain, of the light; what the next best one must leave more.</summary>
-    const double GreatestRest = 0.2, Margin = 1.5;
+    /// <summary>Root mean square of what the run does not explain, of the light.</summary>
+    const double GreatestRest = 0.2;
+
+    /// <summary>By how many times the next best run must be worse; below the second number both are as good as can be.</summary>
+    const double Margin = 1.6, LeastRest = 0.06;
 
     const double LeastAmplitude = 0.4, GreatestAmplitude = 1.35;
 
@@ -55,7 +58,7 @@ static class ControlCode
         if (best.Rest == double.MaxValue) return Reading.Not("wrong parity");
         if (best.Rest > GreatestRest) return Reading.Not("inconsistent");
         if (best.Amplitude is < LeastAmplitude or > GreatestAmplitude) return Reading.Not("too weak");
-        if (other.Rest < Math.Max(Margin * best.Rest, GreatestRest)) return Reading.Not("ambiguous");
+        if (other.Rest < Margin * Math.Max(best.Rest, LeastRest)) return Reading.Not("ambiguous");
         // Value v is shown from v to v + 1: the mean of the values lies half a millisecond before the middle of the time.
         return Reading.Of(Wrap(Refined(contrasts, delaysMs, best).Middle - 0.5));
     }
