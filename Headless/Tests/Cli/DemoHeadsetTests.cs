@@ -2,6 +2,7 @@ using Nowpose.Cli.Demo;
 using Nowpose.Gateway.Robots;
 using Nowpose.Headless.Tests.Unity;
 using Nowpose.Kinematics;
+using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -28,6 +29,7 @@ public class DemoHeadsetTests(string robot)
     RobotRig _displayed;
     Ghost _ghost;
     double _now;
+    TimeSpan? _gpuTime;
 
     [SetUp]
     public void LoadScene()
@@ -40,6 +42,7 @@ public class DemoHeadsetTests(string robot)
             new PickAndPlaceMotion(_model), new VirtualClock(_clock.Now, TimeSpan.FromSeconds(50), 37e-6),
             new VirtualCellSettings(50, 55, 105, 0, 0, NetworkProfile.Lan), seed: 1, _clock.Now);
         _described = null;
+        _gpuTime = null;
         _ghost = UnityEngine.Object.FindObjectsOfType<Ghost>(true).Single();
         _displayed = UnityEngine.Object.FindObjectsOfType<RobotRig>(true).Single(rig => rig.Shows == RigPose.Displayed);
         UnityEngine.Object.FindObjectsOfType<BaseAnchor>(true).Single().Place(new Vector3(0.4f, -0.2f, 1.1f), Quaternion.Euler(10, 130, -20));
@@ -55,6 +58,7 @@ public class DemoHeadsetTests(string robot)
             _clock.Set(_now += 1 / 60.0);
             if (_headset.Session != _described) (_described = _headset.Session).Described(RobotFiles.LoadText(robot));
             _cell.Run(_clock.Now, _headset.Session);
+            if (_gpuTime is TimeSpan gpu) _headset.ReportGpuTime(gpu);
             _headset.Step(_now - 100);
         }
     }
@@ -92,6 +96,27 @@ public class DemoHeadsetTests(string robot)
         Assert.That(currents, Is.GreaterThan(500));
         Assert.That(_headset.Complaint, Is.Null);
         Assert.That(_headset.ApplicationLatencies, Has.Count.GreaterThan(200));
+    }
+
+    [Test]
+    public void ReportGpuTime_BeyondTheLimitAndBack_IsSeenByTheSceneAndSaidOnce()
+    {
+        _gpuTime = TimeSpan.FromMilliseconds(10);
+        Run(3);
+        _headset.Session.Calibrate(new LatencyProfile(
+            40, 1, "", 60, DateTime.UnixEpoch, CalibrationMethod.Manual, 0, 15, RenderTimeSourceKind.DisplayGpuTime));
+        Run(2);
+        var before = (_headset.Frame.State, _headset.Alarms);
+
+        _gpuTime = TimeSpan.FromMilliseconds(17);
+        Run(1);
+        var beyond = (_headset.Frame.State, _headset.Alarms);
+        _gpuTime = TimeSpan.FromMilliseconds(10);
+        Run(2);
+
+        Assert.That(before, Is.EqualTo((PoseState.Current, 0)));
+        Assert.That(beyond, Is.EqualTo((PoseState.OutsideRange, 1)));
+        Assert.That((_headset.Frame.State, _headset.Alarms), Is.EqualTo((PoseState.Current, 1)));
     }
 
     [Test]
