@@ -26,6 +26,8 @@ public static class AssetPlan
         (PackagePaths.ConnectSettings, w => RobotAssets.Settings(w, PackagePaths.ConnectSettings)),
         (PackagePaths.ConnectScene, w => Scenes.Connect(w, PackagePaths.Cell)),
         (PackagePaths.ConnectSceneAnyRobot, w => Scenes.Connect(w, PackagePaths.CellAnyRobot)),
+        (PackagePaths.CalibrationSettings, w => RobotAssets.Settings(w, PackagePaths.CalibrationSettings)),
+        (PackagePaths.CalibrationScene, Scenes.DisplayCalibration),
     };
 
     public static IEnumerable<string> Paths => Assets.Select(a => a.Path);

@@ -6,6 +6,7 @@ static class PackagePaths
     const string Runtime = "Packages/com.nowpose.mril/Runtime/";
     const string Virtual = "Packages/com.nowpose.mril/Samples~/Virtual Robot Cell/";
     const string Connect = "Packages/com.nowpose.mril/Samples~/Connect to a Gateway/";
+    const string Calibration = "Packages/com.nowpose.mril/Samples~/Display Calibration/";
 
     public const string HologramShader = Runtime + "Shaders/Hologram.shader";
     public const string OccluderShader = Runtime + "Shaders/Occluder.shader";
@@ -29,5 +30,7 @@ static class PackagePaths
     public const string ConnectSettings = Connect + "Gateway Settings.asset";
     public const string ConnectScene = Connect + "Connect to a Gateway.unity";
     public const string ConnectSceneAnyRobot = Connect + "Connect to a Gateway (Any Robot).unity";
+    public const string CalibrationSettings = Calibration + "Calibration Settings.asset";
+    public const string CalibrationScene = Calibration + "Display Calibration.unity";
     public const string DemoScene = "Assets/Scenes/Demo.unity";
 }

@@ -42,6 +42,14 @@ static class Scenes
         return Save(workshop, control.gameObject, real.gameObject, cell);
     }
 
+    /// <summary>At eye height above the robot, which is not what is looked at here.</summary>
+    public static string DisplayCalibration(Workshop workshop)
+    {
+        var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.CalibrationSettings);
+        CalibrationObjects.Add(workshop, cell.GetComponent<MrilSession>());
+        return workshop.Scene(Props.Camera(new Vector3(0, 1.5f, -1.5f), Vector3.zero), Props.Light(), Props.Ground(), cell);
+    }
+
     /// <param name="settingsPath">Its own, for those of an installed package cannot be changed.</param>
     static GameObject Cell(Workshop workshop, string cellPath, string settingsPath)
     {

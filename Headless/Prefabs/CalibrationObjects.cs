@@ -1,0 +1,61 @@
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>What measures a display: the code of each frame, the load behind it, and the sweep with its words below.</summary>
+static class CalibrationObjects
+{
+    /// <summary>In front of the viewer: the code is an eighth as high as a headset camera's picture from here.</summary>
+    const float DistanceMetres = 1;
+
+    /// <summary>Above the status panel.</summary>
+    const float DegreesBelow = -4;
+
+    /// <summary>Behind the status panel, so that it hides nothing.</summary>
+    const float LoadBehindMetres = 0.5f;
+
+    const float WordsBelowMetres = 0.11f;
+
+    public static void Add(Workshop workshop, MrilSession session)
+    {
+        var calibration = Child("Calibration", session.transform, Vector3.zero);
+        var follow = calibration.AddComponent<BodyFollow>();
+        Fields.Set(follow, "_distanceMetres", DistanceMetres);
+        Fields.Set(follow, "_degreesBelow", DegreesBelow);
+        AddDisplay(workshop, session, calibration.transform);
+        AddSweep(workshop, session, calibration);
+    }
+
+    static void AddDisplay(Workshop workshop, MrilSession session, Transform parent)
+    {
+        var display = Child("Timestamp Display", parent, Vector3.zero).AddComponent<TimestampDisplay>();
+        var cell = Texts.Add("Cell", display.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
+        cell.gameObject.SetActive(false);
+        Fields.Set(display, "_session", session);
+        Fields.Set(display, "_cell", cell);
+        Fields.Set(display, "_light", workshop.Load<Material>(PackagePaths.Timestamp));
+    }
+
+    static void AddSweep(Workshop workshop, MrilSession session, GameObject calibration)
+    {
+        var load = Child("Load", calibration.transform, new Vector3(0, 0, LoadBehindMetres)).AddComponent<LoadGenerator>();
+        Fields.Set(load, "_material", workshop.Load<Material>(PackagePaths.Panel));
+        var words = Texts.Add("Words", calibration.transform, TextAnchor.UpperCenter, TextAlignment.Center);
+        words.transform.localPosition = Vector3.down * WordsBelowMetres;
+        var sweep = calibration.AddComponent<LoadSweep>();
+        Fields.Set(sweep, "_session", session);
+        Fields.Set(sweep, "_load", load);
+        Fields.Set(sweep, "_renderTime", session.GetComponent<RenderTimeSource>());
+        Fields.Set(sweep, "_startOnEnable", true);
+        Fields.Set(sweep, "_text", words);
+    }
+
+    static GameObject Child(string name, Transform parent, Vector3 place)
+    {
+        var child = new GameObject(name);
+        child.transform.SetParent(parent, worldPositionStays: false);
+        child.transform.localPosition = place;
+        return child;
+    }
+}
