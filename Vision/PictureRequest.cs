@@ -24,5 +24,10 @@ public sealed class PictureRequest
     /// <param name="path">Ends with .png or .jpg.</param>
     public static PictureRequest Made(Shot shot, string path) => new(new { shot, to = Path.GetFullPath(path) });
 
+    /// <summary>A picture in which patches are followed.</summary>
+    /// <param name="boxes">Where they are in this picture; null to go on with those of one before.</param>
+    internal static PictureRequest Tracked(int width, int height, byte[] bytes, IReadOnlyList<PictureBox> boxes) =>
+        new(new { grey = new { width, height, data = Convert.ToBase64String(bytes) }, track = boxes == null ? (object)new { } : new { boxes } });
+
     internal string Json() => JsonSerializer.Serialize(_message, Options);
 }

@@ -6,6 +6,7 @@ import { loaded } from './opencv';
 import type { Pattern } from './pattern';
 import { readPicture, writePicture } from './pictureFile';
 import { take, type Shot } from './render/camera';
+import { type Box, type Place, Tracker } from './track';
 
 /** Exactly one of the first four: a file's path, grey bytes in Base64, or a picture to be made; the pattern comes first of all. */
 interface Request {
@@ -15,11 +16,14 @@ interface Request {
   shot?: Shot;
   /** Where a picture that is made goes; without it, it is searched at once. */
   to?: string;
+  /** Instead of searching for codes: patches are followed, from the picture on that brings boxes. */
+  track?: { boxes?: Box[] };
 }
 
-type Answer = { width: number; height: number; codes: Found[] } | { error: string } | Record<string, never>;
+type Answer = { width: number; height: number; codes: Found[] } | { places: Place[] } | { error: string } | Record<string, never>;
 
 let finder: Finder;
+let tracker: Tracker | undefined;
 
 async function answer(request: Request): Promise<Answer> {
   if (request.pattern) {
@@ -32,7 +36,17 @@ async function answer(request: Request): Promise<Answer> {
     await writePicture(request.to, picture);
     return {};
   }
+  if (request.track) return { places: follow(picture, request.track.boxes) };
   return { width: picture.width, height: picture.height, codes: finder.find(picture) };
+}
+
+function follow(picture: Grey, boxes?: Box[]): Place[] {
+  if (boxes) {
+    tracker?.delete();
+    tracker = new Tracker(picture, boxes);
+  }
+  if (!tracker) throw new Error('the first picture to be tracked brings no boxes');
+  return tracker.follow(picture);
 }
 
 async function pictureOf({ file, grey, shot }: Request): Promise<Grey> {

@@ -1,7 +1,9 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Sine;
+using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
+using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate;
 
@@ -10,7 +12,8 @@ static class SineVerb
 {
     static readonly Argument<string> Recording = new("RECORDING")
     {
-        Description = "What the camera saw: the time in s (t or t_s), then where the robot and where the hologram is, in pixels; .csv or .csv.gz.",
+        Description = "What the camera saw: the time in s (t or t_s), then where the robot and where the hologram is, in pixels, .csv or .csv.gz; "
+            + "or the video itself, with both boxes (needs ffmpeg).",
     };
     static readonly Option<string> Columns = new("--columns") { Description = "Names of the robot's and the hologram's column, where there are more: ROBOT,HOLOGRAM" };
     static readonly Option<string> Control = new("--control")
@@ -18,6 +21,8 @@ static class SineVerb
         Description = "The control's positions over time, where the camera's clock is the control's: RECORDING then holds the hologram only",
     };
     static readonly Option<string> Joint = new("--joint") { Description = "Column of --control" };
+    static readonly Option<PictureBox?> RobotBox = BoxOption.Create("--robot-box", "Video: a patch of the robot's tool in the first picture");
+    static readonly Option<PictureBox?> HologramBox = BoxOption.Create("--hologram-box", "Video: a patch of the hologram in the first picture");
     static readonly Option<bool> Inverted = new("--inverted") { Description = "One of the two counts backwards" };
     static readonly Option<double?> Application = Optional("--app-ms", "Compensation off (the ghost): L_app as the panel shows it", 0, 1000);
     static readonly Option<double> Sampling = NumberOption.Create(
@@ -32,18 +37,19 @@ static class SineVerb
     {
         var verb = new Command("sine", "Estimate the total latency from a jog to and fro that a camera has seen, for those with a phone only.")
         {
-            Recording, Columns, Control, Joint, Inverted, Application, Sampling, Told, Earlier, Output, Json,
+            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Told, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        verb.SetAction(Run);
+        // On a thread of its own, so that Ctrl-C finds the action started.
+        verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }
 
-    static int Run(ParseResult parsed)
+    static int Run(ParseResult parsed, CancellationToken cancel)
     {
         var path = parsed.GetValue(Recording);
         var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Told));
-        var tracks = Tracks(parsed, path);
+        var tracks = Tracks(parsed, path, cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
         var lag = EstimateOf(tracks, path);
         var result = new SineResult(tracks, lag, way);
@@ -59,9 +65,13 @@ static class SineVerb
         return ExitStatus.Done;
     }
 
-    static SineTracks Tracks(ParseResult parsed, string path) => parsed.GetValue(Control) is string control
-        ? SineTracks.Of(path, parsed.GetValue(Columns), control, parsed.GetValue(Joint))
-        : SineTracks.Of(path, parsed.GetValue(Columns));
+    static SineTracks Tracks(ParseResult parsed, string path, CancellationToken cancel)
+    {
+        if (PictureFiles.IsVideo(path)) return FilmedJog.Track(path, parsed.GetValue(RobotBox), parsed.GetValue(HologramBox), cancel);
+        return parsed.GetValue(Control) is string control
+            ? SineTracks.Of(path, parsed.GetValue(Columns), control, parsed.GetValue(Joint))
+            : SineTracks.Of(path, parsed.GetValue(Columns));
+    }
 
     static LagEstimate EstimateOf(SineTracks tracks, string path)
     {

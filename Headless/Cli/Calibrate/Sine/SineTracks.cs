@@ -51,24 +51,47 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         throw new InputException($"{option}: {path} has no column '{name}'; it has {string.Join(", ", recording.Names)}");
     }
 
+    /// <summary>Both at the same instants, s, in order.</summary>
+    public static SineTracks Of(double[] times, double[] robot, double[] shown, string path)
+    {
+        Func<double, double> At(double[] places) => time => Between(times, places, time);
+        return OnGrid(times[0], times[^1], IntervalOf(times), At(robot), At(shown), path);
+    }
+
     static SineTracks OnGrid(MotionRecording robot, MotionRecording shown, int robotColumn, int shownColumn, string path)
     {
-        var start = Math.Max(robot.Start, shown.Start);
-        var end = Math.Min(robot.Start + robot.Duration, shown.Start + shown.Duration);
-        var interval = Quantile.Of(shown.Times.Zip(shown.Times.Skip(1), (from, to) => to - from), 0.5);
+        Func<double, double> At(MotionRecording of, int column)
+        {
+            var row = new double[of.Names.Count];
+            return time =>
+            {
+                of.At(time - of.Start, row);
+                return row[column];
+            };
+        }
+        return OnGrid(
+            Math.Max(robot.Start, shown.Start), Math.Min(robot.Start + robot.Duration, shown.Start + shown.Duration), IntervalOf(shown.Times),
+            At(robot, robotColumn), At(shown, shownColumn), path);
+    }
+
+    static SineTracks OnGrid(double start, double end, double interval, Func<double, double> robot, Func<double, double> shown, string path)
+    {
         var count = (int)Math.Floor((end - start) / interval + 1e-6) + 1;
         if (!(end > start) || count < LeastInstants)
             throw new InputException(FormattableString.Invariant(
                 $"{path}: {Math.Max(0, count)} pictures in which both are seen; at least {LeastInstants} are needed, better ten seconds"));
-        double[] At(MotionRecording of, int column)
-        {
-            var row = new double[of.Names.Count];
-            return [.. Enumerable.Range(0, count).Select(i =>
-            {
-                of.At(start + i * interval - of.Start, row);
-                return row[column];
-            })];
-        }
-        return new SineTracks(start, interval, At(robot, robotColumn), At(shown, shownColumn));
+        double[] times = [.. Enumerable.Range(0, count).Select(i => start + i * interval)];
+        return new SineTracks(start, interval, [.. times.Select(robot)], [.. times.Select(shown)]);
+    }
+
+    static double IntervalOf(IReadOnlyList<double> times) => Quantile.Of(times.Zip(times.Skip(1), (from, to) => to - from), 0.5);
+
+    static double Between(double[] times, double[] places, double time)
+    {
+        var after = Array.BinarySearch(times, time);
+        if (after >= 0) return places[after];
+        after = Math.Clamp(~after, 1, times.Length - 1);
+        var share = (time - times[after - 1]) / (times[after] - times[after - 1]);
+        return places[after - 1] + share * (places[after] - places[after - 1]);
     }
 }

@@ -10,8 +10,11 @@ static class VideoFrames
 {
     const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or give pictures";
 
+    public static IEnumerable<PictureRequest> Of(string path) => Read(path).Select(frame => PictureRequest.Grey(frame.Width, frame.Height, frame.Bytes));
+
+    /// <summary>Frame after frame in grey; the bytes are overwritten by the next one's.</summary>
     /// <exception cref="InputException">ffmpeg is missing, or cannot read the file.</exception>
-    public static IEnumerable<PictureRequest> Of(string path)
+    public static IEnumerable<(int Width, int Height, byte[] Bytes)> Read(string path)
     {
         var (width, height) = SizeOf(path);
         using var ffmpeg = Start("ffmpeg", ["-v", "error", "-nostdin", "-noautorotate", "-i", path, "-f", "rawvideo", "-pix_fmt", "gray", "-fps_mode", "passthrough", "-"]);
@@ -21,7 +24,7 @@ static class VideoFrames
             var frame = new byte[width * height];
             var count = 0;
             for (; ffmpeg.StandardOutput.BaseStream.ReadAtLeast(frame, frame.Length, throwOnEndOfStream: false) == frame.Length; count++)
-                yield return PictureRequest.Grey(width, height, frame);
+                yield return (width, height, frame);
             if (count == 0) throw new InputException($"{path}: ffmpeg finds no frames in it: {errors.Result.Trim().ReplaceLineEndings(" ")}");
         }
         finally
@@ -30,15 +33,33 @@ static class VideoFrames
         }
     }
 
+    /// <summary>When each frame was taken, s: phones film with a rate that varies.</summary>
+    /// <exception cref="InputException">As of <see cref="Read"/>.</exception>
+    public static double[] TimesOf(string path)
+    {
+        var lines = Probed(path, "frame=best_effort_timestamp_time", out var errors);
+        double[] times = [.. lines.Select(line => double.TryParse(line.TrimEnd(','), CultureInfo.InvariantCulture, out var time) ? time : double.NaN)];
+        for (var i = 1; i < times.Length; i++)
+            if (!(times[i] > times[i - 1])) throw new InputException($"{path}: frame {i + 1} is not after the one before; the video's times are of no use");
+        return times.Length > 1 ? times : throw new InputException($"{path}: ffprobe finds no frames in it: {errors}");
+    }
+
     static (int Width, int Height) SizeOf(string path)
     {
-        using var ffprobe = Start("ffprobe", ["-v", "error", "-select_streams", "v:0", "-show_entries", "stream=width,height", "-of", "csv=p=0", path]);
-        var errors = ffprobe.StandardError.ReadToEndAsync();
-        var words = ffprobe.StandardOutput.ReadToEnd().Trim().Split(',');
+        var words = Probed(path, "stream=width,height", out var errors).FirstOrDefault("").Split(',');
         if (words.Length >= 2 && int.TryParse(words[0], CultureInfo.InvariantCulture, out var width) && int.TryParse(words[1], CultureInfo.InvariantCulture, out var height)
             && width > 0 && height > 0)
             return (width, height);
-        throw new InputException($"{path}: ffprobe finds no video in it: {errors.Result.Trim().ReplaceLineEndings(" ")}");
+        throw new InputException($"{path}: ffprobe finds no video in it: {errors}");
+    }
+
+    static string[] Probed(string path, string entries, out string errors)
+    {
+        using var ffprobe = Start("ffprobe", ["-v", "error", "-select_streams", "v:0", "-show_entries", entries, "-of", "csv=p=0", path]);
+        var complaints = ffprobe.StandardError.ReadToEndAsync();
+        var lines = ffprobe.StandardOutput.ReadToEnd().Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
+        errors = complaints.Result.Trim().ReplaceLineEndings(" ");
+        return lines;
     }
 
     static Process Start(string program, string[] arguments)

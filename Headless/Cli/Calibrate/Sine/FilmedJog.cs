@@ -1,0 +1,69 @@
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Vision;
+
+namespace Nowpose.Cli.Calibrate.Sine;
+
+/// <summary>A jog in a video: the robot's and the hologram's patch are followed from picture to picture.</summary>
+static class FilmedJog
+{
+    /// <summary>Below, a patch is not the one that was marked.</summary>
+    const double LeastScore = 0.5;
+
+    /// <exception cref="InputException">A box is missing or out of the picture, a patch is lost, or the video cannot be read.</exception>
+    public static SineTracks Track(string path, PictureBox? robotBox, PictureBox? hologramBox, CancellationToken cancel)
+    {
+        PictureBox robot = Required(robotBox, "--robot-box"), hologram = Required(hologramBox, "--hologram-box");
+        var times = VideoFrames.TimesOf(path);
+        var places = new List<IReadOnlyList<TrackedPlace>>(times.Length);
+        using var tracker = new MotionTracker([robot, hologram]);
+        PictureProgress.Run("following robot and hologram", times.Length, report =>
+        {
+            foreach (var (width, height, bytes) in VideoFrames.Read(path))
+            {
+                if (places.Count == times.Length) break;
+                cancel.ThrowIfCancellationRequested();
+                if (places.Count == 0) RequireWithin(robot, width, height, "--robot-box");
+                if (places.Count == 0) RequireWithin(hologram, width, height, "--hologram-box");
+                places.Add(tracker.Follow(width, height, bytes));
+                RequireSeen(places[^1], path, places.Count);
+                report(places.Count);
+            }
+        });
+        var (alongX, alongY) = Direction([.. places.Select(each => each[0])]);
+        double[] Along(int patch) => [.. places.Select(each => each[patch].X * alongX + each[patch].Y * alongY)];
+        return SineTracks.Of(times[..places.Count], Along(0), Along(1), path);
+    }
+
+    static PictureBox Required(PictureBox? box, string option) => box ?? throw new InputException(
+        $"{option} is missing: of a video, both patches must be marked in its first picture, as X,Y,WIDTH,HEIGHT in px");
+
+    static void RequireWithin(PictureBox box, int width, int height, string option)
+    {
+        if (box.X + box.Width <= width && box.Y + box.Height <= height) return;
+        throw new InputException($"{option}: {box.X},{box.Y},{box.Width},{box.Height} px reaches out of the picture of {width}x{height} px");
+    }
+
+    static void RequireSeen(IReadOnlyList<TrackedPlace> places, string path, int frame)
+    {
+        for (var i = 0; i < places.Count; i++)
+            if (!(places[i].Score >= LeastScore))
+                throw new InputException(FormattableString.Invariant(
+                    $"{path}: picture {frame}: the {(i == 0 ? "robot's" : "hologram's")} patch is lost (match {places[i].Score:0.00}, at least {LeastScore} is needed); ")
+                    + "mark one with more contrast, or film a shorter way");
+    }
+
+    /// <summary>The direction in which the robot moves most, as a unit vector.</summary>
+    static (double X, double Y) Direction(TrackedPlace[] places)
+    {
+        double meanX = places.Average(each => each.X), meanY = places.Average(each => each.Y), xx = 0, xy = 0, yy = 0;
+        foreach (var place in places)
+        {
+            double x = place.X - meanX, y = place.Y - meanY;
+            xx += x * x;
+            xy += x * y;
+            yy += y * y;
+        }
+        var angle = Math.Atan2(2 * xy, xx - yy) / 2;
+        return (Math.Cos(angle), Math.Sin(angle));
+    }
+}

@@ -1,0 +1,125 @@
+using System.Globalization;
+using System.Text.Json;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>Videos by stand-ins for ffmpeg and ffprobe, that hand out what the test has drawn.</summary>
+[Platform(Exclude = "Win", Reason = "the stand-ins are shell scripts")]
+[NonParallelizable]
+public class FilmedJogTests : CalibrationFolder
+{
+    const int Width = 320, Height = 160, Frames = 200, Patch = 32;
+    const double Fps = 60, LagMs = 96, Reach = 50;
+
+    string _path;
+
+    [SetUp]
+    public void RememberPath()
+    {
+        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        _path = Environment.GetEnvironmentVariable("PATH");
+    }
+
+    [TearDown]
+    public void RestorePath() => Environment.SetEnvironmentVariable("PATH", _path);
+
+    // The tool goes along a slanting line; where it is by pixel and share of a pixel.
+    static (double X, double Y) RobotAt(double time) => (160 + Reach * Swing(time), 36 + 10 * Swing(time));
+
+    static (double X, double Y) HologramAt(double time) => (160 + Reach * Swing(time - LagMs / 1000), 112 + 10 * Swing(time - LagMs / 1000));
+
+    static double Swing(double time) => Math.Sin(2 * Math.PI * time / 2.2 + 0.4);
+
+    static string Box((double X, double Y) middle) =>
+        string.Create(CultureInfo.InvariantCulture, $"{Math.Round(middle.X) - Patch / 2},{Math.Round(middle.Y) - Patch / 2},{Patch},{Patch}");
+
+    string Video()
+    {
+        var times = Enumerable.Range(0, Frames).Select(i => i / Fps + (i % 7 == 0 ? 0.002 : 0)).ToArray();
+        var random = new Random(5);
+        using (var raw = File.Create(Path.Combine(Folder, "frames.gray")))
+            foreach (var time in times) raw.Write(Drawn(RobotAt(time), HologramAt(time), random));
+        File.WriteAllLines(Path.Combine(Folder, "times"), times.Select(time => time.ToString("0.000000", CultureInfo.InvariantCulture)));
+        Script("ffmpeg", $"cat '{Path.Combine(Folder, "frames.gray")}'");
+        Script("ffprobe", $"case \"$*\" in *stream=*) echo {Width},{Height};; *) cat '{Path.Combine(Folder, "times")}';; esac");
+        Environment.SetEnvironmentVariable("PATH", Path.Combine(Folder, "bin") + Path.PathSeparator + _path);
+        return Write("jog.mp4", ["a stand-in reads it"]);
+    }
+
+    void Script(string name, string command)
+    {
+        var path = Path.Combine(Directory.CreateDirectory(Path.Combine(Folder, "bin")).FullName, name);
+        File.WriteAllText(path, "#!/bin/sh\n" + command + "\n");
+        if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
+    }
+
+    static byte[] Drawn((double X, double Y) robot, (double X, double Y) hologram, Random random)
+    {
+        var picture = new byte[Width * Height];
+        for (var i = 0; i < picture.Length; i++)
+        {
+            double x = i % Width, y = i / Width;
+            var light = 90 + 20 * Math.Sin(x / 40) + Spot(x - robot.X, y - robot.Y, 1) + Spot(x - hologram.X, y - hologram.Y, -1);
+            picture[i] = (byte)Math.Clamp(light + 4 * (random.NextDouble() - 0.5), 0, 255);
+        }
+        return picture;
+    }
+
+    // Smooth, so that it can stand between pixels; robot and hologram look different.
+    static double Spot(double x, double y, int sign) =>
+        sign * 90 * Math.Exp(-(x * x + y * y) / 120) * Math.Cos(x / 4 + sign * y / 5);
+
+    [Test]
+    public async Task Sine_Video_FollowsBothPatchesAndFindsTheLag()
+    {
+        var video = Video();
+
+        var run = await CliRun.OfAsync(
+            "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)), "--json", "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("total_ms").GetDouble(), Is.EqualTo(LagMs).Within(3));
+    }
+
+    [Test]
+    public async Task Sine_VideoWithBoxesThatAreWrong_SaysWhich()
+    {
+        var video = Video();
+
+        Assert.That(await RefusalOf("sine", video), Does.Contain("--robot-box is missing"));
+        Assert.That(await RefusalOf("sine", video, "--robot-box", "300,20,32,32", "--hologram-box", "10,10,32,32"),
+            Does.Contain("--robot-box: 300,20,32,32 px reaches out of the picture of 320x160 px"));
+        Assert.That(await RefusalOf("sine", video, "--robot-box", "1,2,3", "--hologram-box", "10,10,32,32"), Does.Contain("--robot-box: '1,2,3' is no box"));
+    }
+
+    [Test]
+    public async Task Sine_PatchThatGoesAway_NamesThePictureAndThePatch()
+    {
+        var video = Video();
+        using (var raw = File.OpenWrite(Path.Combine(Folder, "frames.gray")))
+        {
+            // From the hundredth picture on nothing but noise.
+            raw.Position = 100L * Width * Height;
+            var noise = new byte[Width * Height];
+            new Random(1).NextBytes(noise);
+            raw.Write(noise);
+        }
+
+        Assert.That(await RefusalOf("sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002))),
+            Does.Contain("picture 101: the robot's patch is lost"));
+    }
+
+    [Test]
+    public async Task Sine_VideoWithoutFfmpeg_SaysWhatToInstall()
+    {
+        var video = Video();
+        // Only what node needs to be found stays on the path.
+        var node = (_path ?? "").Split(Path.PathSeparator).First(folder => File.Exists(Path.Combine(folder, "node")));
+        Directory.CreateDirectory(Path.Combine(Folder, "only"));
+        File.CreateSymbolicLink(Path.Combine(Folder, "only", "node"), Path.Combine(node, "node"));
+        Environment.SetEnvironmentVariable("PATH", Path.Combine(Folder, "only"));
+
+        Assert.That(await RefusalOf("sine", video, "--robot-box", "10,10,32,32", "--hologram-box", "50,10,32,32"), Does.Contain("install ffmpeg"));
+    }
+}

@@ -1,0 +1,90 @@
+import type { Mat } from '@techstark/opencv-js';
+import type { Grey } from './levels';
+import { cv } from './opencv';
+
+/** Pixels from the top left corner of the picture. */
+export interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** Where the middle of a patch is, and how well it matches: 1 is exactly. */
+export interface Place {
+  x: number;
+  y: number;
+  score: number;
+}
+
+/** A patch is looked for as far from where it was last as this share of its size, at least so many pixels. */
+const REACH = 0.75, LEAST_REACH = 24;
+
+/**
+ * Follows patches of the first picture through the next ones by normalised cross-correlation, finer than a pixel. The patches are
+ * always those of the first picture, so that errors do not add up.
+ */
+export class Tracker {
+  private readonly patches: { template: Mat; left: number; top: number }[];
+
+  constructor(first: Grey, boxes: Box[]) {
+    const picture = matOf(first);
+    this.patches = boxes.map(({ x, y, width, height }) => {
+      const view = picture.roi(new cv.Rect(x, y, width, height));
+      const template = view.clone();
+      view.delete();
+      return { template, left: x, top: y };
+    });
+    picture.delete();
+  }
+
+  follow(grey: Grey): Place[] {
+    const picture = matOf(grey), scores = new cv.Mat();
+    try {
+      return this.patches.map(patch => {
+        const { cols: width, rows: height } = patch.template;
+        const reachX = Math.max(LEAST_REACH, Math.round(REACH * width)), reachY = Math.max(LEAST_REACH, Math.round(REACH * height));
+        const left = Math.max(0, Math.round(patch.left) - reachX), top = Math.max(0, Math.round(patch.top) - reachY);
+        const right = Math.min(grey.width, Math.round(patch.left) + width + reachX), bottom = Math.min(grey.height, Math.round(patch.top) + height + reachY);
+        const around = picture.roi(new cv.Rect(left, top, right - left, bottom - top));
+        cv.matchTemplate(around, patch.template, scores, cv.TM_CCOEFF_NORMED);
+        around.delete();
+        const { best, x, y } = peak(scores);
+        patch.left = left + x;
+        patch.top = top + y;
+        return { x: patch.left + width / 2, y: patch.top + height / 2, score: best };
+      });
+    } finally {
+      picture.delete();
+      scores.delete();
+    }
+  }
+
+  delete(): void {
+    this.patches.forEach(({ template }) => template.delete());
+  }
+}
+
+function matOf({ width, height, data }: Grey): Mat {
+  const mat = new cv.Mat(height, width, cv.CV_8UC1);
+  mat.data.set(data);
+  return mat;
+}
+
+/** The greatest score, and its place between pixels by a parabola along each axis. */
+function peak(scores: Mat): { best: number; x: number; y: number } {
+  const { cols, rows, data32F: data } = scores;
+  let at = 0;
+  for (let i = 1; i < data.length; i++) if (data[i] > data[at]) at = i;
+  const x = at % cols, y = Math.floor(at / cols);
+  return {
+    best: data[at],
+    x: x + (x > 0 && x < cols - 1 ? crest(data[at - 1], data[at], data[at + 1]) : 0),
+    y: y + (y > 0 && y < rows - 1 ? crest(data[at - cols], data[at], data[at + cols]) : 0),
+  };
+}
+
+function crest(before: number, top: number, after: number): number {
+  const curvature = before - 2 * top + after;
+  return curvature < 0 ? (before - after) / (2 * curvature) : 0;
+}
