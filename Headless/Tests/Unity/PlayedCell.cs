@@ -29,7 +29,19 @@ sealed class PlayedCell : IDisposable
     public static SessionSettings Offline { get; } =
         new(new ConnectionSettings("127.0.0.1", 1, 1), VisualisationLatency.FromMilliseconds(40), new PredictionSettings());
 
-    public Player Player { get; } = new();
+    public PlayedCell()
+        : this(null)
+    {
+    }
+
+    /// <param name="assets">Where scenes come from; null for an empty one.</param>
+    public PlayedCell(AssetLibrary assets)
+    {
+        _assets = assets;
+        Player = assets == null ? new Player() : new Player(assets);
+    }
+
+    public Player Player { get; }
     public SteppedClock Clock { get; } = new();
 
     /// <summary>Seconds since the start.</summary>
