@@ -20,9 +20,9 @@ export interface Found {
 const longestSearched = 1280;
 
 /** What is accepted as a code: by how much its light stands out, of 255, and over what is not explained. */
-const leastLight = 12, greatestRest = 0.25, leastContrast = 0.45, leastEdge = 0.1;
+const leastLight = 12, greatestRest = 0.22, leastContrast = 0.4;
 /** A code that is as good as this spares further search. */
-const greatestRestOfGood = 0.15, leastContrastOfGood = 0.7;
+const greatestRestOfGood = 0.15, leastContrastOfGood = 0.5;
 
 interface Layer {
   factor: number;
@@ -122,14 +122,15 @@ export class Finder {
   }
 }
 
-function isCode({ agreement: { light, rest }, contrast, edge }: Fit): boolean {
-  return light >= leastLight && rest < greatestRest * light && contrast > leastContrast * light && !(edge < leastEdge * light);
+function isCode({ agreement: { light, rest }, contrast }: Fit): boolean {
+  return light >= leastLight && rest < greatestRest * light && contrast > leastContrast * light;
 }
 
-const isGood = ({ agreement: { light, rest }, contrast }: Fit) => rest < greatestRestOfGood * light && contrast > leastContrastOfGood * light;
+const isGood = ({ agreement: { light, rest }, contrast, edge }: Fit) =>
+  rest < greatestRestOfGood * light && contrast > leastContrastOfGood * light && edge > -0.3 * light;
 
 /** Of fits to the same code, which lies better; of several things, which is more of a code. */
-const quality = (fit: Fit) => fit.score / Math.max(fit.agreement.light, fit.contrast);
+const quality = (fit: Fit) => fit.score / fit.agreement.light;
 
 /** A quad's surroundings, as far as a hand moves a camera from picture to picture. */
 function around(quad: Quad, { cols, rows }: { cols: number; rows: number }) {

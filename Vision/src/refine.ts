@@ -7,16 +7,16 @@ export interface Fit {
   quad: Quad;
   agreement: Agreement;
   contrast: number;
-  /** How much brighter the ring is than what lies around it; NaN at the picture's edge. */
+  /** How much brighter the ring is than what lies around it, at the side where that is least; NaN at the picture's edge. */
   edge: number;
   score: number;
 }
 
-/** Steps of the corners, in cells: from what a hull's corner can be wrong by to what no longer matters. */
-const steps = [0.5, 0.25, 0.12, 0.06];
+/** Steps of the corners, in cells: from a row more or less, to what no longer matters. */
+const steps = [1, 0.5, 0.25, 0.12, 0.06];
 
 /** Farther than this a corner is not moved, in cells: it would be looking for another code. */
-const farthest = 1.6;
+const farthest = 2.4;
 
 /** Moves a quad's corners to where a code of some kind fits best. For pictures that are smooth at the size of a cell. */
 export class Refiner {
@@ -82,20 +82,26 @@ export class Refiner {
 
   #fitOf(quad: Quad, agreement: Agreement): Fit {
     const { mean, spread } = this.#matcher.contrast(this.#levels, agreement.turns);
-    const edge = this.#edge();
-    const score = mean + 0.5 * Math.min(mean, agreement.light) + 0.3 * (edge || 0) - 2 * agreement.rest - spread;
+    const edges = this.#edges(), edge = Math.min(...edges);
+    // Pairs may be washed out by a long exposure; the ring never is.
+    const held = edges.map(e => Math.max(-agreement.light, Math.min(e, agreement.light)));
+    const ring = (0.8 / held.length) * held.reduce((a, b) => a + b) + 0.3 * Math.min(...held);
+    const score = 1 * Math.min(mean, agreement.light) + (ring || 0) - 2 * agreement.rest - 0.4 * spread;
     return { quad, agreement, contrast: mean, edge, score };
   }
 
-  /** Holds the ring's cells where they are. */
-  #edge(): number {
+  /** Of each side. Holds the ring's cells where they are: a row of cells that are half lit would pass for a part of the ring. */
+  #edges(): number[] {
     const n = this.#matcher.side + 2, a = this.#around;
-    let inside = 0, outside = 0;
-    for (let i = 1; i < n - 1; i++) {
-      outside += a[i] + a[(n - 1) * n + i] + a[i * n] + a[i * n + n - 1];
-      inside += a[n + i] + a[(n - 2) * n + i] + a[i * n + 1] + a[i * n + n - 2];
-    }
-    return (inside - outside) / (4 * (n - 2));
+    const starts = [[1, n], [(n - 1) * n + 1, -n], [n, 1], [2 * n - 1, -1]], strides = [1, 1, n, n];
+    return starts.map(([outside, inwards], side) => {
+      let sum = 0;
+      for (let i = 0; i < n - 2; i++) {
+        const at = outside + i * strides[side];
+        sum += a[at + inwards] - a[at];
+      }
+      return sum / (n - 2);
+    });
   }
 }
 
@@ -115,8 +121,19 @@ const rotated = (sign: number): Move => (quad, by) => {
   return quad.map(p => [x + (p[0] - x) * c - (p[1] - y) * s, y + (p[0] - x) * s + (p[1] - y) * c]) as Quad;
 };
 
+const edged = (side: number, sign: number): Move => (quad, by) => {
+  // Both of a side's corners, away from the opposite side or towards it.
+  const next = (side + 1) & 3, across = [(side + 3) & 3, (side + 2) & 3];
+  return quad.map((p, i) => {
+    if (i !== side && i !== next) return p;
+    const q = quad[across[i === side ? 0 : 1]], length = distance(p, q);
+    return [p[0] + sign * by * (p[0] - q[0]) / length, p[1] + sign * by * (p[1] - q[1]) / length];
+  }) as Quad;
+};
+
 const moves: Move[] = [
   ...directions.map(([dx, dy]) => shifted(dx, dy)),
   grown(1), grown(-1), rotated(1), rotated(-1),
+  ...[0, 1, 2, 3].flatMap(side => [edged(side, 1), edged(side, -1)]),
   ...[0, 1, 2, 3].flatMap(corner => directions.map(([dx, dy]) => cornered(corner, dx, dy))),
 ];

@@ -57,7 +57,7 @@ sealed class SimulationCheck
             yield return Text($"{(group.Key.Length == 0 ? "nothing wrong" : group.Key)}: {group.Count()} pictures, {group.Count(picture => picture.Result.IsRead)} read");
         foreach (var fault in _pictures.Values.Where(picture => !picture.Result.IsRead).GroupBy(picture => picture.Result.Fault).OrderByDescending(fault => fault.Count()))
             yield return Text($"rejected: {fault.Key}: {fault.Count()}");
-        foreach (var (result, error, spoiledBy) in Wrong().Take(20)) yield return Text($"misread: picture {result.File}, by {error:0.0} ms {spoiledBy}");
+        foreach (var (result, error, spoiledBy) in Wrong().Take(20)) yield return Text($"misread: picture {result.File} by {error:0.0} ms{(spoiledBy.Length == 0 ? "" : ", " + spoiledBy)}");
     }
 
     IEnumerable<double> Errors() => _pictures.Values.Where(picture => picture.Result.IsRead).Select(picture => picture.ErrorMs);

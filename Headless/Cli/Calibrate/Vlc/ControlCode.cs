@@ -29,15 +29,6 @@ static class ControlCode
     public static Reading Read(CodeContrasts contrasts, double[] delaysMs)
     {
         if (contrasts.Covered > 0) return Reading.Not("partly covered");
-        var run = ReadRun(contrasts, delaysMs);
-        if (run.Fault == null) return run;
-        // A monitor shows a code for a frame, as the headset does.
-        var frames = HeadsetCode.Read(contrasts, leastStep: 1);
-        return frames.Fault == null ? frames : run;
-    }
-
-    static Reading ReadRun(CodeContrasts contrasts, double[] delaysMs)
-    {
         var mask = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++) mask = mask << 1 | (Math.Abs(contrasts[pair]) > Decided ? 1 : 0);
         if (TimestampCode.PairCount - int.PopCount(mask) > MostUndecided) return Reading.Not("undecided");

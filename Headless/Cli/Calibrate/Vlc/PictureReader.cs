@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>From the codes found in a picture to L_visu, Eq. (7).</summary>
 /// <param name="ReadoutMs">How much later a rolling shutter exposes the last row than the first, ms.</param>
-/// <param name="ControlDelayMs">By how much what shows the control code is late, ms: 0 for LEDs.</param>
+/// <param name="ControlDelayMs">By how much a monitor that shows the control code is late, ms; 0 for LEDs, which change every millisecond.</param>
 sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
 {
     /// <summary>What L_visu can be, ms: beyond it a code was misread, or the clocks are not synchronised.</summary>
@@ -19,7 +19,9 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
             return PictureResult.Not(file, control == headset ? "no code found" : control == null ? "no control code found" : "no headset code found");
         var shown = HeadsetCode.Read(new CodeContrasts(headset));
         if (shown.Fault != null) return PictureResult.Not(file, $"headset code {shown.Fault}");
-        var lit = ControlCode.Read(new CodeContrasts(control), DelaysOf(control, seen.Height));
+        var contrasts = new CodeContrasts(control);
+        // A monitor shows a code for a frame, as the headset does, but any code may follow.
+        var lit = ControlDelayMs > 0 ? HeadsetCode.Read(contrasts, leastStep: 1) : ControlCode.Read(contrasts, DelaysOf(control, seen.Height));
         if (lit.Fault != null) return PictureResult.Not(file, $"control code {lit.Fault}");
         // At the moment at which the headset's rows were exposed.
         var later = ReadoutMs * (MiddleOf(headset) - MiddleOf(control)) / seen.Height;
