@@ -38,6 +38,9 @@ sealed class DemoHeadset : IDisposable
             var component = roots.SelectMany(root => root.GetComponentsInChildren<MrilSession>(includeInactive: true)).Single();
             component.HeadsetClock = clock;
             component.Settings = settings;
+            // It has been calibrated by the demo; what this machine may have kept of others is none of its.
+            foreach (var loader in roots.SelectMany(root => root.GetComponentsInChildren<LatencyProfileLoader>(includeInactive: true)))
+                loader.enabled = false;
         });
         _component = _player.Find<MrilSession>();
         _component.Changed += change =>
