@@ -31,11 +31,14 @@ sealed class CellPrefab
         Fields.Set(_session, "_settings", _workshop.Load<SessionSettingsAsset>(PackagePaths.Settings));
         Fields.Set(_session, "_robot", _robot);
         Fields.Set(_session.gameObject.AddComponent<RenderTimeSource>(), "_session", _session);
-        Fields.Set(_session.gameObject.AddComponent<LatencyProfileLoader>(), "_session", _session);
+        var loader = _session.gameObject.AddComponent<LatencyProfileLoader>();
+        Fields.Set(loader, "_session", _session);
 
         var anchor = Child("Base Anchor");
         anchor.AddComponent<BaseAnchor>();
-        AddGhost(anchor.transform, AddDisplayed(anchor.transform));
+        var displayed = AddDisplayed(anchor.transform);
+        AddGhost(anchor.transform, displayed);
+        AddNudge(displayed, loader);
         AddPanel();
         return _workshop.Prefab(_session.gameObject);
     }
@@ -74,6 +77,16 @@ sealed class CellPrefab
         Object.DestroyImmediate(gripper.GetComponent<PoseAppearance>());
         Fields.Set(rig.gameObject.AddComponent<PoseAppearance>(), "_session", _session);
         return rig;
+    }
+
+    /// <summary>Off until somebody calibrates by eye.</summary>
+    void AddNudge(RobotRig displayed, LatencyProfileLoader loader)
+    {
+        var nudge = _session.gameObject.AddComponent<LatencyNudge>();
+        Fields.Set(nudge, "_session", _session);
+        Fields.Set(nudge, "_rig", displayed);
+        Fields.Set(nudge, "_loader", loader);
+        nudge.enabled = false;
     }
 
     void AddPanel()

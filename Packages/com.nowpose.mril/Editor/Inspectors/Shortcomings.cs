@@ -21,6 +21,12 @@ namespace Nowpose.Editor
                 typeof(RenderTimeSource), "_session", typeof(MrilSession),
                 "There is no session on it or above that it would tell. Assign one.", Only<MrilSession>),
             new ReferenceRule(
+                typeof(LatencyProfileLoader), "_session", typeof(MrilSession),
+                "There is no session on it or above that it would calibrate. Assign one.", Only<MrilSession>),
+            new ReferenceRule(
+                typeof(LatencyNudge), "_session", typeof(MrilSession),
+                "There is no session on it or above that it would calibrate. Assign one.", Only<MrilSession>),
+            new ReferenceRule(
                 typeof(PoseAppearance), "_session", typeof(MrilSession),
                 "There is no session on it or above whose pose it would show. Assign one.", Only<MrilSession>),
             new ReferenceRule(

@@ -1,0 +1,69 @@
+using System;
+
+namespace Nowpose.Latency
+{
+    /// <summary>How fast a tool moves along an axis, and whether it does so steadily, over the newest 30 frames.</summary>
+    /// <remarks>Allocates nothing after construction; not thread-safe.</remarks>
+    public sealed class AxisSpeed
+    {
+        const int Window = 30;
+
+        /// <summary>Both halves of the window move alike to this part, or to <see cref="AlikeMmPerS"/>.</summary>
+        const double Alike = 0.1, AlikeMmPerS = 3;
+
+        readonly double[] _seconds = new double[Window], _mm = new double[Window];
+        ControlTime _epoch, _newest;
+        int _count;
+
+        /// <summary>By the straight line through the window; positive along the axis. Null before 30 frames.</summary>
+        public double? MmPerS => _count < Window ? (double?)null : Slope(0, Window);
+
+        /// <summary>Whether it is neither speeding up nor slowing down.</summary>
+        public bool IsConstant
+        {
+            get
+            {
+                if (_count < Window) return false;
+                var (older, newer) = (Slope(0, Window / 2), Slope(Window / 2, Window / 2));
+                return Math.Abs(newer - older) <= Math.Max(AlikeMmPerS, Alike * Math.Abs(Slope(0, Window)));
+            }
+        }
+
+        /// <param name="at">When the tool is there. A second look at the same moment, or a step back, is ignored or begins anew.</param>
+        /// <param name="mm">Where it is along the axis.</param>
+        public void Add(ControlTime at, double mm)
+        {
+            if (_count > 0 && at == _newest) return;
+            if (_count > 0 && at < _newest) Reset();
+            if (_count == 0) _epoch = at;
+            if (_count == Window)
+            {
+                Array.Copy(_seconds, 1, _seconds, 0, Window - 1);
+                Array.Copy(_mm, 1, _mm, 0, Window - 1);
+                _count--;
+            }
+            _seconds[_count] = ClockTicks.Seconds(at - _epoch);
+            _mm[_count++] = mm;
+            _newest = at;
+        }
+
+        /// <summary>Forgets all: another axis, or another robot.</summary>
+        public void Reset() => _count = 0;
+
+        double Slope(int from, int count)
+        {
+            double meanSeconds = 0, meanMm = 0, across = 0, along = 0;
+            for (var i = from; i < from + count; i++)
+            {
+                meanSeconds += _seconds[i] / count;
+                meanMm += _mm[i] / count;
+            }
+            for (var i = from; i < from + count; i++)
+            {
+                across += (_seconds[i] - meanSeconds) * (_mm[i] - meanMm);
+                along += (_seconds[i] - meanSeconds) * (_seconds[i] - meanSeconds);
+            }
+            return across / along;
+        }
+    }
+}

@@ -1,0 +1,53 @@
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class MarkedNudgesTests
+    {
+        [Test]
+        public void Result_SpeedsThatDifferALittle_IsExactAllTheSame()
+        {
+            var marks = new MarkedNudges(40);
+            marks.Add(0.020 * 250 + 3, 250);
+            marks.Add(-0.020 * 260 + 3, -260);
+
+            Assert.That(marks.Result.Visualisation.Length.TotalMilliseconds, Is.EqualTo(60).Within(1e-3));
+        }
+
+        [Test]
+        public void Add_Directions_AreThoseOfTheSpeed()
+        {
+            var marks = new MarkedNudges(40);
+            marks.Add(5, 250);
+            marks.Add(5, 250);
+            marks.Add(-5, -250);
+
+            Assert.That(marks.ForwardCount, Is.EqualTo(2));
+            Assert.That(marks.BackwardCount, Is.EqualTo(1));
+            Assert.That(marks.Result.Count, Is.EqualTo(3));
+        }
+
+        [TestCase(19, "nudge: the tool moves at 19 mm/s along the axis; mark at 20 mm/s or more")]
+        [TestCase(double.NaN, "nudge: the tool moves at NaN mm/s along the axis; mark at 20 mm/s or more")]
+        [TestCase(-200, "nudge: the tool moves at 200 mm/s, and moved at 250 mm/s in the marks before; keep one speed, or clear them")]
+        public void Add_SpeedThatWillNotDo_IsRefusedAndTheMarksStay(double speedMmPerS, string message)
+        {
+            var marks = new MarkedNudges(40);
+            marks.Add(5, 250);
+
+            Assert.That(Assert.Throws<InputException>(() => marks.Add(5, speedMmPerS)).Message, Is.EqualTo(message));
+            Assert.That(marks.ForwardCount + marks.BackwardCount, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Result_NoMark_SaysWhatIsMissing()
+        {
+            var marks = new MarkedNudges(40);
+            marks.Add(5, 250);
+            marks.Clear();
+
+            Assert.That(Assert.Throws<InputException>(() => marks.Result.ToString()).Message, Does.Contain("forward has no mark"));
+        }
+    }
+}
