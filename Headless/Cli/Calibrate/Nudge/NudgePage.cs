@@ -19,7 +19,7 @@ static class NudgePage
                 ["Offsets forwards", Numbers(marks.ForwardMm)], ["Offsets backwards", Numbers(marks.BackwardMm)],
             ])
         {
-            Sections = [Section(marks, result, visuMs)],
+            Sections = [Section(marks, result)],
         };
     }
 
@@ -33,10 +33,13 @@ static class NudgePage
         json.WriteEndObject();
     });
 
-    static CalibrationSection Section(NudgeMarks marks, NudgeResult result, double visuMs)
+    public static CalibrationSection Section(NudgeMarks marks, NudgeResult result)
     {
+        var visuMs = result.Visualisation.Length.TotalMilliseconds;
         // The page wants each x once.
         const double Apart = 1e-3;
+        // So that the marks do not lie on the plot's edges.
+        const double Beyond = 1.2;
         var v = marks.SpeedMmPerS;
         double[] velocities = [.. marks.BackwardMm.Select((_, i) => -v + i * Apart), .. marks.ForwardMm.Select((_, i) => v + i * Apart)];
         double? At(double velocity) => result.OffsetMm + velocity * (visuMs - marks.ToldMs) / 1000;
@@ -45,7 +48,7 @@ static class NudgePage
             [new("Offset", new("velocity", "mm/s"), new("offset", "mm"),
             [
                 new("marks", Looks.Hold, velocities, [.. marks.BackwardMm.Concat(marks.ForwardMm).Select(each => (double?)each)]) { Scattered = true },
-                new("line", Looks.Adaptive, [-v, v], [At(-v), At(v)]),
+                new("line", Looks.Adaptive, [-Beyond * v, Beyond * v], [At(-Beyond * v), At(Beyond * v)]),
             ])]);
     }
 

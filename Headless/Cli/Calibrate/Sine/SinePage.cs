@@ -29,7 +29,7 @@ static class SinePage
         ? string.Create(CultureInfo.InvariantCulture, $"L_visu is {visu:0.0} ms ± {result.DeviationMs:0.0} ms, of a lag of {result.TotalMs:0.0} ms.")
         : string.Create(CultureInfo.InvariantCulture, $"The hologram is {result.TotalMs:0.0} ms ± {result.DeviationMs:0.0} ms behind the robot.");
 
-    static CalibrationSection Motions(SineResult result)
+    public static CalibrationSection Motions(SineResult result)
     {
         double[] time = [.. Enumerable.Range(0, result.Tracks.Shown.Length).Select(i => i * result.Tracks.Interval)];
         PlotTrace Trace(string label, string look, double[] at, double[] places) => new(label, look, at, Scaled(places));
@@ -42,7 +42,7 @@ static class SinePage
             ])]);
     }
 
-    static CalibrationSection Correlations(SineResult result) => new(
+    public static CalibrationSection Correlations(SineResult result) => new(
         "Correlation over the lag", null, "Its peak, found between the camera's pictures by a parabola, is the total latency.",
         [new("Over the lag", Lag, Correlation, [new("correlation", Looks.Adaptive,
             [.. result.Lag.Lags.Select(each => 1000 * each)], [.. result.Lag.Correlations.Select(each => (double?)each)])])

@@ -20,7 +20,7 @@ static class DocumentPictures
         ("visu-over-render-time.svg", "11b", 0, Narrow, ["pictures", "L_visu of the profile"]),
     ];
 
-    /// <returns>The files written: those whose figure was computed.</returns>
+    /// <returns>The files written: of figures, those that were computed.</returns>
     public static IReadOnlyList<string> Write(string folder, IReadOnlyList<Figure> figures)
     {
         var paths = new List<string>();
@@ -36,6 +36,11 @@ static class DocumentPictures
             var plot = figure.Plots[index] with { Traces = [.. figure.Plots[index].Traces.Where(t => traces.Contains(t.Label))] };
             paths.Add(Path.Combine(folder, file));
             File.WriteAllText(paths[^1], new SvgPlot(plot, width).Draw());
+        }
+        foreach (var (file, plot) in CalibrationPictures.All())
+        {
+            paths.Add(Path.Combine(folder, file));
+            File.WriteAllText(paths[^1], new SvgPlot(plot, Narrow).Draw());
         }
         return paths;
     }

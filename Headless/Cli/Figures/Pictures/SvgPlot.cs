@@ -9,6 +9,10 @@ namespace Nowpose.Cli.Figures.Pictures;
 sealed class SvgPlot(FigurePlot plot, int width)
 {
     const int Height = 280;
+
+    /// <summary>So many points are drawn small.</summary>
+    const int ManyPoints = 200;
+
     const int Left = 52, Right = 12, Top = 34, Bottom = 42;
     const string Font = "font-family=\"system-ui, sans-serif\"";
 
@@ -83,7 +87,7 @@ sealed class SvgPlot(FigurePlot plot, int width)
     // All in one path of dots: a thousand circles would make a large file.
     void Points(PlotTrace trace)
     {
-        Append($"<path clip-path=\"url(#plot)\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" stroke-width=\"{(trace.Scattered ? 3 : 5)}\" stroke-linecap=\"round\" d=\"");
+        Append($"<path clip-path=\"url(#plot)\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" stroke-width=\"{(trace.Scattered && trace.X.Count > ManyPoints ? 3 : 5)}\" stroke-linecap=\"round\" d=\"");
         for (var i = 0; i < trace.X.Count; i++)
             if (trace.Y[i] is double y) Append($"M{X(trace.X[i]):0.#} {Y(y):0.#}h0");
         Append($"\"/>\n");
