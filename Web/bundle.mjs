@@ -8,10 +8,8 @@ const web = dirname(fileURLToPath(import.meta.url));
 const read = path => readFileSync(join(web, path), 'utf8');
 
 const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts', vlc: 'src/vlc/main.ts' };
-const templates = {
-  report: 'src/report.html', figures: 'src/paper/figures.html', calibration: 'src/calibration/calibration.html', vlc: 'src/vlc/vlc.html',
-};
-const withoutPlots = ['vlc'];
+const withPlots = 'src/page.html';
+const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html' };
 
 const { outputFiles } = await build({
   absWorkingDir: web,
@@ -28,9 +26,12 @@ const output = name => outputFiles.find(f => f.path.endsWith(name)).text;
 
 mkdirSync(join(web, 'dist'), { recursive: true });
 for (const [name, template] of Object.entries(templates)) {
-  // The licence of what is copied into the page goes with it.
   const parts = {
-    ...(withoutPlots.includes(name) ? {} : { '<!--LICENCE-->': `<!-- Contains uPlot.\n${read('node_modules/uplot/LICENSE').replaceAll('--', '- -')}-->` }),
+    ...(template === withPlots ? {
+      // The licence of what is copied into the page goes with it.
+      '<!--LICENCE-->': `<!-- Contains uPlot.\n${read('node_modules/uplot/LICENSE').replaceAll('--', '- -')}-->`,
+      '<!--NAME-->': name,
+    } : {}),
     '/*STYLE*/': output(`${name}.css`).replaceAll('</style', '<\\/style'),
     '/*SCRIPT*/': output(`${name}.js`).replaceAll('</script', '<\\/script'),
   };
