@@ -17,8 +17,8 @@ namespace Nowpose.Unity
     [DisallowMultipleComponent]
     public sealed class LoadSweep : MonoBehaviour
     {
-        /// <summary>Rows of a load for which there is room: displays of up to so many Hz.</summary>
-        const int MostHz = 144;
+        /// <summary>Rows for which there is room: displays of up to so many Hz, and a load that takes so long to build.</summary>
+        const int MostHz = 144, SecondsToBuild = 3;
 
         [SerializeField, Tooltip("The session whose frames are logged. Empty: the one on this object or above.")]
         MrilSession _session = null;
@@ -145,7 +145,7 @@ namespace Nowpose.Unity
                 Fail(fault.Message);
                 return;
             }
-            _file = new SweepFile(Path, (int)(_plan.TimePerLoad.TotalSeconds * MostHz));
+            _file = new SweepFile(Path, (int)((_plan.TimePerLoad.TotalSeconds + SecondsToBuild) * MostHz));
             _run = new SweepRun(_plan);
             _device = ThisDevice.Name;
             _displayHz = ThisDevice.DisplayHz;
@@ -163,10 +163,10 @@ namespace Nowpose.Unity
         // The frame before: by now it is known which code it showed.
         void Follow()
         {
-            var isReady = _frame is SweepFrame frame && frame.IsReady;
-            if (isReady) _file.Add(_frame.Value.ToRow(_device, _displayHz));
+            // Also while a load is built: a picture whose frame is missing could be taken for one a period of the code later.
+            if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_device, _displayHz));
             TellPhase();
-            var isOver = _run.Advance(_frame?.Start ?? default, isReady);
+            var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
             _frame = null;
             if (_file.Problem != null) Abandon();
             else if (isOver) NextLoad();

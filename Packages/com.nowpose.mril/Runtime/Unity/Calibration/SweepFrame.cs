@@ -17,7 +17,8 @@ namespace Nowpose.Unity
             Control = FrameControlTime.Of(session, frame);
             IsShown = load.IsReady && load.Vertices == run.Vertices;
             _vertices = load.VerticesShown;
-            _renderMs = renderTime.RenderTime?.TotalMilliseconds;
+            // A readback that waited out a pause is no render time.
+            _renderMs = renderTime.RenderTime?.TotalMilliseconds is double ms && SweepRow.IsRenderTime(ms) ? ms : (double?)null;
             _source = renderTime.Source;
         }
 
@@ -29,9 +30,10 @@ namespace Nowpose.Unity
         /// <summary>Whether the load was there in full.</summary>
         public bool IsShown { get; }
 
-        /// <summary>Whether it belongs into the log.</summary>
+        /// <summary>Whether it counts for its load.</summary>
         public bool IsReady => IsShown && Control.HasValue;
 
+        /// <summary>Where <see cref="Control"/> is known.</summary>
         public SweepRow ToRow(string device, double displayHz) => new SweepRow(Control.Value, _vertices, _renderMs, _source, device, displayHz);
     }
 }

@@ -5,6 +5,8 @@ namespace Nowpose.Latency
     /// <summary>One frame of a load sweep: which load it showed, and the render time that was known in it.</summary>
     public readonly struct SweepRow
     {
+        const double LeastRenderMs = 0.001, GreatestRenderMs = 10_000;
+
         /// <param name="frameStart">Control time at which the frame began: the one that its timestamp code shows.</param>
         /// <param name="vertices">Vertices of the load that were drawn, 0 to <see cref="SweepPlan.GreatestVertices"/>.</param>
         /// <param name="renderMs">Δt_render that became known in this frame, above zero; null when none did.</param>
@@ -37,10 +39,13 @@ namespace Nowpose.Latency
 
         public double DisplayHz { get; }
 
+        /// <summary>Whether a number may be a row's render time.</summary>
+        public static bool IsRenderTime(double ms) => ms >= LeastRenderMs && ms <= GreatestRenderMs;
+
         static void RequireMeasured(double ms, RenderTimeSourceKind source)
         {
             // Drivers that do not measure report zero.
-            SettingRange.Require(ms, 0.001, 10_000, "render time", "ms");
+            SettingRange.Require(ms, LeastRenderMs, GreatestRenderMs, "render time", "ms");
             if (source == RenderTimeSourceKind.None)
                 throw new InputException("render time: its source is missing; without it the time means nothing");
         }
