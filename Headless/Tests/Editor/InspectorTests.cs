@@ -46,6 +46,38 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
+    public void LatencyNudge_Playing_ShowsSpeedShiftAndMarks()
+    {
+        var session = _cell.NewSession();
+        var nudge = session.gameObject.AddComponent<LatencyNudge>();
+        session.gameObject.SetActive(true);
+        var editor = Inspect(nudge);
+        Play(session, 8);
+        nudge.Step(2);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(editor, Is.InstanceOf<LatencyNudgeEditor>());
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shifted by: 2.0 mm"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Marks: 0 forward, 0 backward"));
+    }
+
+    [Test]
+    public void LatencyProfileLoader_Playing_SaysWhatIsInUse()
+    {
+        var session = _cell.NewSession();
+        var loader = session.gameObject.AddComponent<LatencyProfileLoader>().With("_fileName", "none-" + Guid.NewGuid());
+        session.gameObject.SetActive(true);
+        var editor = Inspect(loader);
+        Play(session, 1);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(editor, Is.InstanceOf<LatencyProfileLoaderEditor>());
+        Assert.That(GuiRecorder.Texts, Does.Contain("Profile: none, as the settings say"));
+    }
+
+    [Test]
     public void Session_Playing_PlotsLinesWithinTheirStrips()
     {
         var session = _cell.Play();

@@ -1,0 +1,42 @@
+using Nowpose.Unity;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>What a menu on the headset would have: steps, marks, and what the marks say.</summary>
+    [CustomEditor(typeof(LatencyNudge))]
+    sealed class LatencyNudgeEditor : LiveInspector
+    {
+        LatencyNudge Target => (LatencyNudge)target;
+
+        protected override void DrawLive()
+        {
+            if (!Target.isActiveAndEnabled)
+            {
+                EditorGUILayout.LabelField("Shifts", "nothing, it is disabled");
+                return;
+            }
+            EditorGUILayout.LabelField("Speed along the axis", LiveText.Number(Target.SpeedMmPerS, "0", " mm/s") + (Target.IsSteady ? "" : ", not steady"));
+            EditorGUILayout.LabelField("Shifted by", LiveText.Number(Target.OffsetMm, "0.0", " mm"));
+            EditorGUILayout.LabelField("Marks", Target.ForwardCount + " forward, " + Target.BackwardCount + " backward");
+            if (Target.Problem != null) EditorGUILayout.HelpBox(Target.Problem, MessageType.Warning);
+            DrawButtons();
+        }
+
+        void DrawButtons()
+        {
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                if (GUILayout.Button("− 1 mm")) Target.Step(-1);
+                if (GUILayout.Button("+ 1 mm")) Target.Step(1);
+            }
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                if (GUILayout.Button("Both agree")) Target.Mark();
+                if (GUILayout.Button("Apply")) Target.Apply();
+                if (GUILayout.Button("Clear")) Target.Clear();
+            }
+        }
+    }
+}

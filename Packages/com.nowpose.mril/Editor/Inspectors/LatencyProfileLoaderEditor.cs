@@ -1,0 +1,20 @@
+using Nowpose.Unity;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    [CustomEditor(typeof(LatencyProfileLoader))]
+    [CanEditMultipleObjects]
+    sealed class LatencyProfileLoaderEditor : LiveInspector
+    {
+        protected override void DrawLive()
+        {
+            var loader = (LatencyProfileLoader)target;
+            EditorGUILayout.LabelField("Profile", loader.Profile == null ? "none, as the settings say" : CalibrationWords.Of(loader.Profile));
+            EditorGUILayout.LabelField("From", loader.From ?? "–");
+            if (loader.Problem != null) EditorGUILayout.HelpBox(loader.Problem, MessageType.Warning);
+            if (GUILayout.Button("Look for a profile")) loader.Reload();
+        }
+    }
+}
