@@ -11,8 +11,8 @@ static class ControlCode
     /// <summary>More undecided pairs than a run of codes leaves.</summary>
     const int MostUndecided = 9;
 
-    /// <summary>Root mean square of what the run does not explain, of the light.</summary>
-    const double GreatestRest = 0.2;
+    /// <summary>Root mean square of what the run does not explain, of what it does.</summary>
+    const double GreatestRest = 0.17;
 
     /// <summary>By how many times the next best run must be worse; below the second number both are as good as can be.</summary>
     const double Margin = 1.6, LeastRest = 0.06;
@@ -21,6 +21,9 @@ static class ControlCode
 
     /// <summary>Runs this close to each other are the same reading, ms.</summary>
     const double Alike = 2;
+
+    /// <summary>Less than this of another code is none, ms.</summary>
+    const double Same = 0.05;
 
     static readonly double[] Lengths = [0.25, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24];
 
@@ -47,11 +50,18 @@ static class ControlCode
                     else if (run.Rest < other.Rest && !IsSame(run, best)) other = run;
                 }
         if (best.Rest == double.MaxValue) return Reading.Not("wrong parity");
-        if (best.Rest > GreatestRest) return Reading.Not("inconsistent");
+        if (best.Rest > GreatestRest * best.Amplitude) return Reading.Not("inconsistent");
         if (best.Amplitude is < LeastAmplitude or > GreatestAmplitude) return Reading.Not("too weak");
         if (other.Rest < Margin * Math.Max(best.Rest, LeastRest)) return Reading.Not("ambiguous");
         // Value v is shown from v to v + 1: the mean of the values lies half a millisecond before the middle of the time.
-        return Reading.Of(Wrap(Refined(contrasts, delaysMs, best).Middle - 0.5));
+        return Reading.Of(Wrap(MiddleOf(Refined(contrasts, delaysMs, best)) - 0.5));
+    }
+
+    /// <summary>Where in its millisecond an exposure lies that shows one code alone cannot be known: its middle errs least.</summary>
+    static double MiddleOf(Run run)
+    {
+        double first = Math.Floor(run.Middle - run.Length / 2), last = Math.Floor(run.Middle + run.Length / 2 - Same);
+        return first == last ? first + 0.5 : run.Middle;
     }
 
     static Run Refined(CodeContrasts contrasts, double[] delaysMs, Run best)
@@ -79,7 +89,8 @@ static class ControlCode
         return new Run { Middle = middle, Length = length, Amplitude = amplitude, Rest = Math.Sqrt(Math.Max(0, squares - amplitude * products) / TimestampCode.PairCount) };
     }
 
-    static bool IsSame(Run a, Run b) => Math.Abs(a.Middle - b.Middle) < Math.Max(Alike, 0.2 * Math.Max(a.Length, b.Length));
+    static bool IsSame(Run a, Run b) =>
+        Math.Abs(Math.IEEERemainder(a.Middle - b.Middle, TimestampCode.PeriodMs)) < Math.Max(Alike, 0.2 * Math.Max(a.Length, b.Length));
 
     static double Wrap(double ms) => ms < 0 ? ms + TimestampCode.PeriodMs : ms;
 

@@ -11,8 +11,11 @@ static class HeadsetCode
     /// <summary>A pair that says less than this is covered, or two codes are as bright as each other.</summary>
     const double LeastContrast = 0.22;
 
-    /// <summary>Root mean square of what the codes do not explain, of the light.</summary>
-    const double GreatestRest = 0.2;
+    /// <summary>
+    /// Root mean square of what the codes do not explain, of what they do. Good pictures leave less than half of it; where an edge
+    /// behind the hologram is as bright as its light, pairs turn over, and others are off as well.
+    /// </summary>
+    const double GreatestRest = 0.15;
 
     /// <summary>The brighter code's share of the light.</summary>
     const double LeastShare = 0.6;
@@ -30,7 +33,7 @@ static class HeadsetCode
         if (value < 0) return Reading.Not("wrong parity");
         var best = Enumerable.Range(leastStep, GreatestStep - leastStep + 1).SelectMany(step => new[] { step, -step })
             .Select(step => Fit(contrasts, value, value + step)).Append(Fit(contrasts, value, value)).MinBy(fit => fit.Unexplained);
-        if (best.Unexplained > GreatestRest) return Reading.Not("inconsistent");
+        if (best.Unexplained > GreatestRest * best.Amplitude) return Reading.Not("inconsistent");
         if (best.Amplitude is < LeastAmplitude or > GreatestAmplitude) return Reading.Not("too weak");
         return best.Share < LeastShare ? Reading.Not("two codes alike") : Reading.Of(value);
     }

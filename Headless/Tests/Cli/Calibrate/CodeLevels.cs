@@ -1,0 +1,31 @@
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.VisibleLight;
+using Nowpose.Vision;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>Codes as they are found in a picture, from what each pair was lit, before a scene that is brighter to the right.</summary>
+static class CodeLevels
+{
+    public const double Light = 0.4;
+
+    /// <param name="signOf">Of each pair: 1 for the left cell lit, −1 for the right one, between for a part of the exposure.</param>
+    public static FoundCode Of(CodeKind kind, Func<int, double> signOf, double top = 300)
+    {
+        var lit = new double[TimestampCode.CellCount];
+        for (var cell = 0; cell < lit.Length; cell++) lit[cell] = TimestampCode.IsRing(cell) && TimestampCode.IsLitRing(cell, kind) ? 1 : 0;
+        for (var pair = 0; pair < TimestampCode.PairCount; pair++)
+        {
+            var cell = TimestampCode.CellOf(pair);
+            (lit[cell], lit[cell + 1]) = ((1 + signOf(pair)) / 2, (1 - signOf(pair)) / 2);
+        }
+        return new FoundCode(
+            kind, [.. lit.Select((share, cell) => 0.1 + 0.02 * (cell % TimestampCode.Side) + Light * share)],
+            [(100, top), (180, top), (180, top + 80), (100, top + 80)]);
+    }
+
+    public static FoundCode Of(CodeKind kind, int value) => Of(kind, pair => CodeWords.SignOf(value, pair));
+
+    /// <summary>What LEDs show from a time to another, ms.</summary>
+    public static FoundCode Run(double start, double length) => Of(CodeKind.Control, pair => CodeWords.MeanSign(pair, start, length));
+}

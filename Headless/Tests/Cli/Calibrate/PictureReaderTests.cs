@@ -1,0 +1,62 @@
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.VisibleLight;
+using Nowpose.Vision;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+public sealed class PictureReaderTests
+{
+    const int Height = 720;
+
+    static PictureResult Read(PictureReader reader, params FoundCode[] codes) => reader.Read("a.png", new SeenPicture(1280, Height, codes, null));
+
+    [TestCase(10_000, 10_040, 40)]
+    [TestCase(65_520, 24, 40)]
+    [TestCase(24, 65_534, -26)]
+    public void Picture_OfBothCodes_SaysTheirDifference(int headset, int control, double expected)
+    {
+        var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
+
+        Assert.That(result.VisuMs, Is.EqualTo(expected).Within(0.2));
+        Assert.That(result.HeadsetMs, Is.EqualTo(headset));
+    }
+
+    [TestCase(0, 501)]
+    [TestCase(1000, 900)]
+    public void Picture_OfCodesThatCannotBelongTogether_IsRejected(int headset, int control)
+    {
+        var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
+
+        Assert.That(result.Fault, Does.Contain("ms apart"));
+    }
+
+    [Test]
+    public void Picture_ByARollingShutter_IsCorrectedByTheDifferenceInHeight()
+    {
+        var headset = CodeLevels.Of(CodeKind.Headset, _ => 1, top: 480) with { Levels = CodeLevels.Of(CodeKind.Headset, 10_000).Levels };
+
+        var result = Read(new PictureReader(20, 0), CodeLevels.Run(10_040, 1), headset);
+
+        // 180 px lower, of 720 that take 20 ms.
+        Assert.That(result.VisuMs, Is.EqualTo(45).Within(0.5));
+    }
+
+    [Test]
+    public void Picture_OfAMonitor_HasItsDelayAdded()
+    {
+        var result = Read(new PictureReader(0, 25), CodeLevels.Of(CodeKind.Control, 10_015), CodeLevels.Of(CodeKind.Headset, 10_000));
+
+        Assert.That(result.VisuMs, Is.EqualTo(40));
+    }
+
+    [Test]
+    public void Picture_WithoutACode_SaysWhichIsMissing()
+    {
+        var reader = new PictureReader(0, 0);
+
+        Assert.That(Read(reader).Fault, Is.EqualTo("no code found"));
+        Assert.That(Read(reader, CodeLevels.Run(5, 1)).Fault, Is.EqualTo("no headset code found"));
+        Assert.That(Read(reader, CodeLevels.Of(CodeKind.Headset, 5)).Fault, Is.EqualTo("no control code found"));
+    }
+}

@@ -1,0 +1,94 @@
+using System.Globalization;
+using System.Text.Json;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>The whole way from pictures to a profile; needs Node.js, as the build does.</summary>
+[NonParallelizable]
+public sealed class VlcVerbTests
+{
+    string _folder;
+
+    [OneTimeSetUp]
+    public async Task TakePictures()
+    {
+        _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+        var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "44", "--spoiled", "0.05", "--seed", "11", "--out", _folder);
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+    }
+
+    [OneTimeTearDown]
+    public void RemovePictures() => Directory.Delete(_folder, true);
+
+    string In(string name) => Path.Combine(_folder, name);
+
+    Task<CliRun> Run(params string[] arguments) => CliRun.OfAsync(["calibrate", "vlc", "--out", In("out"), .. arguments]);
+
+    [Test]
+    public async Task Json_OfASimulatedSweep_HasTheTrueLatencyOfEachPicture()
+    {
+        var run = await Run(In("pictures"), "--sweep", In("sweep.csv"), "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        using var json = JsonDocument.Parse(run.Output);
+        var pictures = json.RootElement.GetProperty("per_picture").EnumerateArray().ToList();
+        var truth = File.ReadLines(In("truth.csv")).Skip(1).Select(line => double.Parse(line.Split(',')[3], CultureInfo.InvariantCulture)).ToList();
+        var errors = pictures.Zip(truth).Where(pair => pair.First.GetProperty("visu_ms").ValueKind == JsonValueKind.Number)
+            .Select(pair => pair.First.GetProperty("visu_ms").GetDouble() - pair.Second).ToList();
+        Assert.That(errors, Has.Count.GreaterThan(0.75 * pictures.Count));
+        Assert.That(errors, Has.Count.EqualTo(json.RootElement.GetProperty("decoded").GetInt32()));
+        Assert.That(errors.Select(Math.Abs).Max(), Is.LessThan(2));
+        Assert.That(errors.Average(), Is.EqualTo(0).Within(0.4));
+        Assert.That(json.RootElement.GetProperty("pictures").GetInt32(), Is.EqualTo(44));
+        Assert.That(json.RootElement.GetProperty("rejected").GetInt32(), Is.EqualTo(44 - errors.Count));
+        var profile = LatencyProfileFile.Load(In("out/profile.json"));
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(1));
+        Assert.That(profile.Method, Is.EqualTo(CalibrationMethod.VisibleLight));
+        Assert.That(File.ReadLines(In("out/pairs.csv")).Count(), Is.GreaterThan(0.7 * 44));
+    }
+
+    [Test]
+    public async Task Table_OfPicturesAlone_WritesAProfileWithoutALimit()
+    {
+        string[] pictures = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(8)];
+
+        var run = await Run(pictures);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Output, Does.Contain("L_visu is "));
+        Assert.That(LatencyProfileFile.Load(In("out/profile.json")).Range, Is.Null);
+    }
+
+    [Test]
+    public async Task Picture_ThatIsNone_IsOneLineAndTheLastGoodProfileStays()
+    {
+        Directory.CreateDirectory(In("out"));
+        File.WriteAllText(In("out/profile.json"), "good");
+        File.WriteAllText(In("text.png"), "not a picture");
+
+        var run = await Run(In("text.png"));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(run.Errors, Does.Contain("text.png").And.Contain("neither a PNG nor a JPEG"));
+        Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
+    }
+
+    [TestCase("nowhere", "no such file or folder")]
+    [TestCase("empty", "no pictures in it")]
+    [TestCase("sweep.csv", "neither a picture")]
+    [TestCase("broken.png", "broken.png: unreadable")]
+    public async Task Arguments_WithoutPictures_AreOneLineThatNamesThem(string name, string expected)
+    {
+        Directory.CreateDirectory(In("empty"));
+        File.WriteAllBytes(In("broken.png"), [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0]);
+
+        var run = await Run(In(name));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(run.Errors, Does.Contain(name).And.Contain(expected));
+    }
+}
