@@ -1,0 +1,67 @@
+// The bundled worker as the command line uses it: a pattern, then pictures that it makes and looks at.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const worker = join(dirname(fileURLToPath(import.meta.url)), '..', 'dist', 'worker.mjs');
+
+const cells = [...Array(64).keys()];
+const ring = cells.filter(cell => cell < 8 || cell >= 56 || cell % 8 === 0 || cell % 8 === 7);
+const pairs = [...Array(18).keys()].map(pair => (1 + Math.floor(pair / 3)) * 8 + 1 + pair % 3 * 2);
+const isLit = (cell, kind) => cell !== 1 && cell !== 2 && (kind === 'Control' || cell !== 15 && cell !== 23);
+const pattern = { side: 8, pairs, ring, kinds: Object.fromEntries(['Control', 'Headset'].map(kind => [kind, ring.map(cell => isLit(cell, kind))])) };
+
+const ones = pair => pair * 7 % 3 === 0;
+function lit(kind) {
+  const share = Array(64).fill(0);
+  for (const cell of ring) share[cell] = isLit(cell, kind) ? 1 : 0;
+  pairs.forEach((cell, pair) => { share[ones(pair) ? cell : cell + 1] = 1; });
+  return share;
+}
+
+const square = (x, y, side, turn) => [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u, v]) => [
+  x + side / 2 * (u * Math.cos(turn) - v * Math.sin(turn)), y + side / 2 * (u * Math.sin(turn) + v * Math.cos(turn)),
+]);
+
+function shot(codes) {
+  return { width: 1280, height: 720, scene: 5, sceneLight: 0.5, codes, blur: 1, motion: [0, 0], glares: [], covers: [], noise: 3, noiseSeed: 1 };
+}
+
+const control = { corners: square(400, 360, 90, 0.2), lit: lit('Control'), light: 0.6, dot: 0.7, panel: 0.03 };
+const headset = { corners: square(800, 360, 150, 3.3), lit: lit('Headset'), light: 0.4, dot: 0, panel: null };
+
+/** Answers of one worker to all requests. */
+async function ask(...requests) {
+  const process = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
+  let text = '';
+  process.stdout.on('data', part => { text += part; });
+  process.stdin.end([{ pattern }, ...requests].map(request => JSON.stringify(request) + '\n').join(''));
+  await new Promise(resolve => process.on('close', resolve));
+  return text.trim().split('\n').slice(1).map(line => JSON.parse(line));
+}
+
+test('both codes are found, whichever way up, and their cells read', async () => {
+  const [{ codes }] = await ask({ shot: shot([control, headset]) });
+
+  assert.deepEqual(codes.map(code => code.kind).sort(), ['Control', 'Headset']);
+  for (const code of codes) {
+    const { corners } = code.kind === 'Control' ? control : headset;
+    code.corners.forEach(([x, y], i) => assert.ok(Math.hypot(x - corners[i][0], y - corners[i][1]) < 6, `${code.kind} corner ${i} at ${x}, ${y}`));
+    pairs.forEach((cell, pair) => assert.equal(code.levels[cell] > code.levels[cell + 1], ones(pair), `${code.kind} pair ${pair}`));
+  }
+});
+
+test('a picture without codes has none', async () => {
+  const [{ codes }] = await ask({ shot: shot([]) });
+
+  assert.deepEqual(codes, []);
+});
+
+test('what cannot be read is an answer, and the next picture is looked at', async () => {
+  const [missing, next] = await ask({ file: '/nowhere/a.png' }, { shot: shot([control, headset]) });
+
+  assert.match(missing.error, /no such file/);
+  assert.equal(next.codes.length, 2);
+});
