@@ -24,8 +24,6 @@ namespace Nowpose.Session
         /// </summary>
         const int QueueLength = 1000;
 
-        const double MillimetresPerMetre = 1000;
-
         /// <summary>So many plans may wait: newer ones replace the older.</summary>
         const int PlanQueueLength = 16;
 
@@ -38,6 +36,7 @@ namespace Nowpose.Session
         readonly DisplayFrame _frame;
         readonly ConstantLatencyMonitor _monitor;
         readonly HindcastMonitor _hindcast;
+        readonly SessionMeasurements _measurements;
         readonly ApplicationLatency _latency = new ApplicationLatency();
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
         readonly SampleBacklog _backlog;
@@ -70,6 +69,7 @@ namespace Nowpose.Session
             _frame = new DisplayFrame(robot, _tracks, settings.OutsideRange);
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
             _tracks.StartedAnew += _hindcast.StartAnew;
+            _measurements = new SessionMeasurements(_synchroniser, _latency, _light, _monitor, _frame, _hindcast);
             _backlog = new SampleBacklog(robot, QueueLength);
         }
 
@@ -298,11 +298,7 @@ namespace Nowpose.Session
         {
             lock (_gate)
             {
-                FillClock(into, now);
-                FillLatency(into);
-                FillError(into);
-                into.Pose = _frame.State;
-                into.OutsideRange = _frame.OutsideRange;
+                _measurements.Fill(into, now);
                 into.RobotDescriptionMatch = RobotDescriptionMatch;
                 into.Samples = _samples;
                 into.Dropped = Drops.Total + SyncFaults.Total;
@@ -319,41 +315,6 @@ namespace Nowpose.Session
             var statistics = Statistics(now);
             return SessionDiagnostics.Of(
                 statistics, _settings.Connection.HeadsetName, statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
-        }
-
-        void FillClock(SessionStatistics into, HeadsetTime now)
-        {
-            var clock = _synchroniser.ModelAt(now);
-            into.Clock = clock;
-            into.Offset = clock.IsKnown ? clock.OffsetAt(now) : (ClockOffset?)null;
-            into.RoundTripTime = clock.IsKnown ? _synchroniser.RoundTripTime : (TimeSpan?)null;
-            into.ClockSteps = clock.Steps;
-        }
-
-        void FillLatency(SessionStatistics into)
-        {
-            into.ApplicationLatency = _latency.Median;
-            into.ApplicationLatency95 = _latency.Percentile95;
-            into.NegativeLatencies = _latency.NegativeCount;
-            into.VisualisationLatency = _light.Used;
-            into.EndToEndLatency = _latency.Median + _light.Used;
-            into.Profile = _light.Profile;
-            into.IsLightPredicted = _light.IsPredicted;
-            into.DisplayTimeDifference = _light.Difference;
-            into.IsDisplayTimeDoubted = _light.IsDoubted;
-            into.Horizon = _frame.Horizon;
-            into.RenderTime = _monitor.RenderTime;
-            into.RenderTimeSource = _monitor.Source;
-            into.Range = _monitor.State;
-            into.RangeDoubt = _monitor.Doubt;
-        }
-
-        void FillError(SessionStatistics into)
-        {
-            into.ToolError = _hindcast.Tool?.Times(MillimetresPerMetre);
-            into.ToolErrorOfRun = _hindcast.ToolOfRun?.Times(MillimetresPerMetre);
-            var joints = into.PlacesForJointErrors(_hindcast.JointCount);
-            for (var i = 0; i < joints.Length; i++) joints[i] = _hindcast.JointAt(i);
         }
 
         // Stamps from before a step belong to another time line, and stamps from before the first exchange were never

@@ -1,0 +1,76 @@
+using System;
+using Nowpose.Latency;
+using Nowpose.Sync;
+
+namespace Nowpose.Session
+{
+    /// <summary>Brings what the parts of a session measure into its statistics. Allocates nothing; as thread-safe as the parts.</summary>
+    sealed class SessionMeasurements
+    {
+        const double MillimetresPerMetre = 1000;
+
+        readonly ClockSynchroniser _clock;
+        readonly ApplicationLatency _latency;
+        readonly MomentOfLight _light;
+        readonly ConstantLatencyMonitor _monitor;
+        readonly DisplayFrame _frame;
+        readonly HindcastMonitor _hindcast;
+
+        public SessionMeasurements(
+            ClockSynchroniser clock, ApplicationLatency latency, MomentOfLight light, ConstantLatencyMonitor monitor, DisplayFrame frame,
+            HindcastMonitor hindcast)
+        {
+            _clock = clock;
+            _latency = latency;
+            _light = light;
+            _monitor = monitor;
+            _frame = frame;
+            _hindcast = hindcast;
+        }
+
+        /// <param name="now">Headset time for the clock's offset and bound.</param>
+        public void Fill(SessionStatistics into, HeadsetTime now)
+        {
+            FillClock(into, now);
+            FillLatency(into);
+            FillError(into);
+            into.Pose = _frame.State;
+            into.OutsideRange = _frame.OutsideRange;
+        }
+
+        void FillClock(SessionStatistics into, HeadsetTime now)
+        {
+            var clock = _clock.ModelAt(now);
+            into.Clock = clock;
+            into.Offset = clock.IsKnown ? clock.OffsetAt(now) : (ClockOffset?)null;
+            into.RoundTripTime = clock.IsKnown ? _clock.RoundTripTime : (TimeSpan?)null;
+            into.ClockSteps = clock.Steps;
+        }
+
+        void FillLatency(SessionStatistics into)
+        {
+            into.ApplicationLatency = _latency.Median;
+            into.ApplicationLatency95 = _latency.Percentile95;
+            into.NegativeLatencies = _latency.NegativeCount;
+            into.VisualisationLatency = _light.Used;
+            into.EndToEndLatency = _latency.Median + _light.Used;
+            into.Profile = _light.Profile;
+            into.IsLightPredicted = _light.IsPredicted;
+            into.DisplayTimeDifference = _light.Difference;
+            into.IsDisplayTimeDoubted = _light.IsDoubted;
+            into.Horizon = _frame.Horizon;
+            into.RenderTime = _monitor.RenderTime;
+            into.RenderTimeSource = _monitor.Source;
+            into.Range = _monitor.State;
+            into.RangeDoubt = _monitor.Doubt;
+        }
+
+        void FillError(SessionStatistics into)
+        {
+            into.ToolError = _hindcast.Tool?.Times(MillimetresPerMetre);
+            into.ToolErrorOfRun = _hindcast.ToolOfRun?.Times(MillimetresPerMetre);
+            var joints = into.PlacesForJointErrors(_hindcast.JointCount);
+            for (var i = 0; i < joints.Length; i++) joints[i] = _hindcast.JointAt(i);
+        }
+    }
+}
