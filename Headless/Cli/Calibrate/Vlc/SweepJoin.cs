@@ -5,8 +5,9 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Finds the frame of a sweep that a picture's headset code belongs to.</summary>
 /// <remarks>
-/// Codes repeat after 65.5 s, sweeps last longer: pictures are taken in their order, and each belongs to the first frame with its
-/// code that does not lie before the previous picture's.
+/// Codes repeat after 65.5 s, and sweeps last longer: a code may be that of several frames. Pictures come in the order they were taken,
+/// so of all ways to give them frames that never go back the one is taken in which most pictures have one. A picture that was
+/// misread, or whose frame is not in the log, then goes without and leads no other astray; and the camera may begin when it likes.
 /// </remarks>
 sealed class SweepJoin
 {
@@ -21,18 +22,45 @@ sealed class SweepJoin
 
     /// <param name="pictures">Of the camera's order; those that are not read are left out.</param>
     /// <returns>One of each picture whose frame is in the log.</returns>
-    public IReadOnlyList<MeasuredPicture> Join(IEnumerable<PictureResult> pictures)
+    public IReadOnlyList<MeasuredPicture> Join(IEnumerable<PictureResult> pictures) =>
+        [.. LongestRun([.. pictures.Where(picture => picture.IsRead)]).Select(
+            place => new MeasuredPicture(place.Picture.File, _rows[place.Row].Vertices, _rows[place.Row].RenderMs, place.Picture.VisuMs))];
+
+    /// <summary>The longest run of pictures whose rows never go back.</summary>
+    List<Place> LongestRun(IReadOnlyList<PictureResult> pictures)
     {
-        var measured = new List<MeasuredPicture>();
-        var last = 0;
-        foreach (var picture in pictures.Where(picture => picture.IsRead))
+        // Of all runs of each length so far, the one that ends at the earliest row.
+        var ends = new List<Place>();
+        foreach (var picture in pictures)
         {
-            // -1 when no frame has that code, a frame that is not in the log, say of before the sweep.
-            var found = _rowsOfCode[(int)picture.HeadsetMs].Where(row => row >= last).DefaultIfEmpty(-1).First();
-            if (found < 0) continue;
-            last = found;
-            measured.Add(new MeasuredPicture(picture.File, _rows[found].Vertices, _rows[found].RenderMs, picture.VisuMs));
+            // From the last row on, so that a picture never follows itself.
+            foreach (var row in _rowsOfCode[(int)picture.HeadsetMs].Reverse())
+            {
+                var length = FirstBeyond(ends, row);
+                var place = new Place(picture, row, length > 0 ? ends[length - 1] : null);
+                if (length == ends.Count) ends.Add(place);
+                else ends[length] = place;
+            }
         }
-        return measured;
+        var run = new List<Place>();
+        for (var place = ends.Count > 0 ? ends[^1] : null; place != null; place = place.Before) run.Add(place);
+        run.Reverse();
+        return run;
     }
+
+    // The ends' rows never go back.
+    static int FirstBeyond(List<Place> ends, int row)
+    {
+        int low = 0, high = ends.Count;
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (ends[middle].Row > row) high = middle;
+            else low = middle + 1;
+        }
+        return low;
+    }
+
+    /// <summary>A picture with a row, after another one.</summary>
+    sealed record Place(PictureResult Picture, int Row, Place Before);
 }

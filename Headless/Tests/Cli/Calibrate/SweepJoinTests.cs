@@ -32,4 +32,38 @@ public sealed class SweepJoinTests
 
         Assert.That(joined.Select(picture => picture.File), Is.EqualTo(new[] { "p50" }));
     }
+
+    [Test]
+    public void Join_CameraThatBeginsInAnyPeriod_FindsItsFrames([Values(0, 4_100, 8_300, 12_500)] int first)
+    {
+        int[] rows = [.. Enumerable.Range(0, 60).Select(i => first + 40 * i)];
+
+        var joined = new SweepJoin(Rows).Join(rows.Select(PictureOf));
+
+        Assert.That(joined.Select(picture => picture.Vertices), Is.EqualTo(rows));
+    }
+
+    [Test]
+    public void Join_MisreadCodesAndFramesThatWereNotLogged_LeadNoOtherAstray()
+    {
+        for (var seed = 1; seed <= 20; seed++)
+        {
+            var random = new Random(seed);
+            int[] rows = [.. Enumerable.Range(0, 300).Select(i => 2_000 + 60 * i)];
+            var pictures = rows.Select(PictureOf).ToArray();
+            for (var i = 0; i < 15; i++)
+            {
+                var place = random.Next(pictures.Length);
+                pictures[place] = pictures[place] with { File = "astray", HeadsetMs = random.Next(TimestampCode.PeriodMs) };
+            }
+            var right = pictures.Count(picture => picture.File != "astray");
+
+            var joined = new SweepJoin(Rows).Join(pictures);
+
+            foreach (var picture in joined.Where(picture => picture.File != "astray"))
+                Assert.That("p" + picture.Vertices, Is.EqualTo(picture.File), "seed " + seed);
+            // One that happens to fit may take the place of a neighbour.
+            Assert.That(joined.Count(picture => picture.File != "astray"), Is.InRange(right - 2, right), "seed " + seed);
+        }
+    }
 }
