@@ -27,7 +27,7 @@ sealed class CalibrationOutput
         try
         {
             var output = new CalibrationOutput(Directory.CreateDirectory(folder).FullName);
-            var trial = Path.Combine(output._folder, ".nowpose");
+            var trial = Path.Combine(output._folder, Path.GetRandomFileName());
             File.WriteAllText(trial, "");
             File.Delete(trial);
             return output;

@@ -8,19 +8,15 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>What a profile says of the headset that was measured, for measurements that do not say it themselves.</summary>
 sealed class DeviceOptions
 {
-    /// <summary>What is taken where nobody says.</summary>
-    public const string Standard = "HoloLens 2";
-
-    /// <summary>Refreshes per second of <see cref="Standard"/>.</summary>
-    public const double StandardHz = 60;
-
     readonly Option<string> _device = new("--device")
     {
-        Description = "The headset's model as Unity names it; the headset refuses a profile of another one",
-        DefaultValueFactory = _ => Standard,
+        Description = "The headset's model, as Unity's SystemInfo.deviceModel and the sweep's log have it; the headset refuses a profile of another "
+            + "one. Not said: taken from the sweep's log, else the profile fits any",
+        DefaultValueFactory = _ => "",
     };
 
-    readonly Option<double> _displayHz = NumberOption.Create("--display-hz", "Refresh rate of the headset's display", StandardHz, 1, 1000, "Hz");
+    readonly Option<double> _displayHz = NumberOption.Create(
+        "--display-hz", "Refresh rate of the headset's display; 0 for not said, as of --device", 0.0, 0, 1000, "Hz");
 
     public void AddTo(Command verb)
     {

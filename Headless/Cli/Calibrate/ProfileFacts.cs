@@ -13,8 +13,8 @@ static class ProfileFacts
         yield return ["Limit of the render time", profile.Range == null ? "not known" : Ms(profile.Range.Limit)];
         if (profile.ValidToRenderTime is TimeSpan valid) yield return ["Known to be constant up to", Ms(valid)];
         if (profile.Range != null) yield return ["Render time measured with", RenderTimeSourceNames.NameOf(profile.Range.Source)];
-        yield return ["Device", profile.Device];
-        yield return ["Display", profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz"];
+        yield return ["Device", profile.Device.Length > 0 ? profile.Device : "not said: fits any"];
+        yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : "not said: fits any"];
         yield return ["Measurements", profile.Measurements.ToString(CultureInfo.InvariantCulture)];
     }
 

@@ -56,7 +56,7 @@ static class SineVerb
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var profile = result.VisuMs is double visuMs
             ? EarlierProfile.With(
-                parsed.GetValue(Earlier), visuMs, result.DeviationMs, Device.Device(parsed), Device.DisplayHz(parsed), CalibrationMethod.Sine, tracks.Shown.Length)
+                parsed.GetValue(Earlier), visuMs, result.DeviationMs, Device.Device(parsed), Device.DisplayHz(parsed), CalibrationMethod.Sine, measurements: 1)
             : null;
         var page = SinePage.Of(result, profile, path);
         output.Write(profile, page);

@@ -30,7 +30,7 @@ static class RangeProfile
     static IEnumerable<string> Doubts(RangeFitResult fit)
     {
         if (fit.LimitRenderMs == null)
-            yield return "limit not reached: the headset cannot tell when L_visu leaves its range; sweep on to a greater load";
+            yield return "limit not reached: beyond the greatest render time seen the headset calls the range unknown; sweep on to a greater load";
     }
 
     static string Count(int count) => count.ToString(CultureInfo.InvariantCulture);

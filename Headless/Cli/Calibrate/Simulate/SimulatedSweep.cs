@@ -22,6 +22,10 @@ sealed class SimulatedSweep
     /// <summary>What is sold as 60 Hz; frames then begin at any fraction of a millisecond.</summary>
     const double RefreshMs = 1000 / 59.94;
 
+    /// <summary>As the log has them: the display's nominal rate.</summary>
+    const string Device = "simulated headset";
+    const double DisplayHz = 60;
+
     static readonly ControlTime Beginning = ControlTime.FromSeconds(86_400);
 
     readonly SimulationSettings _settings;
@@ -44,7 +48,7 @@ sealed class SimulatedSweep
             rendered.Enqueue(frame);
             _starts.Add(Beginning + frame.Start);
             _lights.Add(Beginning + frame.Start + frame.Visualisation);
-            rows.Add(new SweepRow(_starts[i], vertices, renderMs, RenderTimeSourceKind.DisplayGpuTime, DeviceOptions.Standard, DeviceOptions.StandardHz));
+            rows.Add(new SweepRow(_starts[i], vertices, renderMs, RenderTimeSourceKind.DisplayGpuTime, Device, DisplayHz));
         }
         Rows = rows;
         var random = new RandomStream(settings.Seed, purpose: 1);

@@ -19,14 +19,9 @@ sealed class VlcEvaluation
         if (sweep != null) Pictures = Joined(sweep);
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         var fit = sensitivity == null ? null : FitOf(sensitivity);
-        device ??= sweep?[0].Device is { Length: > 0 } logged ? logged : DeviceOptions.Standard;
-        var rate = displayHz ?? (sweep?[0].DisplayHz is > 0 and double loggedHz ? loggedHz : DeviceOptions.StandardHz);
-        Profile = fit != null
-            ? RangeProfile.Of(fit, device, rate, sensitivity.Source)
-            : result.Deviation is double deviation
-                ? new LatencyProfile(result.Mean.Value, deviation, device, rate, DateTime.UtcNow, CalibrationMethod.VisibleLight, result.Read.Count)
-                : null;
-        if (Profile == null) _warnings.Add("one picture is too few for a profile; none was written");
+        device ??= sweep?[0].Device ?? "";
+        var rate = displayHz ?? sweep?[0].DisplayHz ?? double.NaN;
+        Profile = fit != null ? RangeProfile.Of(fit, device, rate, sensitivity.Source) : WithoutRange(sweep != null, device, rate);
         Page = fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage();
     }
 
@@ -54,9 +49,12 @@ sealed class VlcEvaluation
             _warnings.Add(sensitivity.Words);
             return null;
         }
+        var pairs = Pictures.Where(each => each.RenderMs is double ms && LatencyPair.IsRenderMs(ms)).ToArray();
+        var unusable = Pictures.Count(each => each.RenderMs.HasValue) - pairs.Length;
+        if (unusable > 0) _warnings.Add($"{unusable} pictures have a render time that is none, and are left out of the range");
         try
         {
-            return RangeFit.Fit([.. Pictures.Where(each => each.RenderMs.HasValue).Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
+            return RangeFit.Fit([.. pairs.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
         }
         catch (InputException bad)
         {
@@ -65,9 +63,26 @@ sealed class VlcEvaluation
         }
     }
 
+    // Null when there is too little to make one; why is said.
+    LatencyProfile WithoutRange(bool hasSweep, string device, double rate)
+    {
+        var plateau = hasSweep && Pictures.Any(each => each.Vertices != Pictures[0].Vertices)
+            ? Plateau.OfSweep(Pictures)
+            : Plateau.OfOneLoad([.. _result.Read.Select(picture => picture.VisuMs)]);
+        if (plateau != null)
+            return new LatencyProfile(plateau.VisuMs, plateau.SpreadMs, device, rate, DateTime.UtcNow, CalibrationMethod.VisibleLight, plateau.Count);
+        _warnings.Add(hasSweep
+            ? $"L_visu cannot be told from these {Pictures.Count} pictures of the sweep; no profile was written"
+            : "one picture is too few for a profile; none was written");
+        return null;
+    }
+
     CalibrationPageData PlainPage() => new(
         "Visible light",
-        string.Create(CultureInfo.InvariantCulture, $"L_visu is {_result.Mean:0.0} ms ± {_result.Deviation ?? 0:0.0} ms, of {_result.Read.Count} pictures."),
+        Profile == null
+            ? string.Create(CultureInfo.InvariantCulture, $"{_result.Read.Count} pictures were read; L_visu cannot be told from them.")
+            : string.Create(CultureInfo.InvariantCulture,
+                $"L_visu is {Profile.Visualisation.Length.TotalMilliseconds:0.0} ms ± {Profile.Spread.TotalMilliseconds:0.0} ms, of {Profile.Measurements} pictures."),
         [.. Profile == null ? [] : ProfileFacts.Of(Profile), .. Facts()])
     {
         Warnings = _warnings,

@@ -88,7 +88,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [TestCase("--source", "guess", "--source: 'guess' is not known")]
-    [TestCase("--display-hz", "0", "--display-hz: 0 Hz is out of range")]
+    [TestCase("--display-hz", "-1", "--display-hz: -1 Hz is out of range")]
     public async Task Range_BadOption_NamesWhatIsAllowed(string option, string value, string named) =>
         Assert.That(await RefusalOf("range", Write("pairs.csv", Sweep(1, 1)), option, value), Does.Contain(named));
 }

@@ -92,7 +92,9 @@ public class SineVerbTests : CalibrationFolder
 
         await Measured(new Jog(12), "--told-ms", "30", "--profile", earlier);
 
-        Assert.That(LatencyProfileFile.Load(ProfilePath).Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3));
+        var profile = LatencyProfileFile.Load(ProfilePath);
+        Assert.That(profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3));
+        Assert.That((profile.Device, profile.DisplayHz), Is.EqualTo(("HoloLens 2", 60)));
         Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(12).Lines()), "--told-ms", "30", "--profile", earlier, "--device", "Quest 3"),
             Does.Contain("'HoloLens 2'").And.Contain("'Quest 3'"));
     }

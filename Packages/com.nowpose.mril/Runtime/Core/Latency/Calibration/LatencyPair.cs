@@ -16,6 +16,9 @@ namespace Nowpose.Latency
 
         const double LeastRenderMs = 0.001, GreatestMs = 1000;
 
+        /// <summary>Whether it is a render time that was measured, ms.</summary>
+        public static bool IsRenderMs(double renderMs) => renderMs >= LeastRenderMs && renderMs <= GreatestMs;
+
         public double RenderMs { get; }
 
         public double VisuMs { get; }

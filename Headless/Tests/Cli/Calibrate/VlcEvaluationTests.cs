@@ -1,0 +1,109 @@
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Latency;
+using Nowpose.Simulation;
+using Nowpose.VisibleLight;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>What is made of pictures once they are read.</summary>
+public sealed class VlcEvaluationTests
+{
+    const double TrueMs = 40;
+
+    /// <summary>A sweep over the limit, each frame logged, one of four photographed.</summary>
+    static (List<SweepRow> Rows, VlcResult Result) Sweep(Func<double, double> renderMs, string device = "HoloLens 2 (Microsoft Corporation)", double displayHz = 60)
+    {
+        var random = new Random(3);
+        var pipeline = new DisplayPipeline(3, new DisplayPipelineSettings(plateauMs: TrueMs));
+        var rows = new List<SweepRow>();
+        var pictures = new List<PictureResult>();
+        for (var i = 0; i < 21 * 120; i++)
+        {
+            var vertices = i / 120 * 100_000;
+            var frame = pipeline.Next(vertices);
+            var start = ControlTime.FromSeconds(1000) + frame.Start;
+            rows.Add(new SweepRow(start, vertices, renderMs(frame.RenderTime.TotalMilliseconds), RenderTimeSourceKind.EngineGpuTime, device, displayHz));
+            if (i % 4 != 0) continue;
+            var visu = frame.Visualisation.TotalMilliseconds + random.NextDouble() - 0.5;
+            pictures.Add(new PictureResult("p" + i, 0, TimestampCode.ValueOf(start), visu, null));
+        }
+        return (rows, new VlcResult(pictures));
+    }
+
+    [Test]
+    public void Sweep_WhoseSourceSeesLoad_GivesLVisuAndTheLimit()
+    {
+        var (rows, result) = Sweep(ms => ms);
+
+        var profile = new VlcEvaluation(result, rows, null, null).Profile;
+
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.2));
+        Assert.That(profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
+        Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
+        Assert.That(profile.Device, Is.EqualTo("HoloLens 2 (Microsoft Corporation)"));
+        Assert.That(profile.DisplayHz, Is.EqualTo(60));
+    }
+
+    [Test]
+    public void Sweep_WhoseSourceCannotSeeLoad_GivesTheSameLVisuWithoutALimit()
+    {
+        var (rows, result) = Sweep(_ => 2);
+
+        var evaluation = new VlcEvaluation(result, rows, null, null);
+
+        Assert.That(result.Mean, Is.GreaterThan(TrueMs + 5), "pictures at high loads are late");
+        Assert.That(evaluation.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.3));
+        Assert.That(evaluation.Profile.Spread.TotalMilliseconds, Is.LessThan(2));
+        Assert.That(evaluation.Profile.Range, Is.Null);
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("this source cannot see load"));
+    }
+
+    [Test]
+    public void Sweep_WithARenderTimeThatIsNone_LosesThatPictureAlone()
+    {
+        var (rows, result) = Sweep(ms => ms);
+        rows[400] = new SweepRow(rows[400].FrameStart, rows[400].Vertices, 1500, RenderTimeSourceKind.EngineGpuTime, rows[400].Device, 60);
+
+        var evaluation = new VlcEvaluation(result, rows, null, null);
+
+        Assert.That(evaluation.Profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("1 pictures have a render time that is none"));
+    }
+
+    [Test]
+    public void Device_ThatNobodySaid_IsNotInvented()
+    {
+        var (rows, result) = Sweep(ms => ms, device: "", displayHz: double.NaN);
+
+        foreach (var sweep in new[] { rows, null })
+        {
+            var profile = new VlcEvaluation(result, sweep, null, null).Profile;
+
+            Assert.That(profile.Device, Is.Empty);
+            Assert.That(profile.DisplayHz, Is.Zero);
+            Assert.That(profile.RefusalFor("HoloLens 2 (Microsoft Corporation)", 60), Is.Null);
+        }
+    }
+
+    [Test]
+    public void Pictures_WithoutASweep_LeaveOutFramesThatWaited()
+    {
+        PictureResult[] pictures = [.. Enumerable.Range(0, 50).Select(i => new PictureResult("p" + i, 0, i, i % 10 == 9 ? 56.7 : 40 + i % 3 - 1, null))];
+
+        var profile = new VlcEvaluation(new VlcResult(pictures), null, "headset", 72).Profile;
+
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(0.1));
+        Assert.That(profile.Measurements, Is.EqualTo(45));
+        Assert.That((profile.Device, profile.DisplayHz), Is.EqualTo(("headset", 72)));
+    }
+
+    [Test]
+    public void Picture_Alone_MakesNoProfile()
+    {
+        var evaluation = new VlcEvaluation(new VlcResult([new PictureResult("p", 0, 0, 40, null)]), null, null, null);
+
+        Assert.That(evaluation.Profile, Is.Null);
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("one picture is too few"));
+    }
+}
