@@ -75,4 +75,16 @@ public class LedMatrixTests
 
         Assert.That(() => new StructuredText(text).Run(), Throws.InstanceOf<Exception>());
     }
+
+    [TestCase("END_IF;", "END_IF")]
+    [TestCase("END_FOR;", "END_FOR")]
+    public void StructuredText_BlockThatNoSemicolonEnds_IsRefusedAsTheStandardDoes(string ended, string open)
+    {
+        var text = Text("FB_NowposeLedCode.st").Replace(ended, open);
+        var program = new StructuredText(text);
+
+        var fault = Assert.Throws<FormatException>(program.Run);
+
+        Assert.That(fault.Message, Does.Contain("';' expected").And.Contain(open));
+    }
 }

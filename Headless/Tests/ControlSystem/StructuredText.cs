@@ -103,7 +103,7 @@ sealed partial class StructuredText
         Block(runs && isTrue);
         if (TryTake("ELSE")) Block(runs && !isTrue);
         Expect("END_IF");
-        TryTake(";");
+        Expect(";");
     }
 
     void For(bool runs)
@@ -123,7 +123,7 @@ sealed partial class StructuredText
             Block(true);
         }
         Expect("END_FOR");
-        TryTake(";");
+        Expect(";");
     }
 
     void Statement(bool runs)
