@@ -6,6 +6,7 @@ using Microsoft.AspNetCore.Server.Kestrel.Core;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Rosbridge;
+using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Sync;
 using Nowpose.Gateway.VisibleLight;
 using Nowpose.Protocol;
@@ -42,9 +43,8 @@ public sealed class GatewayServer : IAsyncDisposable
     /// <inheritdoc cref="SyncEndPoint"/>
     public IPEndPoint WebSocketEndPoint { get; private set; }
 
-    /// <summary>Where browsers find the control clock as a code for cameras; null where the page was not built.</summary>
-    public Uri CodePageUri => !_page.IsBuilt
-        ? null : new Uri($"{(Pin == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)}://{WebSocketEndPoint}{CodePage.Path}");
+    /// <summary>Where browsers find the control clock as a code for cameras, under each name; none where the page was not built.</summary>
+    public IReadOnlyList<Uri> CodePageUris => !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_bind).Select(CodePageUri)];
 
     /// <summary>What headsets pin; null without TLS.</summary>
     public CertificatePin Pin { get; }
@@ -92,6 +92,9 @@ public sealed class GatewayServer : IAsyncDisposable
         await _web.DisposeAsync();
         _rosbridge.Dispose();
     }
+
+    Uri CodePageUri(string host) =>
+        new($"{(Pin == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)}://{host}:{WebSocketEndPoint.Port}{CodePage.Path}");
 
     async Task StartWebAsync(GatewayOptions options, CancellationToken cancellation)
     {

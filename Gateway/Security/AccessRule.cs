@@ -6,7 +6,7 @@ namespace Nowpose.Gateway.Security;
 /// <summary>Who may open a WebSocket, and as what.</summary>
 sealed class AccessRule(GatewayOptions options)
 {
-    const string Scheme = "Bearer ";
+    const string TokenScheme = "Bearer ";
 
     /// <summary>Whether the request comes from no browser page, or from one of the gateway's own.</summary>
     /// <remarks>
@@ -19,10 +19,14 @@ sealed class AccessRule(GatewayOptions options)
         if (origins.Count == 0)
             return true;
         return origins.Count == 1 && Uri.TryCreate(origins[0], UriKind.Absolute, out var origin)
-            && origin.Scheme == (options.Certificate == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)
+            && origin.Scheme == Scheme
             && origin.Port == context.Connection.LocalPort
-            && IsOwnHost(origin, context.Connection.LocalIpAddress);
+            && OwnHosts.Contain(origin, context.Connection.LocalIpAddress);
     }
+
+    /// <summary>What <see cref="IsOriginAllowed"/> accepts, in words: "http://10.0.0.7:47011, http://cell:47011".</summary>
+    public string AllowedOrigins(HttpContext context) => string.Join(
+        ", ", OwnHosts.Of(context.Connection.LocalIpAddress).Select(host => $"{Scheme}://{host}:{context.Connection.LocalPort}"));
 
     /// <summary>The role of whoever asks, or null when it has none of the tokens asked for.</summary>
     public Role? RoleOf(HttpContext context)
@@ -31,17 +35,11 @@ sealed class AccessRule(GatewayOptions options)
             return IsFromHere(context) ? Role.Source : Role.Observer;
         var values = context.Request.Headers[HeaderNames.Authorization];
         var value = values.Count == 1 ? values[0] : "";
-        return value.StartsWith(Scheme, StringComparison.OrdinalIgnoreCase) ? options.Tokens.RoleOf(value[Scheme.Length..].Trim()) : null;
+        return value.StartsWith(TokenScheme, StringComparison.OrdinalIgnoreCase) ? options.Tokens.RoleOf(value[TokenScheme.Length..].Trim()) : null;
     }
+
+    string Scheme => options.Certificate == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps;
 
     static bool IsFromHere(HttpContext context) =>
         context.Connection.RemoteIpAddress is { } remote && IPAddress.IsLoopback(remote);
-
-    static bool IsOwnHost(Uri origin, IPAddress local)
-    {
-        if (IPAddress.TryParse(origin.IdnHost, out var address))
-            return address.MapToIPv6().Equals(local.MapToIPv6());
-        return IPAddress.IsLoopback(local) && origin.Host == "localhost"
-            || origin.Host.Equals(Environment.MachineName, StringComparison.OrdinalIgnoreCase);
-    }
 }

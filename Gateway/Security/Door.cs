@@ -18,7 +18,8 @@ sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<st
     public async Task<bool> AdmitOriginAsync(HttpContext context)
     {
         if (_rule.IsOriginAllowed(context)) return true;
-        await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin, "the Origin is not the gateway's own");
+        await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin,
+            $"the Origin is not the gateway's own; allowed are {_rule.AllowedOrigins(context)}");
         return false;
     }
 

@@ -12,8 +12,8 @@ static class Announcement
     {
         Line("sync", gateway.SyncEndPoint.ToString());
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
-        Line("vlc", gateway.CodePageUri?.ToString());
-        if (gateway.CodePageUri == null) Log("vlc: " + CodePage.MissingPage);
+        foreach (var page in gateway.CodePageUris) Line("vlc", page.ToString());
+        if (gateway.CodePageUris.Count == 0) Log("vlc: " + CodePage.MissingPage);
         Line("pin", gateway.Pin?.ToString());
         Line("control_time_s", clock.Now.SinceEpoch.TotalSeconds.ToString("0.0000000", CultureInfo.InvariantCulture));
         Line("skew_ppm", skewPpm.ToString(CultureInfo.InvariantCulture));

@@ -38,7 +38,7 @@ public class CodePageTests
         Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.OK), "a browser that opens it has no token to send");
         Assert.That(response.Content.Headers.ContentType.MediaType, Is.EqualTo("text/html"));
         Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(Gateways.ObserverToken).And.Not.Contain("https://"));
-        Assert.That(gateway.CodePageUri.ToString(), Is.EqualTo($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/vlc"));
+        Assert.That(gateway.CodePageUris, Is.EqualTo(new[] { new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/vlc") }));
     }
 
     [Test]
@@ -105,6 +105,18 @@ public class CodePageTests
         using var response = await AskAsync(gateway, HttpMethod.Post, "/vlc/time", token: token);
 
         Assert.That(response.StatusCode, Is.EqualTo(status));
+    }
+
+    [Test]
+    public async Task Time_OfAnotherName_IsToldWhichAreTheGateways()
+    {
+        await using var gateway = await Gateways.StartAsync();
+
+        using var response = await AskAsync(gateway, HttpMethod.Post, "/vlc/time", "http://alias.example:{port}");
+        var text = await response.Content.ReadAsStringAsync().Bounded();
+
+        var port = gateway.WebSocketEndPoint.Port;
+        Assert.That(text, Does.Contain($"http://127.0.0.1:{port}, http://localhost:{port}, http://{Environment.MachineName}:{port}"));
     }
 
     [TestCase("/vlc", "POST", "GET")]

@@ -1,0 +1,53 @@
+using System.Net;
+using NUnit.Framework;
+using Nowpose.Gateway.Security;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class OwnHostsTests
+{
+    static Uri Page(string host) => new($"http://{host}:47011/vlc");
+
+    [TestCase("0.0.0.0")]
+    [TestCase("::")]
+    public void Reachable_OfAllAddresses_AreThoseThatAPageMayComeFrom(string bind)
+    {
+        var hosts = OwnHosts.Reachable(IPAddress.Parse(bind)).ToList();
+
+        Assert.That(hosts, Does.Contain(Environment.MachineName).And.None.EqualTo("0.0.0.0").And.None.EqualTo("[::]"));
+        foreach (var host in hosts)
+        {
+            // A name leads to any of the addresses.
+            var local = IPAddress.TryParse(Page(host).IdnHost, out var address) ? address : IPAddress.Parse("192.0.2.1");
+            Assert.That(OwnHosts.Contain(Page(host), local), Is.True, host);
+        }
+    }
+
+    [TestCase("127.0.0.1", "127.0.0.1")]
+    [TestCase("192.0.2.7", "192.0.2.7")]
+    [TestCase("2001:db8::7", "[2001:db8::7]")]
+    public void Reachable_OfOneAddress_IsThat(string bind, string host)
+    {
+        Assert.That(OwnHosts.Reachable(IPAddress.Parse(bind)), Is.EqualTo(new[] { host }));
+    }
+
+    [TestCase("127.0.0.1")]
+    [TestCase("::ffff:192.0.2.7")]
+    [TestCase("2001:db8::7")]
+    public void Of_AnAddress_AreAllAccepted(string local)
+    {
+        var address = IPAddress.Parse(local);
+
+        foreach (var host in OwnHosts.Of(address))
+            Assert.That(OwnHosts.Contain(Page(host), address), Is.True, host);
+    }
+
+    [TestCase("localhost", "192.0.2.7")]
+    [TestCase("192.0.2.8", "192.0.2.7")]
+    [TestCase("0.0.0.0", "192.0.2.7")]
+    [TestCase("evil.example", "127.0.0.1")]
+    public void Contain_AHostThatIsNotThisConnections_IsFalse(string host, string local)
+    {
+        Assert.That(OwnHosts.Contain(Page(host), IPAddress.Parse(local)), Is.False);
+    }
+}
