@@ -30,6 +30,7 @@ public sealed record GatewayOptions
     /// <summary>Messages a subscription may keep waiting when its client does not say.</summary>
     public int QueueLength { get; init; } = 16;
 
+    /// <summary>Of a connection, for the time over TCP as for that over HTTP.</summary>
     public int SyncRequestsPerSecond { get; init; } = ProtocolLimits.SyncRequestsPerSecond;
     public TimeSpan SyncSilence { get; init; } = ProtocolLimits.SyncSilence;
     public TimeSpan TokenTimeout { get; init; } = ProtocolLimits.TokenTimeout;

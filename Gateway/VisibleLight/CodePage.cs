@@ -22,6 +22,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
 
     readonly byte[] _page = html == null ? null : Encoding.UTF8.GetBytes(html);
     readonly Door _door = new(options, counters, log);
+    readonly TimePlaces _places = new(options, counters, log);
 
     public bool IsBuilt => _page != null;
 
@@ -49,6 +50,8 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
         response.ContentType = "text/html; charset=utf-8";
         response.ContentLength = _page.Length;
         response.Headers.CacheControl = "no-store";
+        // Nobody had to show a token: it must not hold one of the places of those that did.
+        response.Headers.Connection = "close";
         // A page that shares its process with no other is given a finer clock by browsers.
         response.Headers["Cross-Origin-Opener-Policy"] = "same-origin";
         response.Headers["Cross-Origin-Embedder-Policy"] = "require-corp";
@@ -63,6 +66,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
             await RefuseMethodAsync(context, "POST");
             return;
         }
+        if (!await _places.AdmitAsync(context)) return;
         context.Response.ContentType = "application/json";
         context.Response.Headers.CacheControl = "no-store";
         var answer = TimeText(received);

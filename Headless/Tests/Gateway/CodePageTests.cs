@@ -16,6 +16,9 @@ namespace Nowpose.Headless.Tests.Gateway;
 /// <summary>The page with the control clock's code, and the time it asks for; what it draws is tested in a browser (Web/test).</summary>
 public class CodePageTests
 {
+    const string TimeRequest = "POST /vlc/time";
+    const string Empty = "Content-Length: 0\r\n";
+
     static async Task<HttpResponseMessage> AskAsync(
         GatewayServer gateway, HttpMethod method, string path, string origin = null, string token = null)
     {
@@ -39,6 +42,22 @@ public class CodePageTests
         Assert.That(response.Content.Headers.ContentType.MediaType, Is.EqualTo("text/html"));
         Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(Gateways.ObserverToken).And.Not.Contain("https://"));
         Assert.That(gateway.CodePageUris, Is.EqualTo(new[] { new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/vlc") }));
+    }
+
+    [Test]
+    public async Task Page_AskedForByManyThatKeepTheirConnections_LeavesThePlaces()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
+        using var first = await RawWebSocket.ConnectAsync(gateway);
+        using var second = await RawWebSocket.ConnectAsync(gateway);
+
+        Assert.That(await first.RequestAsync(request: "GET /vlc"), Does.Contain("Connection: close"));
+        Assert.That(await second.RequestAsync(request: "GET /vlc"), Does.Contain("Connection: close"));
+        await first.ExpectEndAsync();
+        await second.ExpectEndAsync();
+
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.RoundTripAsync();
     }
 
     [Test]
@@ -105,6 +124,38 @@ public class CodePageTests
         using var response = await AskAsync(gateway, HttpMethod.Post, "/vlc/time", token: token);
 
         Assert.That(response.StatusCode, Is.EqualTo(status));
+    }
+
+    [Test]
+    public async Task Time_OfAConnectionBeyondTheLimit_IsRefusedUntilAnotherEnds()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
+        using var first = await RawWebSocket.ConnectAsync(gateway);
+        using var second = await RawWebSocket.ConnectAsync(gateway);
+
+        Assert.That(await first.RequestAsync(Empty, TimeRequest), Does.StartWith("HTTP/1.1 200 "));
+        Assert.That(await second.RequestAsync(Empty, TimeRequest), Does.StartWith("HTTP/1.1 503 ").And.Contain("Connection: close"));
+        first.Dispose();
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "place given back");
+
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.RoundTripAsync();
+        Assert.That(gateway.WebSocketConnections[Closure.ConnectionLimit], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Time_AskedFasterThanSyncMay_IsRefusedAndTheConnectionEnds()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncRequestsPerSecond = 1 });
+        using var hasty = await RawWebSocket.ConnectAsync(gateway);
+        await hasty.RequestAsync(Empty, TimeRequest);
+
+        // Behind the first one's body.
+        var head = await hasty.RequestAsync(Empty, TimeRequest);
+
+        Assert.That(head, Does.Contain("HTTP/1.1 429 ").And.Contain("Connection: close"));
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.TooManyRequests] == 1, "closed and counted");
+        Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(0));
     }
 
     [Test]

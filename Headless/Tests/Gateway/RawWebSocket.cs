@@ -33,9 +33,9 @@ sealed class RawWebSocket : IDisposable
     }
 
     /// <summary>Returns the head of the answer.</summary>
-    public async Task<string> RequestAsync(string headers = "")
+    public async Task<string> RequestAsync(string headers = "", string request = "GET /")
     {
-        await SendAsync(Encoding.ASCII.GetBytes($"GET / HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n"));
+        await SendAsync(Encoding.ASCII.GetBytes($"{request} HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n"));
         var head = new StringBuilder();
         while (!head.ToString().EndsWith("\r\n\r\n", StringComparison.Ordinal))
             head.Append((char)(await ReadAsync(1))[0]);
