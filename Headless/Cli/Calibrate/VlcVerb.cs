@@ -20,7 +20,7 @@ static class VlcVerb
     static readonly Option<double> Readout = NumberOption.Create(
         "--readout-ms", "Rolling shutter: how much later the last row of a picture is exposed than the first", 0.0, -100, 100, "ms");
     static readonly Option<double> ControlDelay = NumberOption.Create(
-        "--control-delay-ms", "Latency of a monitor that shows the control's code; 0 for LEDs, whose code changes every millisecond", 0.0, 0, 500, "ms");
+        "--control-delay-ms", "By how much what shows the control's code is late: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
     static readonly DeviceOptions Device = new();

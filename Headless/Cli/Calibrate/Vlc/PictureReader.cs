@@ -5,11 +5,14 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>From the codes found in a picture to L_visu, Eq. (7).</summary>
 /// <param name="ReadoutMs">How much later a rolling shutter exposes the last row than the first, ms.</param>
-/// <param name="ControlDelayMs">By how much a monitor that shows the control code is late, ms; 0 for LEDs, which change every millisecond.</param>
+/// <param name="ControlDelayMs">By how much what shows the control code is late, ms: tenths for LEDs, frames for a monitor.</param>
 sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
 {
     /// <summary>What L_visu can be, ms: beyond it a code was misread, or the clocks are not synchronised.</summary>
     const double Least = -50, Greatest = 500;
+
+    /// <summary>How far apart both ways to read a control code may be, ms: of a run of codes one is brighter than the middle one.</summary>
+    const double GreatestDoubt = 2;
 
     public PictureResult Read(string file, SeenPicture seen)
     {
@@ -19,9 +22,7 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
             return PictureResult.Not(file, control == headset ? "no code found" : control == null ? "no control code found" : "no headset code found");
         var shown = HeadsetCode.Read(new CodeContrasts(headset));
         if (shown.Fault != null) return PictureResult.Not(file, $"headset code {shown.Fault}");
-        var contrasts = new CodeContrasts(control);
-        // A monitor shows a code for a frame, as the headset does, but any code may follow.
-        var lit = ControlDelayMs > 0 ? HeadsetCode.Read(contrasts, leastStep: 1) : ControlCode.Read(contrasts, DelaysOf(control, seen.Height));
+        var lit = ReadControl(new CodeContrasts(control), DelaysOf(control, seen.Height));
         if (lit.Fault != null) return PictureResult.Not(file, $"control code {lit.Fault}");
         // At the moment at which the headset's rows were exposed.
         var later = ReadoutMs * (MiddleOf(headset) - MiddleOf(control)) / seen.Height;
@@ -30,6 +31,15 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
         return visu is >= Least and <= Greatest
             ? new PictureResult(file, led, shown.Ms, visu, null)
             : PictureResult.Not(file, FormattableString.Invariant($"codes more than {Greatest} ms apart"));
+    }
+
+    /// <summary>LEDs show a run of codes; a monitor shows a code for a frame, as the headset does, but any code may follow.</summary>
+    static Reading ReadControl(CodeContrasts contrasts, double[] delaysMs)
+    {
+        Reading run = ControlCode.Read(contrasts, delaysMs), frame = HeadsetCode.Read(contrasts, leastStep: 1);
+        if (run.Fault == null && frame.Fault == null && Math.Abs(Math.IEEERemainder(run.Ms - frame.Ms, TimestampCode.PeriodMs)) > GreatestDoubt)
+            return Reading.Not("ambiguous");
+        return run.Fault == null || frame.Fault != null ? run : frame;
     }
 
     double[] DelaysOf(FoundCode code, int height)

@@ -50,6 +50,42 @@ public sealed class PictureReaderTests
         Assert.That(result.VisuMs, Is.EqualTo(40));
     }
 
+    [TestCase(1)]
+    [TestCase(2.3)]
+    [TestCase(5)]
+    public void Picture_OfLedsThatSwitchLate_HasTheirDelayAdded(double exposureMs)
+    {
+        for (var start = 10_020.2; start < 10_040; start += 0.7)
+        {
+            var result = Read(new PictureReader(0, 0.3), CodeLevels.Run(start, exposureMs), CodeLevels.Of(CodeKind.Headset, 10_000));
+
+            Assert.That(result.VisuMs, Is.EqualTo(start + exposureMs / 2 - 0.5 - 10_000 + 0.3).Within(0.5), $"from {start} ms");
+        }
+    }
+
+    [TestCase(4)]
+    [TestCase(7)]
+    [TestCase(17)]
+    public void Picture_OfAMonitorBetweenTwoFrames_IsReadAsOneOfThemOrNotAtAll(int step)
+    {
+        var read = 0;
+        for (var value = 10_020; value < 10_060; value++)
+            foreach (var share in new[] { 0.1, 0.3, 0.45, 0.5, 0.6, 0.8 })
+            {
+                var blend = CodeLevels.Of(
+                    CodeKind.Control, pair => (1 - share) * CodeWords.SignOf(value, pair) + share * CodeWords.SignOf(value + step, pair));
+
+                var result = Read(new PictureReader(0, 0), blend, CodeLevels.Of(CodeKind.Headset, 10_000));
+
+                if (!result.IsRead) continue;
+                read++;
+                // No more than half a frame beside the brighter one.
+                var brighter = value - 10_000 + (share < 0.5 ? 0 : step);
+                Assert.That(result.VisuMs, Is.EqualTo(brighter).Within(Math.Max(2, step / 2.0)), $"{value} ms, {share}");
+            }
+        Assert.That(read, Is.GreaterThan(40 * 3));
+    }
+
     [Test]
     public void Picture_WithoutACode_SaysWhichIsMissing()
     {
