@@ -5,22 +5,36 @@ using Nowpose.VisibleLight;
 namespace Nowpose.Vision;
 
 /// <summary>Looks at many pictures, as many at a time as there are cores.</summary>
-/// <remarks>Each worker remembers where it saw codes last; which pictures a worker gets depends on their number alone, so results do not change from run to run.</remarks>
+/// <remarks>
+/// A picture at which a worker ends, for want of memory say, is told as a fault of that picture, and another worker goes on.
+/// Each worker remembers where it saw codes last; which pictures a worker gets depends on their number alone, so results do not
+/// change from run to run.
+/// </remarks>
 public sealed class VisionPool : IDisposable
 {
     const int MostWorkers = 4;
     const int Waiting = 4;
 
+    /// <summary>When so many pictures in a row have ended a worker, it is not the pictures.</summary>
+    const int MostEnded = 3;
+
+    readonly string _script;
     readonly VisionWorker[] _workers;
 
     /// <param name="workers">0 for as many as cores, four at most.</param>
     /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
-    public VisionPool(int workers = 0)
+    public VisionPool(int workers = 0) : this(workers, null)
     {
+    }
+
+    /// <param name="script">What a worker runs; null for the one that comes with this program.</param>
+    internal VisionPool(int workers, string script)
+    {
+        _script = script;
         _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MostWorkers)];
         try
         {
-            for (var i = 0; i < _workers.Length; i++) _workers[i] = new VisionWorker();
+            for (var i = 0; i < _workers.Length; i++) _workers[i] = new VisionWorker(script);
         }
         catch
         {
@@ -29,7 +43,7 @@ public sealed class VisionPool : IDisposable
         }
     }
 
-    /// <summary>Runs to the end of the pictures, or until it is cancelled.</summary>
+    /// <summary>Runs to the end of the pictures, or until it is cancelled; what goes wrong from then on does not matter.</summary>
     /// <param name="pictures">Read as they are needed, on a thread of its own.</param>
     /// <param name="seen">Takes each picture's place in the order and what was seen; one call at a time, in any order.</param>
     public void Look(IEnumerable<PictureRequest> pictures, Action<int, SeenPicture> seen, CancellationToken cancellation)
@@ -40,8 +54,8 @@ public sealed class VisionPool : IDisposable
         Task[] tasks =
         [
             Task.Run(() => Feed(pictures, queues, stop), CancellationToken.None),
-            .. _workers.Select((worker, i) => Task.Factory.StartNew(
-                () => Work(worker, queues[i], (place, picture) => { lock (gate) seen(place, picture); }, stop),
+            .. _workers.Select((_, i) => Task.Factory.StartNew(
+                () => Work(i, queues[i], (place, picture) => { lock (gate) seen(place, picture); }, stop),
                 CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default)),
         ];
         try
@@ -50,6 +64,7 @@ public sealed class VisionPool : IDisposable
         }
         catch (AggregateException faults)
         {
+            if (cancellation.IsCancellationRequested) return;
             var faultsProper = faults.Flatten().InnerExceptions.Where(fault => fault is not OperationCanceledException).ToList();
             if (faultsProper.Count > 0) throw faultsProper.OfType<InputException>().FirstOrDefault() ?? faultsProper[0];
         }
@@ -77,16 +92,33 @@ public sealed class VisionPool : IDisposable
         }
     }
 
-    static void Work(VisionWorker worker, BlockingCollection<(int, PictureRequest)> queue, Action<int, SeenPicture> seen, CancellationTokenSource stop)
+    void Work(int worker, BlockingCollection<(int, PictureRequest)> queue, Action<int, SeenPicture> seen, CancellationTokenSource stop)
     {
         try
         {
-            foreach (var (place, picture) in queue.GetConsumingEnumerable(stop.Token)) seen(place, SeenOf(worker.Ask(picture.Json())));
+            var ended = 0;
+            foreach (var (place, picture) in queue.GetConsumingEnumerable(stop.Token)) seen(place, Ask(worker, picture, ref ended));
         }
         catch (Exception e) when (e is not OperationCanceledException)
         {
             stop.Cancel();
             throw;
+        }
+    }
+
+    SeenPicture Ask(int worker, PictureRequest picture, ref int ended)
+    {
+        try
+        {
+            var seen = SeenOf(_workers[worker].Ask(picture.Json()));
+            ended = 0;
+            return seen;
+        }
+        catch (WorkerEndedException) when (++ended < MostEnded)
+        {
+            _workers[worker].Dispose();
+            _workers[worker] = new VisionWorker(_script);
+            return new SeenPicture(0, 0, [], "what reads pictures has ended at it; is it too large?");
         }
     }
 

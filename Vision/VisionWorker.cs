@@ -13,16 +13,19 @@ sealed class VisionWorker : IDisposable
 
     static readonly string Script = Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs");
 
+    readonly string _script;
     readonly Process _process;
     readonly StringBuilder _errors = new();
 
+    /// <param name="script">Null for the one that comes with this program.</param>
     /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
-    public VisionWorker()
+    public VisionWorker(string script = null)
     {
-        if (!File.Exists(Script)) throw new InputException($"{Needed}; this program was built without it: install it and build again");
+        _script = script ?? Script;
+        if (!File.Exists(_script)) throw new InputException($"{Needed}; this program was built without it: install it and build again");
         _process = new Process
         {
-            StartInfo = new ProcessStartInfo("node", [Script])
+            StartInfo = new ProcessStartInfo("node", [_script])
             {
                 RedirectStandardInput = true,
                 RedirectStandardOutput = true,
@@ -45,7 +48,7 @@ sealed class VisionWorker : IDisposable
     }
 
     /// <param name="request">One line of JSON.</param>
-    /// <exception cref="InvalidOperationException">The worker has ended.</exception>
+    /// <exception cref="WorkerEndedException">The worker has ended.</exception>
     public JsonElement Ask(string request)
     {
         try
@@ -59,7 +62,7 @@ sealed class VisionWorker : IDisposable
             // Its end of the pipe is closed: said below.
         }
         _process.WaitForExit(1000);
-        lock (_errors) throw new InvalidOperationException($"what reads pictures has ended unexpectedly ({Script}): {_errors.ToString().Trim()}");
+        lock (_errors) throw new WorkerEndedException($"what reads pictures has ended unexpectedly ({_script}): {_errors.ToString().Trim()}");
     }
 
     public void Dispose()

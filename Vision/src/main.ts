@@ -1,4 +1,5 @@
 // What the command line starts: a request per line of standard input, an answer per line of standard output, in that order.
+import './interrupts';
 import { createInterface } from 'node:readline';
 import { Finder, type Found } from './finder';
 import type { Grey } from './levels';

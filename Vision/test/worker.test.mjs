@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { dirname, join } from 'node:path';
+import { createInterface } from 'node:readline';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
@@ -51,6 +52,18 @@ test('both codes are found, whichever way up, and their cells read', async () =>
     code.corners.forEach(([x, y], i) => assert.ok(Math.hypot(x - corners[i][0], y - corners[i][1]) < 6, `${code.kind} corner ${i} at ${x}, ${y}`));
     pairs.forEach((cell, pair) => assert.equal(code.levels[cell] > code.levels[cell + 1], ones(pair), `${code.kind} pair ${pair}`));
   }
+});
+
+test('an interrupt, which reaches all programs of a terminal, does not end it', async () => {
+  const child = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
+  const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
+  child.stdin.write(JSON.stringify({ pattern }) + '\n');
+  await answers.next();
+
+  process.kill(child.pid, 'SIGINT');
+  child.stdin.end(JSON.stringify({ shot: shot([]) }) + '\n');
+
+  assert.deepEqual(JSON.parse((await answers.next()).value).codes, []);
 });
 
 test('a picture without codes has none', async () => {

@@ -1,0 +1,72 @@
+using Nowpose.Vision;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Vision;
+
+/// <summary>With a stand-in for what reads pictures, which ends at those that are named so.</summary>
+[NonParallelizable]
+public sealed class VisionPoolTests
+{
+    const string StandIn = """
+        import { createInterface } from 'node:readline';
+        for await (const line of createInterface({ input: process.stdin })) {
+          if (line.includes('deadly')) process.exit(9);
+          process.stdout.write('{"width":4,"height":3,"codes":[]}\n');
+        }
+        """;
+
+    string _script;
+
+    [OneTimeSetUp]
+    public void WriteStandIn()
+    {
+        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        _script = Path.Combine(Path.GetTempPath(), $"nowpose-{Guid.NewGuid():N}.mjs");
+        File.WriteAllText(_script, StandIn);
+    }
+
+    [OneTimeTearDown]
+    public void RemoveStandIn()
+    {
+        if (_script != null) File.Delete(_script);
+    }
+
+    SortedDictionary<int, SeenPicture> Look(IEnumerable<PictureRequest> pictures, CancellationToken cancellation = default)
+    {
+        var all = new SortedDictionary<int, SeenPicture>();
+        using var pool = new VisionPool(1, _script);
+        pool.Look(pictures, (place, seen) => all[place] = seen, cancellation);
+        return all;
+    }
+
+    static IEnumerable<PictureRequest> Files(params string[] names) => names.Select(PictureRequest.File);
+
+    [Test]
+    public void Look_PictureThatEndsAWorker_IsRejectedAndTheOthersAreSeen()
+    {
+        var seen = Look(Files("a.png", "deadly.png", "b.png", "deadly.png", "deadly.png", "c.png"));
+
+        Assert.That(seen.Values.Select(picture => picture.Fault == null), Is.EqualTo(new[] { true, false, true, false, false, true }));
+        Assert.That(seen[1].Fault, Does.Contain("has ended at it"));
+    }
+
+    [Test]
+    public void Look_WorkerThatEndsAtEveryPicture_IsAFault()
+    {
+        Assert.That(() => Look(Files("deadly1.png", "deadly2.png", "deadly3.png", "deadly4.png")), Throws.InstanceOf<InvalidOperationException>());
+    }
+
+    [Test]
+    public void Look_FaultAfterItWasCancelled_LeavesWhatWasSeen()
+    {
+        using var cancellation = new CancellationTokenSource();
+        IEnumerable<PictureRequest> Interrupted()
+        {
+            yield return PictureRequest.File("a.png");
+            cancellation.Cancel();
+            throw new InputException("the video ended early");
+        }
+
+        Assert.That(() => Look(Interrupted(), cancellation.Token), Throws.Nothing);
+    }
+}
