@@ -5,6 +5,7 @@ import decoder from '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm';
 import encoder from '@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm';
 import { PNG } from 'pngjs';
 import type { Grey } from './levels';
+import { checkSize, isJpeg, isPng } from './pictureSize';
 
 // The codecs know a browser's class, which Node lacks.
 (globalThis as { ImageData?: unknown }).ImageData ??= class {
@@ -17,11 +18,23 @@ let isDecoding = false, isEncoding = false;
 export async function readPicture(path: string): Promise<Grey> {
   const bytes = readFileSync(path);
   if (bytes.length === 0) throw new Error('the file is empty');
-  if (bytes.readUInt32BE(0) === 0x89504e47) return greyOf(PNG.sync.read(bytes));
-  if (bytes.readUInt16BE(0) !== 0xffd8) throw new Error('it is neither a PNG nor a JPEG picture');
+  if (!isPng(bytes) && !isJpeg(bytes)) throw new Error('it is neither a PNG nor a JPEG picture');
+  checkSize(bytes);
+  try {
+    return greyOf(isPng(bytes) ? PNG.sync.read(bytes) : await readJpeg(bytes));
+  } catch {
+    // What decoders throw says nothing to who has the file, and need not be an error with words.
+    throw new Error('the picture is damaged or cut off');
+  }
+}
+
+async function readJpeg(bytes: Buffer): Promise<ImageData> {
   if (!isDecoding) await initDecoder(new WebAssembly.Module(decoder));
+  // One that has thrown is not used again.
+  isDecoding = false;
+  const picture = await decodeJpeg(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length) as ArrayBuffer);
   isDecoding = true;
-  return greyOf(await decodeJpeg(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length) as ArrayBuffer));
+  return picture;
 }
 
 /** @param path Ends with .png or .jpg. */

@@ -76,6 +76,40 @@ public sealed class VlcVerbTests
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 
+    [TestCase(new byte[] { 0xff, 0xd8, 0xff }, "the file is cut off")]
+    [TestCase(new byte[] { 0x89, 0x50 }, "neither a PNG nor a JPEG")]
+    public async Task Picture_OfAFewBytes_SaysWhatIsWrong(byte[] bytes, string expected)
+    {
+        File.WriteAllBytes(In("short.jpg"), bytes);
+
+        Assert.That((await Run(In("short.jpg"))).Errors, Does.Contain("short.jpg: unreadable: ").And.Contain(expected));
+    }
+
+    [Test]
+    public async Task Picture_CutOffOrDamaged_SaysSo()
+    {
+        var whole = File.ReadAllBytes(In("pictures/picture-00001.jpg"));
+        var tables = whole.AsSpan().IndexOf([(byte)0xff, (byte)0xc4]);
+        File.WriteAllBytes(In("torn.jpg"), whole[..(tables + 6)]);
+
+        Assert.That((await Run(In("torn.jpg"))).Errors, Does.Contain("torn.jpg: unreadable: the picture is damaged or cut off"));
+    }
+
+    [Test]
+    public async Task Picture_OfTooManyPixels_IsRejectedByNameAndTheOthersAreRead()
+    {
+        var huge = new byte[64];
+        byte[] start = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0, 0, 13, .. "IHDR"u8, 0, 0, 0x75, 0x30, 0, 0, 0x75, 0x30, 1];
+        start.CopyTo(huge, 0);
+        File.WriteAllBytes(In("huge.png"), huge);
+        string[] pictures = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(4)];
+
+        var run = await Run([In("huge.png"), .. pictures]);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        Assert.That(run.Errors, Does.Contain("huge.png: unreadable: 30000x30000 pixels are too many"));
+    }
+
     [TestCase("nowhere", "no such file or folder")]
     [TestCase("empty", "no pictures in it")]
     [TestCase("sweep.csv", "neither a picture")]
