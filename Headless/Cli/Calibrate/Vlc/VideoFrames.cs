@@ -10,6 +10,9 @@ static class VideoFrames
 {
     const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or give pictures";
 
+    /// <summary>Every frame once, whatever its time: by its name of today, then by that of before ffmpeg 5.1.</summary>
+    static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
+
     public static IEnumerable<PictureRequest> Of(string path) => Read(path).Select(frame => PictureRequest.Grey(frame.Width, frame.Height, frame.Bytes));
 
     /// <summary>Frame after frame in grey; the bytes are overwritten by the next one's.</summary>
@@ -17,19 +20,26 @@ static class VideoFrames
     public static IEnumerable<(int Width, int Height, byte[] Bytes)> Read(string path)
     {
         var (width, height) = SizeOf(path);
-        using var ffmpeg = Start("ffmpeg", ["-v", "error", "-nostdin", "-noautorotate", "-i", path, "-f", "rawvideo", "-pix_fmt", "gray", "-fps_mode", "passthrough", "-"]);
-        try
+        foreach (var option in EachFrameOnce)
         {
-            var errors = ffmpeg.StandardError.ReadToEndAsync();
-            var frame = new byte[width * height];
-            var count = 0;
-            for (; ffmpeg.StandardOutput.BaseStream.ReadAtLeast(frame, frame.Length, throwOnEndOfStream: false) == frame.Length; count++)
-                yield return (width, height, frame);
-            if (count == 0) throw new InputException($"{path}: ffmpeg finds no frames in it: {errors.Result.Trim().ReplaceLineEndings(" ")}");
-        }
-        finally
-        {
-            if (!ffmpeg.HasExited) ffmpeg.Kill();
+            using var ffmpeg = Start(
+                "ffmpeg",
+                ["-v", "error", "-nostdin", "-noautorotate", "-i", path, "-f", "rawvideo", "-pix_fmt", "gray", option, "passthrough", "-"]);
+            try
+            {
+                var errors = ffmpeg.StandardError.ReadToEndAsync();
+                var frame = new byte[width * height];
+                var count = 0;
+                for (; ffmpeg.StandardOutput.BaseStream.ReadAtLeast(frame, frame.Length, throwOnEndOfStream: false) == frame.Length; count++)
+                    yield return (width, height, frame);
+                if (count > 0) yield break;
+                if (option == EachFrameOnce[^1] || !errors.Result.Contains(option[1..], StringComparison.Ordinal))
+                    throw new InputException($"{path}: ffmpeg finds no frames in it: {errors.Result.Trim().ReplaceLineEndings(" ")}");
+            }
+            finally
+            {
+                if (!ffmpeg.HasExited) ffmpeg.Kill();
+            }
         }
     }
 

@@ -83,6 +83,21 @@ public class FilmedJogTests : CalibrationFolder
     }
 
     [Test]
+    public async Task Sine_FfmpegBefore51_IsAskedTheOldWay()
+    {
+        var video = Video();
+        Script(
+            "ffmpeg",
+            "case \"$*\" in *-fps_mode*) echo \"Unrecognized option 'fps_mode'.\" >&2; exit 1;; "
+            + $"*) cat '{Path.Combine(Folder, "frames.gray")}';; esac");
+
+        var run = await CliRun.OfAsync(
+            "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)), "--json", "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+    }
+
+    [Test]
     public async Task Sine_VideoWithBoxesThatAreWrong_SaysWhich()
     {
         var video = Video();
