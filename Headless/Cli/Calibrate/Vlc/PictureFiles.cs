@@ -27,7 +27,7 @@ static class PictureFiles
 
     static List<string> Within(string folder)
     {
-        var files = Directory.GetFiles(folder).Where(IsPicture).Order(StringComparer.Ordinal).ToList();
+        var files = Directory.GetFiles(folder).Where(IsPicture).Order(new NumberedNames()).ToList();
         return files.Count > 0 ? files : throw new InputException($"{folder}: there are no pictures in it ({string.Join(", ", Pictures)})");
     }
 

@@ -1,0 +1,35 @@
+namespace Nowpose.Cli.Calibrate.Vlc;
+
+/// <summary>Names in the order in which cameras count: digits that follow each other are a number, so that 2 comes before 10.</summary>
+sealed class NumberedNames : IComparer<string>
+{
+    public int Compare(string a, string b)
+    {
+        int i = 0, j = 0;
+        while (i < a.Length && j < b.Length)
+        {
+            int order;
+            if (char.IsAsciiDigit(a[i]) && char.IsAsciiDigit(b[j]))
+            {
+                ReadOnlySpan<char> first = NumberAt(a, ref i), second = NumberAt(b, ref j);
+                order = first.Length != second.Length ? first.Length - second.Length : first.SequenceCompareTo(second);
+            }
+            else
+            {
+                order = a[i++] - b[j++];
+            }
+            if (order != 0) return order;
+        }
+        var rest = (a.Length - i) - (b.Length - j);
+        // Numbers alike but for zeros in front.
+        return rest != 0 ? rest : string.CompareOrdinal(a, b);
+    }
+
+    // Without zeros in front, of any length.
+    static ReadOnlySpan<char> NumberAt(string name, ref int at)
+    {
+        var start = at;
+        while (at < name.Length && char.IsAsciiDigit(name[at])) at++;
+        return name.AsSpan(start, at - start).TrimStart('0');
+    }
+}
