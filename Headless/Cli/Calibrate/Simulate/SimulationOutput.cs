@@ -8,6 +8,7 @@ namespace Nowpose.Cli.Calibrate.Simulate;
 /// <summary>A folder of pictures with the sweep's log and the truth, to try the whole chain without hardware.</summary>
 static class SimulationOutput
 {
+    const string TruthFile = "truth.csv";
     const string TruthHeader = "file,led_ms,headset_ms,visu_ms,spoiled";
 
     /// <returns>How many pictures were written.</returns>
@@ -17,7 +18,7 @@ static class SimulationOutput
         var camera = new SimulatedCamera(settings, sweep);
         var pictures = Path.Combine(Made(folder), "pictures");
         Made(pictures);
-        foreach (var earlier in Directory.GetFiles(pictures, "picture-*.jpg")) File.Delete(earlier);
+        RemoveEarlier(folder, pictures);
         using (var log = File.CreateText(Path.Combine(folder, "sweep.csv")))
         {
             SweepLog.WriteHeader(log);
@@ -35,7 +36,7 @@ static class SimulationOutput
                 report(++done);
             },
             cancellation));
-        using var truth = File.CreateText(Path.Combine(folder, "truth.csv"));
+        using var truth = File.CreateText(Path.Combine(folder, TruthFile));
         truth.Write(TruthHeader + "\n");
         for (var i = 0; i < settings.Pictures; i++) truth.Write(TruthOf(sweep, i, NameOf(i), spoiled[i]) + "\n");
         return done;
@@ -47,6 +48,16 @@ static class SimulationOutput
         var start = sweep.StartOf(moment.Frame);
         var led = moment.Middle.SinceEpoch.TotalMilliseconds % TimestampCode.PeriodMs;
         return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{spoiledBy}");
+    }
+
+    // Its own pictures have their truth beside them; others may be a camera's.
+    static void RemoveEarlier(string folder, string pictures)
+    {
+        var earlier = Directory.GetFiles(pictures, "picture-*.jpg");
+        if (earlier.Length > 0 && !File.Exists(Path.Combine(folder, TruthFile)))
+            throw new InputException(
+                $"--out: {folder}: has {earlier.Length} pictures that are no simulated ones ({TruthFile} is missing); give another folder");
+        foreach (var picture in earlier) File.Delete(picture);
     }
 
     static string Made(string folder)

@@ -14,4 +14,25 @@ public sealed class SimulateVerbTests
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Output + run.Errors);
         Assert.That(run.Output, Does.Contain("40 pictures").And.Contain(" 0 misread"));
     }
+
+    [Test]
+    public async Task Out_WithPicturesThatAreNotItsOwn_LeavesThem()
+    {
+        var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+        var taken = Path.Combine(Directory.CreateDirectory(Path.Combine(folder, "pictures")).FullName, "picture-00007.jpg");
+        File.WriteAllText(taken, "by a camera");
+        try
+        {
+            var run = await CliRun.OfAsync("calibrate", "simulate", "--pictures", "1", "--out", folder);
+
+            Assert.That(run.ExitStatus, Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("1 pictures that are no simulated ones"));
+            Assert.That(File.ReadAllText(taken), Is.EqualTo("by a camera"));
+            Assert.That(File.Exists(Path.Combine(folder, "sweep.csv")), Is.False);
+        }
+        finally
+        {
+            Directory.Delete(folder, true);
+        }
+    }
 }
