@@ -7,8 +7,16 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
 public sealed class SweepJoinTests
 {
-    static readonly IReadOnlyList<SweepRow> Rows = [.. Enumerable.Range(0, 20_000).Select(i => new SweepRow(
-        ControlTime.FromNanoseconds(1_000_000_000_000 + i * 16_666_667L), i, 5 + i * 1e-3, RenderTimeSourceKind.DisplayGpuTime, "", double.NaN))];
+    const long StartNs = 1_000_000_000_000;
+
+    /// <summary>Five periods of the codes. Frames start up to 1 ms early or late, so that those of every period have each other's codes.</summary>
+    static readonly IReadOnlyList<SweepRow> Rows = RowsOf(new Random(3), 20_000);
+
+    static List<SweepRow> RowsOf(Random jitter, int count) => [.. Enumerable.Range(0, count).Select(i => new SweepRow(
+        ControlTime.FromNanoseconds(StartNs + i * 16_666_667L + jitter.Next(-1_000_000, 1_000_000)), i, 5 + i * 1e-3,
+        RenderTimeSourceKind.DisplayGpuTime, "", double.NaN))];
+
+    static bool HasARow(PictureResult picture) => Rows.Any(row => TimestampCode.ValueOf(row.FrameStart) == (int)picture.HeadsetMs);
 
     static PictureResult PictureOf(int row) => new("p" + row, 0, TimestampCode.ValueOf(Rows[row].FrameStart), 40, null);
 
@@ -41,6 +49,24 @@ public sealed class SweepJoinTests
         var joined = new SweepJoin(Rows).Join(rows.Select(PictureOf));
 
         Assert.That(joined.Select(picture => picture.Vertices), Is.EqualTo(rows));
+    }
+
+    [Test]
+    public void Join_CameraThatBeginsTenSecondsEarly_LeavesThoseOut()
+    {
+        for (var seed = 1; seed <= 20; seed++)
+        {
+            var random = new Random(seed);
+            var early = Enumerable.Range(1, 20).Select(i => StartNs - 10_000_000_000 + i * 490_000_000L + random.Next(-8_000_000, 8_000_000))
+                .Select(ns => new PictureResult("early", 0, TimestampCode.ValueOf(ControlTime.FromNanoseconds(ns)), 40, null)).ToList();
+            int[] rows = [.. Enumerable.Range(0, 600).Select(i => 5 + 30 * i)];
+            Assert.That(early.Any(HasARow), "seed " + seed + ": nothing could go astray");
+
+            var joined = new SweepJoin(Rows).Join(early.Concat(rows.Select(PictureOf)));
+
+            Assert.That(joined.Select(picture => picture.File), Is.EqualTo(rows.Select(row => "p" + row)), "seed " + seed);
+            Assert.That(joined.Select(picture => picture.Vertices), Is.EqualTo(rows), "seed " + seed);
+        }
     }
 
     [Test]
