@@ -19,10 +19,14 @@ namespace Nowpose.Latency
 
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
 
+        /// <summary>Longer without a frame, and nobody knows what the difference was meanwhile.</summary>
+        static readonly TimeSpan Gap = TimeSpan.FromMilliseconds(250);
+
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
-        HeadsetTime? _since;
+        HeadsetTime? _since, _newest;
 
         /// <summary>Whether the median has differed by more than 5 ms for a second, and not yet by less than 4 ms for another.</summary>
+        /// <remarks>A second in which frames came: one that follows more than 0.25 s after the last begins it anew.</remarks>
         public bool IsDoubted { get; private set; }
 
         /// <summary>Median of predicted minus calibrated over the newest 60 frames, positive when light is predicted later; null before.</summary>
@@ -32,6 +36,8 @@ namespace Nowpose.Latency
         /// <param name="frameStart">Not earlier than the one before.</param>
         public void Add(HeadsetTime frameStart, TimeSpan predictedMinusCalibrated)
         {
+            if (frameStart - _newest > Gap) _since = null;
+            _newest = frameStart;
             _recent.Add(predictedMinusCalibrated);
             if (!(Difference is TimeSpan median)) return;
             var isNews = IsDoubted ? median.Duration() < Agreeing : median.Duration() > Doubtful;
@@ -44,6 +50,7 @@ namespace Nowpose.Latency
         {
             _recent.Reset();
             _since = null;
+            _newest = null;
             IsDoubted = false;
         }
 

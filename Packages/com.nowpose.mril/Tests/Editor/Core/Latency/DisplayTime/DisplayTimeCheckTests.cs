@@ -9,6 +9,7 @@ namespace Nowpose.Tests
         DisplayTimeCheck _check;
         Random _random;
         int _frame;
+        double _start;
 
         [SetUp]
         public void Begin()
@@ -16,6 +17,7 @@ namespace Nowpose.Tests
             _check = new DisplayTimeCheck();
             _random = new Random(4);
             _frame = 0;
+            _start = 0;
         }
 
         // Predictions scatter: sd 1 ms. Returns the frames until it turned, or all.
@@ -26,7 +28,7 @@ namespace Nowpose.Tests
             {
                 var scatter = Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
                 var outlier = _random.NextDouble() < outlierChance ? 16.7 : 0;
-                _check.Add(HeadsetTime.FromSeconds(_frame++ / 60.0), Lengths.Ms(differenceMs + scatter + outlier));
+                _check.Add(HeadsetTime.FromSeconds(_start + _frame++ / 60.0), Lengths.Ms(differenceMs + scatter + outlier));
                 if (_check.IsDoubted != before) return i + 1;
             }
             return count;
@@ -75,6 +77,33 @@ namespace Nowpose.Tests
 
             Assert.That(atTheLimit, Is.True);
             Assert.That(_check.IsDoubted, Is.False);
+        }
+
+        [TestCase(0.2, true)]
+        [TestCase(0.3, false)]
+        [TestCase(10, false)]
+        public void Add_GapAfterAFewBadFrames_CountsAsLastingOnlyWhereItIsShort(double gapSeconds, bool isDoubted)
+        {
+            // The median turns with the 31st bad frame: half a second before the gap and half a second after it are not enough.
+            Frames(60, 0);
+            Frames(60, 20);
+            _start += gapSeconds;
+
+            Frames(25, 20);
+
+            Assert.That(_check.IsDoubted, Is.EqualTo(isDoubted), "seed 4");
+        }
+
+        [Test]
+        public void Add_DoubtedAndOneGoodFrameAfterAGap_StaysDoubted()
+        {
+            Frames(300, 8);
+            Frames(40, 0);
+            _start += 10;
+
+            Frames(1, 0);
+
+            Assert.That(_check.IsDoubted, Is.True);
         }
 
         [Test]
