@@ -35,7 +35,7 @@ public sealed class LoadSweepTests
         else File.Delete(_folder);
     }
 
-    void Play(bool rewrites = false, int vertices = 100_000, float seconds = 0.5f)
+    void Play(bool rewrites = false, int vertices = 100_000, float seconds = 0.5f, bool isPainted = true)
     {
         _session = _cell.NewSession(settings: new SessionSettings(
             PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, rewriteBeforeRender: rewrites));
@@ -43,7 +43,7 @@ public sealed class LoadSweepTests
         var material = new Material((Shader)null);
         var wall = new GameObject("Load");
         wall.transform.SetParent(_session.transform, worldPositionStays: false);
-        _load = wall.AddComponent<LoadGenerator>().With("_material", material).With("_vertices", 7777);
+        _load = wall.AddComponent<LoadGenerator>().With("_material", isPainted ? material : null).With("_vertices", 7777);
         _display = _session.gameObject.AddComponent<TimestampDisplay>().With("_light", material);
         _sweep = _session.gameObject.AddComponent<LoadSweep>()
             .With("_folder", _folder).With("_mostVertices", vertices).With("_steps", 2).With("_secondsPerLoad", seconds).With("_settleSeconds", 0.1f);
@@ -210,6 +210,51 @@ public sealed class LoadSweepTests
         Assert.That(_sweep.Problem, Does.StartWith("sweep log " + _sweep.Path + " cannot be written: "));
         Assert.That(_cell.Messages.Count(m => m.Contains("cannot be written", StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_load.Vertices, Is.EqualTo(7777));
+    }
+
+    [Test]
+    public void Load_CannotBeDrawn_EndsTheSweepWithItsProblem()
+    {
+        Play(isPainted: false);
+        _sweep.StartSweep();
+
+        Run(5);
+
+        Assert.That(_sweep.IsRunning, Is.False);
+        Assert.That(_sweep.Problem, Is.EqualTo("load generator 'Load' has no material to draw with; assign one"));
+        Assert.That(_sweep.Words, Is.EqualTo("sweep stopped"));
+    }
+
+    [Test]
+    public async Task Load_SwitchedOffInTheMiddle_EndsTheSweepAndKeepsWhatWasLogged()
+    {
+        Play();
+        _sweep.StartSweep();
+        Run(6.5);
+
+        _load.enabled = false;
+        Run(1);
+
+        Assert.That(_sweep.IsRunning, Is.False);
+        Assert.That(_sweep.Problem, Is.EqualTo("load generator 'Load' is switched off; the sweep needs it"));
+        Assert.That(_cell.Messages.Count(m => m.Contains("switched off", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_load.Vertices, Is.EqualTo(7777), "as before");
+        await Soon.BecomesAsync(() => File.Exists(_sweep.Path) && SweepLogReader.Read(_sweep.Path).Count > 30, "the log is written");
+    }
+
+    [Test]
+    public void Load_DestroyedInTheMiddle_EndsTheSweep()
+    {
+        Play();
+        _sweep.StartSweep();
+        Run(5);
+
+        UnityEngine.Object.Destroy(_load.gameObject);
+        Run(1, gpuSeesLoad: false);
+
+        Assert.That(_sweep.IsRunning, Is.False);
+        Assert.That(_sweep.Problem, Does.EndWith("has lost its load generator; what it logged is kept"));
+        Assert.That(_cell.Messages.Where(m => m.Contains("Exception", StringComparison.Ordinal)), Is.Empty);
     }
 
     [Test]

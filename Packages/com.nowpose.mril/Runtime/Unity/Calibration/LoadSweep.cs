@@ -11,7 +11,8 @@ namespace Nowpose.Unity
     /// <summary>Steps through loads and logs, for each frame, the load, the render time and the control time that its code shows.</summary>
     /// <remarks>
     /// Schnierle &amp; Röck 2022, Fig. 11. The log is joined with a camera's pictures by the codes in them. A load counts from when it is there in full
-    /// and the clock is synchronised. No frame waits for the disk, and none allocates but at the change of a load.
+    /// and the clock is synchronised. No frame waits for the disk, and none allocates but at the change of a load, or where a load takes so
+    /// long that its rows need more room.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Sweep")]
     [DisallowMultipleComponent]
@@ -86,7 +87,7 @@ namespace Nowpose.Unity
         /// <summary>Whether the last sweep's render time sees load; null until one is done.</summary>
         public LoadSensitivity Verdict { get; private set; }
 
-        /// <summary>Why there is no sweep although it was asked for, in one line; null when nothing is wrong.</summary>
+        /// <summary>Why there is no sweep although it was asked for, or why it ended early, in one line; null when nothing is wrong.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Goes through the loads from the first one, into a log of its own. Does nothing while it is running.</summary>
@@ -163,12 +164,18 @@ namespace Nowpose.Unity
         // The frame before: by now it is known which code it showed.
         void Follow()
         {
+            // Not at the start: whoever is switched on together with the sweep may be so a moment later.
+            if (ProblemOfLoad() is string problem)
+            {
+                Abandon(problem);
+                return;
+            }
             // Also while a load is built: a picture whose frame is missing could be taken for one a period of the code later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_device, _displayHz));
             TellPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
             _frame = null;
-            if (_file.Problem != null) Abandon();
+            if (_file.Problem != null) Abandon(_file.Problem);
             else if (isOver) NextLoad();
         }
 
@@ -184,9 +191,16 @@ namespace Nowpose.Unity
             _generator.Vertices = _run.Vertices;
         }
 
-        void Abandon()
+        // The load would never be there, and the sweep would wait for it for ever.
+        string ProblemOfLoad()
         {
-            var problem = _file.Problem;
+            if (_generator == null) return "load sweep '" + name + "' has lost its load generator; what it logged is kept";
+            if (_generator.Problem != null) return _generator.Problem;
+            return _generator.isActiveAndEnabled ? null : "load generator '" + _generator.name + "' is switched off; the sweep needs it";
+        }
+
+        void Abandon(string problem)
+        {
             End();
             Problem = problem;
             Tell(SweepWords.Stopped);

@@ -30,7 +30,12 @@ namespace Nowpose.Latency
         /// <summary>Why nothing more is written, in one line; null when nothing is wrong. Any thread.</summary>
         public string Problem => _problem;
 
-        public void Add(in SweepRow row) => _rows.Add(row);
+        /// <summary>Rows beyond the room for a load are handed over, too: a load that lasts and lasts is not lost with the application.</summary>
+        public void Add(in SweepRow row)
+        {
+            _rows.Add(row);
+            if (_rows.Count >= _rowsPerLoad) EndLoad();
+        }
 
         /// <summary>Hands the rows since the last call over to be written; returns at once.</summary>
         public void EndLoad()

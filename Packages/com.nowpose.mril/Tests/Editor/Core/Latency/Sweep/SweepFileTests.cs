@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using System.Threading;
 using Nowpose.Latency;
 using NUnit.Framework;
 
@@ -49,6 +50,28 @@ namespace Nowpose.Tests
             Assert.That(judged.Words, Is.EqualTo(LoadSensitivity.Judge(rows).Words));
             Assert.That(judged.Sight, Is.EqualTo(LoadSight.Seen));
             Assert.That(file.Problem, Is.Null);
+        }
+
+        [Test]
+        public void Rows_OfALoadThatDoesNotEnd_AreWrittenWhenTheRoomIsFull()
+        {
+            var file = NewFile();
+
+            for (var i = 0; i < 250; i++)
+                file.Add(new SweepRow(ControlTime.FromSeconds(1 + i / 60.0), 0, 4, RenderTimeSourceKind.CameraCpu, "", 60));
+
+            var written = SpinWait.SpinUntil(() => RowsIn(file.Path) == 200, TimeSpan.FromTicks(30 * TimeSpan.TicksPerSecond));
+            Finished(file);
+            Assert.That(written, "two rooms of 100 rows, though no load has ended");
+            Assert.That(SweepLogReader.Read(file.Path).Count, Is.EqualTo(250));
+        }
+
+        // It may be written to at this moment.
+        static int RowsIn(string path)
+        {
+            if (!File.Exists(path)) return 0;
+            using (var reader = new StreamReader(new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite)))
+                return reader.ReadToEnd().Count(c => c == '\n') - 1;
         }
 
         [Test]
