@@ -133,6 +133,33 @@ public sealed class LatencyNudgeTests
         Assert.That(_loader.Profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
     }
 
+    sealed class PredictingRuntime : IDisplayTimeSource
+    {
+        public TimeSpan? Ahead { get; set; }
+
+        public HeadsetTime? LightOf(HeadsetTime frameStart) => frameStart + Ahead;
+    }
+
+    [Test]
+    public void MarkAndApply_RuntimePredictsDisplayTimes_AreRefusedUntilItDoesNot()
+    {
+        var runtime = new PredictingRuntime();
+        Run(8);
+        _session.Session.DisplayTimeSource = runtime;
+        MarkBothWays(1);
+        runtime.Ahead = TimeSpan.FromMilliseconds(55);
+        RunToTheMiddle(isForward: true);
+
+        Assert.That(_nudge.Mark(), Is.False);
+        var problem = _nudge.Problem;
+        Assert.That(_nudge.Apply(), Is.False);
+
+        Assert.That(problem, Is.EqualTo("nudge: the runtime predicts display times; there is nothing to nudge"));
+        Assert.That(_nudge.Problem, Is.EqualTo(problem));
+        Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(ToldMs));
+        Assert.That(_nudge.ForwardCount, Is.EqualTo(1));
+    }
+
     [Test]
     public void Apply_OneDirectionOnly_IsRefusedAndNothingChanges()
     {

@@ -88,7 +88,7 @@ namespace Nowpose.Unity
         /// <returns>Whether it was marked; <see cref="Problem"/> says why not.</returns>
         public bool Mark() => Try(() =>
         {
-            var session = RunningSession();
+            var session = NudgedSession();
             if (!(_speed.MmPerS is double speed) || !_speed.IsConstant)
                 throw new InputException("nudge: the tool does not move steadily; mark while it moves at constant speed");
             // Marks that were made with another L_visu say something else.
@@ -115,7 +115,7 @@ namespace Nowpose.Unity
         /// <returns>Whether it was kept; <see cref="Problem"/> says why not.</returns>
         public bool Apply() => Try(() =>
         {
-            var session = RunningSession();
+            var session = NudgedSession();
             var result = (_marks ?? new MarkedNudges(0)).Result;
             var profile = ProfileOf(result, session.Profile);
             if (_loader == null) session.Calibrate(profile);
@@ -183,8 +183,15 @@ namespace Nowpose.Unity
             _moved.localPosition = _home + _moved.localRotation * shift;
         }
 
-        CompensationSession RunningSession() => _source != null && _source.Session != null
-            ? _source.Session : throw new InputException("nudge: there is no session to calibrate");
+        CompensationSession NudgedSession()
+        {
+            var session = _source != null ? _source.Session : null;
+            if (session == null) throw new InputException("nudge: there is no session to calibrate");
+            // The robot is drawn with what is predicted: the constant changes nothing that an eye could see.
+            if (session.Statistics(default).IsLightPredicted)
+                throw new InputException("nudge: the runtime predicts display times; there is nothing to nudge");
+            return session;
+        }
 
         // What limits the render time has nothing to do with how it was found how late light is.
         static LatencyProfile ProfileOf(in NudgeResult result, LatencyProfile before) => new LatencyProfile(
