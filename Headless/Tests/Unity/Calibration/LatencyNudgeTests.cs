@@ -133,6 +133,39 @@ public sealed class LatencyNudgeTests
         Assert.That(_loader.Profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
     }
 
+    [Test]
+    public void Apply_LimitOfTheSettings_StaysAndIsKept()
+    {
+        _session.Settings = new SessionSettings(
+            PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuCompletion));
+        Run(8);
+        MarkBothWays(1);
+
+        Assert.That(_nudge.Apply(), _nudge.Problem);
+        Run(0.1);
+
+        Assert.That(_session.Session.Profile.Method, Is.EqualTo(CalibrationMethod.Nudge));
+        Assert.That(_session.Session.Range.Limit.TotalMilliseconds, Is.EqualTo(15));
+        var kept = LatencyProfileFile.Load(Path.Combine(_folder, "latency-profile.json"));
+        Assert.That(kept.Range.Limit.TotalMilliseconds, Is.EqualTo(15));
+        Assert.That(kept.Range.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+    }
+
+    [Test]
+    public void Apply_LimitWasNotReached_StillSaysHowFarItWasSeen()
+    {
+        _loader.Save(new LatencyProfile(
+            ToldMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, null, RenderTimeSourceKind.GpuCompletion, 12));
+        Run(8);
+        MarkBothWays(1);
+
+        _nudge.Apply();
+
+        Assert.That(_loader.Profile.Range, Is.Null);
+        Assert.That(_loader.Profile.ValidToRenderTime.Value.TotalMilliseconds, Is.EqualTo(12));
+        Assert.That(_loader.Profile.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+    }
+
     sealed class PredictingRuntime : IDisplayTimeSource
     {
         public TimeSpan? Ahead { get; set; }

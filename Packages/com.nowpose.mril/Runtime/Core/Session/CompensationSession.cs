@@ -144,6 +144,12 @@ namespace Nowpose.Session
             get { lock (_gate) return _light.Profile; }
         }
 
+        /// <summary>What render times are judged by: the profile's range, or else the settings'; null where neither knows one. Any thread.</summary>
+        public ConstantLatencyRange Range
+        {
+            get { lock (_gate) return _monitor.Range; }
+        }
+
         /// <summary>
         /// Tells when light appears, frame by frame, and is believed before <see cref="Visualisation"/>; null for none. Asked within
         /// <see cref="Tick"/>; must not call back into the session. Any thread may set it.
@@ -215,13 +221,16 @@ namespace Nowpose.Session
         /// Takes what a calibration found, from the next frame on: L_visu, and the range that render times are judged by. The
         /// session goes on. Whether the profile is of this device is for the caller to ask. Any thread.
         /// </summary>
-        /// <param name="profile">Null goes back to what the settings say.</param>
+        /// <param name="profile">
+        /// Null goes back to what the settings say; their range also counts where the profile knows none, for what limits the render
+        /// time has nothing to do with how L_visu was found.
+        /// </param>
         public void Calibrate(LatencyProfile profile)
         {
             lock (_gate)
             {
                 _light.Calibrate(profile?.Visualisation ?? _settings.Visualisation, profile ?? _settings.Profile);
-                _monitor.Range = profile == null ? _settings.Range : profile.WatchedRange;
+                _monitor.Range = profile?.WatchedRange ?? _settings.Range;
             }
         }
 

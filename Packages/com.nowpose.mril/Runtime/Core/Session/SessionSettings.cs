@@ -20,7 +20,9 @@ namespace Nowpose.Session
         /// </param>
         /// <param name="range">The constant-latency range of this device; null when none was found yet.</param>
         /// <param name="clockEstimator">One of <see cref="ClockEstimators.Names"/>.</param>
-        /// <param name="profile">Takes the place of <paramref name="visualisation"/> and <paramref name="range"/>; null for none.</param>
+        /// <param name="profile">
+        /// Takes the place of <paramref name="visualisation"/>, and of <paramref name="range"/> where it knows one; null for none.
+        /// </param>
         /// <param name="outsideRange">What is shown while the render time is outside the range.</param>
         /// <param name="rewriteBeforeRender">As <see cref="RewriteBeforeRender"/>; L_visu is calibrated with the same choice.</param>
         public SessionSettings(
@@ -32,7 +34,7 @@ namespace Nowpose.Session
         {
             Profile = profile;
             OutsideRange = outsideRange;
-            Range = profile == null ? range : profile.WatchedRange;
+            Range = profile?.WatchedRange ?? range;
             RewriteBeforeRender = rewriteBeforeRender;
             Connection = connection ?? throw new ArgumentNullException(nameof(connection));
             Visualisation = profile?.Visualisation ?? visualisation;

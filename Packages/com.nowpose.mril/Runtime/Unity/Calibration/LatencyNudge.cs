@@ -117,7 +117,7 @@ namespace Nowpose.Unity
         {
             var session = NudgedSession();
             var result = (_marks ?? new MarkedNudges(0)).Result;
-            var profile = ProfileOf(result, session.Profile);
+            var profile = ProfileOf(result, session);
             if (_loader == null) session.Calibrate(profile);
             else if (!_loader.Save(profile)) throw new InputException(_loader.Problem);
             Report = string.Format(
@@ -194,10 +194,17 @@ namespace Nowpose.Unity
         }
 
         // What limits the render time has nothing to do with how it was found how late light is.
-        static LatencyProfile ProfileOf(in NudgeResult result, LatencyProfile before) => new LatencyProfile(
-            result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, ThisDevice.Name, ThisDevice.DisplayHz, DateTime.UtcNow,
-            CalibrationMethod.Nudge, result.Count, before?.Range?.Limit.TotalMilliseconds, before?.RenderTimeSource ?? RenderTimeSourceKind.None,
-            before?.ValidToRenderTime?.TotalMilliseconds);
+        static LatencyProfile ProfileOf(in NudgeResult result, CompensationSession session)
+        {
+            var range = session.Range;
+            var source = range?.Source ?? RenderTimeSourceKind.None;
+            var seenTo = session.Profile?.RenderTimeSource == source ? session.Profile.ValidToRenderTime : null;
+            if (range?.IsLimitReached == false) seenTo = range.Limit;
+            return new LatencyProfile(
+                result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, ThisDevice.Name, ThisDevice.DisplayHz,
+                DateTime.UtcNow, CalibrationMethod.Nudge, result.Count, range?.IsLimitReached == true ? range.Limit.TotalMilliseconds : (double?)null,
+                source, seenTo?.TotalMilliseconds);
+        }
 
         static RobotRig DisplayedBelow(MrilSession session)
         {

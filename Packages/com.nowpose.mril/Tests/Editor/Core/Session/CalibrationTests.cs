@@ -113,6 +113,34 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Calibrate_ProfileKnowsNoRange_KeepsTheSettings()
+        {
+            var settings = new SessionSettings(
+                new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40), range: new ConstantLatencyRange(15, Source));
+            var session = new CompensationSession(settings, TestRobot.Model, new SetClock());
+
+            session.Calibrate(Profile(limitMs: 12));
+            var known = session.Range.Limit;
+            session.Calibrate(Profile(limitMs: null));
+            Render(session, 20);
+
+            Assert.That(known, Is.EqualTo(Lengths.Ms(12)));
+            Assert.That(session.Range, Is.SameAs(settings.Range));
+            Assert.That(session.Statistics(default).Range, Is.EqualTo(RangeState.Outside));
+        }
+
+        [Test]
+        public void SessionSettings_ProfileKnowsNoRange_HaveTheirOwn()
+        {
+            var range = new ConstantLatencyRange(15, Source);
+
+            var settings = new SessionSettings(
+                new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(10), range: range, profile: Profile(limitMs: null));
+
+            Assert.That(settings.Range, Is.SameAs(range));
+        }
+
+        [Test]
         public void SessionSettings_Profile_TakesThePlaceOfLatencyAndRange()
         {
             var profile = Profile();
