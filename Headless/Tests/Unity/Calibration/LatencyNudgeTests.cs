@@ -166,6 +166,23 @@ public sealed class LatencyNudgeTests
         Assert.That(_loader.Profile.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
     }
 
+    [Test]
+    public void Apply_CannotBeKept_IsUsedAndTheShiftTakenBack()
+    {
+        Directory.CreateDirectory(Path.Combine(_folder, "latency-profile.json.new"));
+        Run(8);
+        MarkBothWays(1);
+
+        Assert.That(_nudge.Apply(), Is.False);
+        Run(0.1);
+
+        Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(2));
+        Assert.That(_nudge.OffsetMm, Is.Zero, "corrected once");
+        Assert.That(_nudge.ForwardCount, Is.Zero);
+        Assert.That(_nudge.Problem, Does.Contain(": the latency profile cannot be saved: "));
+        Assert.That(_nudge.Report, Does.StartWith("nudge: L_visu 6"));
+    }
+
     sealed class PredictingRuntime : IDisplayTimeSource
     {
         public TimeSpan? Ahead { get; set; }

@@ -112,20 +112,22 @@ namespace Nowpose.Unity
         /// Calibrates the session by the marks, keeps that as a profile, and takes the shift back. A render-time limit that was
         /// known stays.
         /// </summary>
-        /// <returns>Whether it was kept; <see cref="Problem"/> says why not.</returns>
+        /// <returns>Whether it was kept; <see cref="Problem"/> says why not. Where it only cannot be saved it is used all the same.</returns>
         public bool Apply() => Try(() =>
         {
             var session = NudgedSession();
             var result = (_marks ?? new MarkedNudges(0)).Result;
             var profile = ProfileOf(result, session);
-            if (_loader == null) session.Calibrate(profile);
-            else if (!_loader.Save(profile)) throw new InputException(_loader.Problem);
+            var isKept = _loader == null || _loader.Save(profile);
+            session.Calibrate(profile);
             Report = string.Format(
                 CultureInfo.InvariantCulture, "nudge: L_visu {0:0.0} ms ± {1:0.0} ms by {2} marks; the base is misplaced by {3:0.0} mm along {4}",
                 result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
             ConsoleLog.Say(this, Report);
             Clear();
+            // It is in use now, kept or not: with the shift the robot would be corrected twice.
             OffsetMm = 0;
+            if (!isKept) throw new InputException(_loader.Problem);
         });
 
         void OnEnable()

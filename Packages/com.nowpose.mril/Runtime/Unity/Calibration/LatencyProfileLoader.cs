@@ -24,6 +24,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The profile where neither folder has one: the only way to ship it with an Android app. Empty: none.")]
         TextAsset _shipped = null;
 
+        const string Unkept = "a calibration that is not kept";
+
         /// <summary>A display begins some frames after the scene, and only then tells its rate.</summary>
         const int FramesBetweenLooks = 60, MostLooks = 10;
 
@@ -34,7 +36,7 @@ namespace Nowpose.Unity
         /// <summary>What is in use; null while the session has what its settings say.</summary>
         public LatencyProfile Profile { get; private set; }
 
-        /// <summary>The file or asset that <see cref="Profile"/> came from; null before the first.</summary>
+        /// <summary>The file or asset that <see cref="Profile"/> came from, or that it is not kept, in a few words; null before the first.</summary>
         public string From { get; private set; }
 
         /// <summary>Why a profile was refused or could not be saved, in one line; null when nothing is wrong.</summary>
@@ -91,16 +93,17 @@ namespace Nowpose.Unity
 
         void Keep(LatencyProfile profile)
         {
-            var path = Places.SavedPath;
+            var from = Places.SavedPath;
             try
             {
-                LatencyProfileFile.Save(path, profile);
+                LatencyProfileFile.Save(from, profile);
             }
             catch (InputException fault)
             {
                 Problem = fault.Message;
+                from = Unkept;
             }
-            Use(profile, path);
+            Use(profile, from);
         }
 
         void Use(LatencyProfile profile, string from)
