@@ -15,17 +15,23 @@ const html = readFileSync(path('../dist/vlc.html'));
 const gateways = ['Debug', 'Release'].map(kind => path(`../../Gateway/bin/${kind}/net10.0/Nowpose.Gateway.dll`)).filter(existsSync);
 const PERIOD = 65536;
 
-const { outputFiles: [bundle] } = await build({ entryPoints: [path('../src/vlc/code.ts')], bundle: true, format: 'esm', write: false });
-const { controlCells } = await import(`data:text/javascript;base64,${Buffer.from(bundle.text).toString('base64')}`);
+async function load(name) {
+  const { outputFiles: [bundle] } = await build({ entryPoints: [path(`../src/vlc/${name}.ts`)], bundle: true, format: 'esm', write: false });
+  return import(`data:text/javascript;base64,${Buffer.from(bundle.text).toString('base64')}`);
+}
+
+const { controlCells } = await load('code');
+const { ControlClock } = await load('controlClock');
+const { grainOf } = await load('grain');
 
 /** A gateway whose control clock is this process's counter, far from zero. */
 class StandIn {
   aheadNs = 1_700_000_000_000_000_000n;
   isSynchronised = true;
   token = null;
-  resolution = 1n;
+  refused = 0;
 
-  now = () => (process.hrtime.bigint() + this.aheadNs) / this.resolution * this.resolution;
+  now = () => process.hrtime.bigint() + this.aheadNs;
 
   async start(port = 0) {
     this.server = createServer((request, response) => this.answer(request, response));
@@ -39,8 +45,11 @@ class StandIn {
     const t2 = this.now();
     if (request.url === '/vlc') return response.setHeader('Content-Type', 'text/html').end(html);
     if (request.method !== 'POST' || request.url !== '/vlc/time') return response.writeHead(404).end();
-    if (this.token && request.headers.authorization !== `Bearer ${this.token}`) return response.writeHead(401).end();
-    const facts = { resolution_ns: Number(this.resolution), is_synchronised: this.isSynchronised };
+    if (this.token && request.headers.authorization !== `Bearer ${this.token}`) {
+      this.refused++;
+      return response.writeHead(401).end();
+    }
+    const facts = { resolution_ns: 1, is_synchronised: this.isSynchronised };
     response.end(JSON.stringify({ ...facts, t2_ns: `${t2}`, t3_ns: `${this.now()}` }));
   }
 
@@ -76,8 +85,8 @@ const sight = page => page.evaluate(async () => {
 });
 
 const valueOf = cells => {
-  for (let value = 0; value < PERIOD; value++) if (codes[value] === text(cells)) return value;
-  return null;
+  const value = codes.indexOf(text(cells));
+  return value < 0 ? null : value;
 };
 const text = cells => cells.map(Number).join('');
 const codes = Array.from({ length: PERIOD }, (_, value) => text(controlCells(value)));
@@ -104,6 +113,91 @@ const unsynchronised = (page, why) => page.waitForFunction(
   why => document.body.dataset.state === 'not synchronised' && document.getElementById('code').hidden
     && document.getElementById('doubt').textContent.includes(why), why, { timeout: 15_000 });
 
+describe('what the code is made of', () => {
+  it('draws the codes of the vector file', () => {
+    const file = path('../../Packages/com.nowpose.mril/Documentation~/led-matrix/timestamp-codes.csv');
+    const [, ...lines] = readFileSync(file, 'utf8').trim().split('\n');
+    const controls = lines.map(line => line.split(',')).filter(([, kind]) => kind === 'control');
+
+    assert.ok(controls.length > 100);
+    for (const [value, , rows] of controls) {
+      const bits = BigInt(`0x${rows}`).toString(2).padStart(64, '0');
+      assert.equal(text(controlCells(Number(value))), bits, `${value} ms`);
+    }
+  });
+
+  // Round trips of 2 ms; the control clock is 5000 s ahead.
+  const exchange = { t1: 100, t4: 102, t2: 5_000_101_000_000n, t3: 5_000_101_000_000n, resolutionNs: 1 };
+  const clockWith = (grainMs, ...exchanges) => exchanges.reduce((clock, e) => (clock.add(e), clock), new ControlClock(grainMs));
+
+  /** What the clock shows beyond 5000 s, ms, and its bound. */
+  const shown = (clock, now) => {
+    const { ns, boundMs } = clock.at(now);
+    return [Number(ns - 5_000_000_000_000n) / 1e6, boundMs].map(ms => Math.round(ms * 1000) / 1000);
+  };
+
+  it('takes the middle of a round trip', () => {
+    assert.deepEqual(shown(clockWith(0, exchange), 102), [102, 1]);
+  });
+
+  it('adds half the step of a control clock that counts in steps, and allows for it', () => {
+    assert.deepEqual(shown(clockWith(0, { ...exchange, resolutionNs: 20_000_000 }), 102), [112, 11]);
+  });
+
+  it('adds no more than the exchanges leave open, whose steps differ', () => {
+    const late = { t1: 200, t4: 202, t2: 5_000_200_000_000n, t3: 5_000_200_000_000n, resolutionNs: 20_000_000 };
+
+    const [ms, boundMs] = shown(clockWith(0, { ...exchange, resolutionNs: 20_000_000 }, late), 202);
+
+    // Between 1 ms less, by the former, and 20 ms more, by the latter; the former may have drifted by 0.05 ms since.
+    assert.ok(Math.abs(ms - 211.5) < 0.06 && Math.abs(boundMs - 10.5) < 0.06, `${ms} ± ${boundMs} ms`);
+  });
+
+  for (const grainMs of [0.1, 1]) {
+    it(`allows for its own clock's steps of ${grainMs} ms`, () => {
+      assert.deepEqual(shown(clockWith(grainMs, exchange), 102), [102, 1 + grainMs]);
+    });
+  }
+
+  it('is right about a clock that is cut to whole milliseconds, and keeps all its exchanges', () => {
+    const clock = new ControlClock(1), truth = 5_000_000;
+    let count = 0;
+    for (let ms = 0.37; ms < 5000; ms += 61.7, count++) {
+      const [t2, t3, t4] = [ms + 0.1, ms + 0.6, ms + 0.7].map((at, i) => (i < 2 ? BigInt(Math.round((truth + at) * 1e6)) : Math.floor(at)));
+      clock.add({ t1: Math.floor(ms), t2, t3, t4, resolutionNs: 1 });
+    }
+
+    const { ns, boundMs } = clock.at(5000);
+    const error = Number(ns) / 1e6 - truth - 5000;
+
+    assert.equal(clock.count, count);
+    assert.ok(Math.abs(error) <= boundMs && boundMs < 2, `${error} ms off, known to ${boundMs} ms`);
+  });
+
+  it('begins anew when the control clock steps', () => {
+    const clock = clockWith(0.1, exchange), later = { ...exchange, t1: 200, t4: 202 };
+
+    const hasStepped = clock.add({ ...later, t2: exchange.t2 + 120_000_000n, t3: exchange.t3 + 120_000_000n });
+
+    assert.equal(hasStepped, true);
+    assert.equal(clock.at(202), null);
+  });
+
+  /** A clock that advances by 0.01 ms with each look at it, cut to steps; held up once for 40 ms. */
+  const cut = stepMs => {
+    let looks = 0;
+    return () => {
+      looks += looks === 30 ? 4000 : 1;
+      return Math.floor(looks * 0.01 / stepMs) * stepMs;
+    };
+  };
+  for (const [stepMs, grainMs] of [[0.005, 0.1], [0.1, 0.1], [1, 1], [16, 16]]) {
+    it(`finds steps of ${stepMs} ms in a clock`, () => {
+      assert.ok(Math.abs(grainOf(cut(stepMs)) - grainMs) < 1e-9);
+    });
+  }
+});
+
 describe('the page of the control clock\'s code', () => {
   let browser, gateway, pages;
   before(async () => { browser = await Browser.start('vlc'); });
@@ -122,18 +216,6 @@ describe('the page of the control clock\'s code', () => {
     return page;
   }
 
-  it('draws the codes of the vector file', () => {
-    const [, ...lines] = readFileSync(path('../../Packages/com.nowpose.mril/Documentation~/led-matrix/timestamp-codes.csv'), 'utf8').trim().split('\n');
-    const controls = lines.map(line => line.split(',')).filter(([, kind]) => kind === 'control');
-
-    assert.ok(controls.length > 100);
-    for (const [value, , rows] of controls) {
-      const bits = BigInt(`0x${rows}`).toString(2).padStart(64, '0');
-      assert.equal(text(controlCells(Number(value))), bits, `${value} ms`);
-    }
-    pages = [];
-  });
-
   it('shows the control time of each frame', async () => {
     const page = await open(await (gateway = new StandIn()).start());
     await synchronised(page);
@@ -146,15 +228,6 @@ describe('the page of the control clock\'s code', () => {
     assert.match(await page.locator('#facts').textContent(), /known to ± \d\.\d ms.*L_monitor/);
   });
 
-  it('adds half the step of a clock that counts whole milliseconds', async () => {
-    gateway = Object.assign(new StandIn(), { resolution: 1_000_000n });
-    const page = await open(await gateway.start());
-    await synchronised(page);
-    gateway.resolution = 1n;
-
-    assertRight(await sight(page));
-  });
-
   it('shows no code while the gateway is gone, and a right one when it is back with another time', async () => {
     const page = await open(await (gateway = new StandIn()).start());
     await synchronised(page);
@@ -163,17 +236,6 @@ describe('the page of the control clock\'s code', () => {
     await unsynchronised(page, 'the gateway does not answer');
     gateway.aheadNs += 12_345_000_000n;
     await gateway.start(gateway.port);
-    await synchronised(page);
-
-    assertRight(await sight(page));
-  });
-
-  it('begins anew when the control clock steps', async () => {
-    const page = await open(await (gateway = new StandIn()).start());
-    await synchronised(page);
-
-    gateway.aheadNs += 20_000_000n;
-    await unsynchronised(page, 'exchanges');
     await synchronised(page);
 
     assertRight(await sight(page));
@@ -190,6 +252,14 @@ describe('the page of the control clock\'s code', () => {
     gateway = Object.assign(new StandIn(), { token: 'sesame' });
     const page = await open(await gateway.start());
     await unsynchronised(page, 'asks for a token');
+
+    await page.fill('#token input', 'guess');
+    await page.press('#token input', 'Enter');
+    await unsynchronised(page, 'does not know this token');
+    // Longer than two exchanges are apart.
+    await page.waitForTimeout(600);
+    assert.equal(gateway.refused, 2);
+    await unsynchronised(page, 'does not know this token');
 
     await page.fill('#token input', 'sesame');
     await page.press('#token input', 'Enter');
@@ -213,25 +283,20 @@ describe('the page of the control clock\'s code', () => {
   });
 
   it('is served by the gateway', { skip: gateways.length === 0 && 'the gateway is not built' }, async () => {
-    const serve = async port => {
-      const clock = ['--clock-start-s', '5000', '--skew-ppm', '200'];
-      const child = spawn('dotnet', [gateways[0], 'serve', '--ws-port', `${port}`, '--sync-port', '0', ...clock]);
-      for await (const line of createInterface(child.stdout)) if (line.startsWith('vlc ')) return { child, address: line.slice(4) };
-      throw new Error('the gateway announced no page');
-    };
-    let { child, address } = await serve(0);
+    const clock = ['--clock-start-s', '5000', '--skew-ppm', '200'];
+    const child = spawn('dotnet', [gateways[0], 'serve', '--ws-port', '0', '--sync-port', '0', ...clock]);
     try {
-      const page = await open(address);
+      const page = await open(await announced(child));
       await synchronised(page);
-      assertRight(await sight(page));
 
-      child.kill('SIGKILL');
-      await unsynchronised(page, 'the gateway does not answer');
-      ({ child } = await serve(new URL(address).port));
-      await synchronised(page);
       assertRight(await sight(page));
     } finally {
       child.kill('SIGKILL');
     }
   });
+
+  async function announced(child) {
+    for await (const line of createInterface(child.stdout)) if (line.startsWith('vlc ')) return line.slice(4);
+    throw new Error('the gateway announced no page');
+  }
 });

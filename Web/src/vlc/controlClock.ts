@@ -22,9 +22,6 @@ export const LEAST_EXCHANGES = 8;
 /** No two clocks run more differently: as in the protocol. */
 const GREATEST_SKEW = 500e-6;
 
-/** Browsers coarsen their clocks. */
-const GRAIN_MS = 0.1;
-
 const NS_PER_MS = 1e6;
 
 /**
@@ -35,6 +32,9 @@ export class ControlClock {
   private exchanges: { at: number; low: number; high: number }[] = [];
   private base = 0n;
 
+  /** @param grainMs Steps in which t1 and t4 advance: they may be wrong by as much. */
+  constructor(private readonly grainMs: number) {}
+
   get count(): number {
     return this.exchanges.length;
   }
@@ -43,8 +43,8 @@ export class ControlClock {
   add({ t1, t2, t3, t4, resolutionNs }: Exchange): boolean {
     if (this.count === 0) this.base = t2;
     const received = Number(t2 - this.base) / NS_PER_MS, sent = Number(t3 - this.base) / NS_PER_MS, step = resolutionNs / NS_PER_MS;
-    if (sent < received || sent - received > t4 - t1 + step) return false;
-    this.exchanges.push({ at: t4, low: sent - t4 - GRAIN_MS, high: received + step - t1 + GRAIN_MS });
+    if (sent < received || sent - received > t4 - t1 + step + 2 * this.grainMs) return false;
+    this.exchanges.push({ at: t4, low: sent - t4 - this.grainMs, high: received + step - t1 + this.grainMs });
     this.exchanges = this.exchanges.filter(e => e.at > t4 - WINDOW_MS);
     const { low, high } = this.limits(t4);
     if (low <= high) return false;

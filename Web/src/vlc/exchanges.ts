@@ -1,4 +1,5 @@
 import { ControlClock, LEAST_EXCHANGES } from './controlClock';
+import { grainOf } from './grain';
 
 const QUICK_MS = 60, SLOW_MS = 250, TIMEOUT_MS = 1000;
 
@@ -17,9 +18,11 @@ interface Answer {
 
 /** Keeps a clock synchronised with the gateway the page came from. */
 export class Exchanges {
-  readonly clock = new ControlClock();
+  readonly clock = new ControlClock(grainOf(() => performance.now()));
   private problem = 'asking the gateway';
   private token = '';
+  private isWaiting = false;
+  private goOn = () => {};
 
   /** @param onToken Called when the gateway asks for a token that the page does not have. */
   constructor(private readonly onToken: () => void) {}
@@ -27,6 +30,8 @@ export class Exchanges {
   /** Kept in this page's memory only. */
   authorise(token: string): void {
     this.token = token.trim();
+    this.isWaiting = false;
+    this.goOn();
   }
 
   /** Why nothing may be shown; null when the clock is good. */
@@ -36,14 +41,19 @@ export class Exchanges {
     if (age > SILENCE_MS) return 'the gateway does not answer';
     if (this.clock.count < LEAST_EXCHANGES) return `${this.clock.count} of ${LEAST_EXCHANGES} exchanges`;
     const { boundMs } = this.clock.at(now)!;
-    return boundMs > GREATEST_BOUND_MS ? `known to ± ${boundMs.toFixed(1)} ms only, ± ${GREATEST_BOUND_MS} ms are needed: use a wired network` : null;
+    if (boundMs <= GREATEST_BOUND_MS) return null;
+    return `known to ± ${boundMs.toFixed(1)} ms only, ± ${GREATEST_BOUND_MS} ms are needed: use a wired network, or another browser`;
   }
 
   async run(): Promise<never> {
     for (;;) {
       await this.exchange();
       const pause = this.clock.count < LEAST_EXCHANGES && !this.problem ? QUICK_MS : SLOW_MS;
-      await new Promise(done => setTimeout(done, pause));
+      await new Promise<void>(done => {
+        // Without a token each request is one more line in the gateway's log.
+        if (this.isWaiting) this.goOn = done;
+        else setTimeout(done, pause);
+      });
     }
   }
 
@@ -67,6 +77,7 @@ export class Exchanges {
   private askForToken(): void {
     this.fail(this.token ? 'the gateway does not know this token' : 'the gateway asks for a token');
     this.token = '';
+    this.isWaiting = true;
     this.onToken();
   }
 
