@@ -16,7 +16,7 @@ static class RangeProfile
     public static CalibrationPageData Page(
         string title, LatencyProfile profile, RangeFitResult fit, IReadOnlyList<MeasuredPicture> pictures, IEnumerable<string[]> more,
         IEnumerable<string> warnings = null) =>
-        new(title, Sentence(fit), [.. ProfileFacts.Of(profile), ["Pairs", Count(fit.Pairs)], ["Rejected as misread", Count(fit.Rejected)], .. more])
+        new(title, Sentence(fit), [.. ProfileFacts.Of(profile), ["Pairs", Count(fit.Pairs)], ["Not of the plateau (misread, or behind a slow frame)", Count(fit.Rejected)], .. more])
         {
             Warnings = [.. warnings ?? [], .. Doubts(fit)],
             Sections = [.. RangePage.Sections(pictures, fit)],
@@ -31,6 +31,9 @@ static class RangeProfile
     {
         if (fit.LimitRenderMs == null)
             yield return "limit not reached: beyond the greatest render time seen the headset calls the range unknown; sweep on to a greater load";
+        if (fit.OpenToRenderMs is double open)
+            yield return FormattableString.Invariant(
+                $"the limit may lie anywhere from {fit.LimitRenderMs:0.00} to {open:0.00} ms, the lower one is taken: sweep in finer steps around it");
     }
 
     static string Count(int count) => count.ToString(CultureInfo.InvariantCulture);

@@ -21,9 +21,17 @@ static class SinePage
             ["Taken as", result.Way.Words], ["Recording", path],
         ])
     {
-        Warnings = profile == null ? ["no profile was written: say what of the lag is L_visu, by --app-ms or by --told-ms"] : [],
+        Warnings = [.. Doubts(result, profile)],
         Sections = [Motions(result), Correlations(result)],
     };
+
+    static IEnumerable<string> Doubts(SineResult result, LatencyProfile profile)
+    {
+        const double CertainMs = 1.5;
+        if (profile == null) yield return "no profile was written: say what of the lag is L_visu, by --app-ms or by --told-ms";
+        if (result.DeviationMs > CertainMs)
+            yield return FormattableString.Invariant($"the standard error is {result.DeviationMs:0.0} ms: jog further or faster, or film longer, for better than ± 3 ms");
+    }
 
     static string Sentence(SineResult result) => result.VisuMs is double visu
         ? string.Create(CultureInfo.InvariantCulture, $"L_visu is {visu:0.0} ms ± {result.DeviationMs:0.0} ms, of a lag of {result.TotalMs:0.0} ms.")
@@ -43,7 +51,7 @@ static class SinePage
     }
 
     public static CalibrationSection Correlations(SineResult result) => new(
-        "Correlation over the lag", null, "Its peak, found between the camera's pictures by a parabola, is the total latency.",
+        "Correlation over the lag", null, "Its peak is the total latency; between the camera's pictures it is found by a least squares fit on the robot's place and speed.",
         [new("Over the lag", Lag, Correlation, [new("correlation", Looks.Adaptive,
             [.. result.Lag.Lags.Select(each => 1000 * each)], [.. result.Lag.Correlations.Select(each => (double?)each)])])
         {

@@ -11,10 +11,13 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
     /// <summary>Of which a profile is made.</summary>
     const int LeastCount = 2;
 
+    /// <summary>What scatters more, standard deviation, is not one load's.</summary>
+    const double GreatestSpreadMs = 10;
+
     const double LeastToleranceMs = 3, Deviations = 3.5, PerMedianDeviation = 1.4826;
 
     /// <summary>Of pictures at one load: those near their median, so that frames behind a slow one do not count.</summary>
-    /// <returns>Null for fewer than two.</returns>
+    /// <returns>Null for fewer than two, and where L_visu scatters too much to be constant.</returns>
     public static Plateau OfOneLoad(IReadOnlyList<double> visuMs)
     {
         if (visuMs.Count < LeastCount) return null;
@@ -22,7 +25,8 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
         var tolerance = Math.Max(LeastToleranceMs, Deviations * PerMedianDeviation * Quantile.Of(visuMs.Select(each => Math.Abs(each - median)), 0.5));
         double[] near = [.. visuMs.Where(each => Math.Abs(each - median) <= tolerance)];
         var mean = near.Average();
-        return new(mean, Math.Sqrt(near.Sum(each => (each - mean) * (each - mean)) / Math.Max(1, near.Length - 1)), near.Length);
+        var spread = Math.Sqrt(near.Sum(each => (each - mean) * (each - mean)) / Math.Max(1, near.Length - 1));
+        return spread <= GreatestSpreadMs ? new(mean, spread, near.Length) : null;
     }
 
     /// <summary>

@@ -8,12 +8,17 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>From the pictures' L_visu to a profile and a page: with a sweep also the range, without one L_visu alone.</summary>
 sealed class VlcEvaluation
 {
+    /// <summary>By chance a code stands in a log of another recording once in a while.</summary>
+    const double LeastShareJoined = 0.2;
+
     readonly VlcResult _result;
     readonly List<string> _warnings = [];
 
     /// <param name="sweep">Null for none.</param>
     /// <param name="device">Null for the sweep's own, as <paramref name="displayHz"/>.</param>
-    public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, string device, double? displayHz)
+    /// <param name="earlierPath">A profile whose limit is kept where none is found; null for none.</param>
+    /// <exception cref="InputException">The sweep is of another recording, or the earlier profile cannot be used.</exception>
+    public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, string device, double? displayHz, string earlierPath = null)
     {
         _result = result;
         if (sweep != null) Pictures = Joined(sweep);
@@ -21,7 +26,7 @@ sealed class VlcEvaluation
         var fit = sensitivity == null ? null : FitOf(sensitivity);
         device ??= sweep?[0].Device ?? "";
         var rate = displayHz ?? sweep?[0].DisplayHz ?? double.NaN;
-        Profile = fit != null ? RangeProfile.Of(fit, device, rate, sensitivity.Source) : WithoutRange(sweep != null, device, rate);
+        Profile = fit != null ? RangeProfile.Of(fit, device, rate, sensitivity.Source) : WithoutRange(sweep != null, device, rate, earlierPath);
         Page = fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage();
     }
 
@@ -36,6 +41,8 @@ sealed class VlcEvaluation
     IReadOnlyList<MeasuredPicture> Joined(IReadOnlyList<SweepRow> sweep)
     {
         var joined = new SweepJoin(sweep).Join(_result.Pictures);
+        if (joined.Count < LeastShareJoined * _result.Read.Count)
+            throw new InputException($"--sweep: the log has the frames of {joined.Count} of {_result.Read.Count} pictures: it is that of another recording");
         if (joined.Count < _result.Read.Count)
             _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that the sweep log does not have");
         return joined;
@@ -64,16 +71,20 @@ sealed class VlcEvaluation
     }
 
     // Null when there is too little to make one; why is said.
-    LatencyProfile WithoutRange(bool hasSweep, string device, double rate)
+    LatencyProfile WithoutRange(bool hasSweep, string device, double rate, string earlierPath)
     {
         var plateau = hasSweep && Pictures.Any(each => each.Vertices != Pictures[0].Vertices)
             ? Plateau.OfSweep(Pictures)
             : Plateau.OfOneLoad([.. _result.Read.Select(picture => picture.VisuMs)]);
         if (plateau != null)
-            return new LatencyProfile(plateau.VisuMs, plateau.SpreadMs, device, rate, DateTime.UtcNow, CalibrationMethod.VisibleLight, plateau.Count);
+            return EarlierProfile.With(
+                earlierPath, plateau.VisuMs, plateau.SpreadMs, device, double.IsNaN(rate) ? 0 : rate, CalibrationMethod.VisibleLight, plateau.Count);
         _warnings.Add(hasSweep
             ? $"L_visu cannot be told from these {Pictures.Count} pictures of the sweep; no profile was written"
-            : "one picture is too few for a profile; none was written");
+            : _result.Read.Count < 2
+                ? "one picture is too few for a profile; none was written"
+                : FormattableString.Invariant($"L_visu scatters by {_result.Deviation:0.0} ms, too much to be constant; ")
+                    + "were the pictures taken at several loads? Then give the sweep's log (--sweep). No profile was written");
         return null;
     }
 

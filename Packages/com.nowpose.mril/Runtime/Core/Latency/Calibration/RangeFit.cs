@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 
 namespace Nowpose.Latency
@@ -24,6 +25,15 @@ namespace Nowpose.Latency
         /// <summary>So many standard deviations from the plateau are still it.</summary>
         const double Deviations = 3.5;
 
+        /// <summary>What scatters more, standard deviation, ms, is no plateau: a display at 30 Hz that shines all the time makes 9.6 ms.</summary>
+        const double GreatestSpread = 10;
+
+        /// <summary>Further from the limit than this share of it, the next pictures leave open where it is.</summary>
+        const double Coarse = 0.05;
+
+        /// <summary>So many pairs beyond it may be misread.</summary>
+        const int Misread = 2;
+
         const int MostRounds = 8;
 
         /// <param name="pairs"><see cref="LeastPairs"/> or more, in any order.</param>
@@ -35,6 +45,7 @@ namespace Nowpose.Latency
             var sorted = pairs.OrderBy(pair => pair.RenderMs).ThenBy(pair => pair.VisuMs).ToArray();
             var plateau = Plateau.Of(sorted.Take(Math.Max(LeastPairs / 2, (int)(SeedShare * sorted.Length))));
             var good = new bool[sorted.Length];
+            var isLast = sorted.Select((pair, i) => i == sorted.Length - 1 || sorted[i + 1].RenderMs > pair.RenderMs).ToArray();
             var nearest = double.PositiveInfinity;
             var split = default(RangeSplit);
             for (var round = 0; round < MostRounds; round++)
@@ -42,7 +53,7 @@ namespace Nowpose.Latency
                 var tolerance = Math.Min(Math.Max(LeastTolerance, Deviations * plateau.Deviation), nearest);
                 for (var i = 0; i < sorted.Length; i++) good[i] = Math.Abs(sorted[i].VisuMs - plateau.Centre) <= tolerance;
                 var before = split.Count;
-                split = RangeSplit.Find(good);
+                split = RangeSplit.Find(good, isLast);
                 var inside = sorted.Take(split.Count).Where((_, i) => good[i]).ToArray();
                 if (inside.Length < LeastPairs / 2)
                     throw new InputException("pairs: L_visu is not the same at the lowest render times, so there is no range; check how it was measured");
@@ -59,7 +70,13 @@ namespace Nowpose.Latency
             var inside = Visu(sorted.Take(split.Count).Where((_, i) => good[i])).ToArray();
             var mean = inside.Average();
             var spread = Math.Sqrt(inside.Sum(visu => (visu - mean) * (visu - mean)) / Math.Max(1, inside.Length - 1));
-            return new RangeFitResult(mean, spread, sorted[split.Count - 1].RenderMs, split.IsReached, sorted.Length, split.Count - inside.Length);
+            if (spread > GreatestSpread)
+                throw new InputException(string.Format(
+                    CultureInfo.InvariantCulture, "pairs: L_visu scatters by {0:0.0} ms at the lowest render times, so there is no range; up to {1} ms are allowed; "
+                    + "check how it was measured", spread, GreatestSpread));
+            var last = sorted[split.Count - 1].RenderMs;
+            var next = split.IsReached ? sorted[Math.Min(split.Count + Misread, sorted.Length - 1)].RenderMs : last;
+            return new RangeFitResult(mean, spread, last, split.IsReached, sorted.Length, split.Count - inside.Length, next > (1 + Coarse) * last ? next : (double?)null);
         }
 
         static IEnumerable<double> Visu(IEnumerable<LatencyPair> pairs) => pairs.Select(pair => pair.VisuMs);

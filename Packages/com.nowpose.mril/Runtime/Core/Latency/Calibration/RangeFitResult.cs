@@ -5,7 +5,7 @@ namespace Nowpose.Latency
     /// <summary>The constant-latency range as <see cref="RangeFit"/> found it.</summary>
     public sealed class RangeFitResult
     {
-        internal RangeFitResult(double visuMs, double spreadMs, double validToMs, bool isReached, int pairs, int rejected)
+        internal RangeFitResult(double visuMs, double spreadMs, double validToMs, bool isReached, int pairs, int rejected, double? openToMs)
         {
             VisuMs = visuMs;
             SpreadMs = spreadMs;
@@ -13,6 +13,7 @@ namespace Nowpose.Latency
             LimitRenderMs = isReached ? validToMs : (double?)null;
             Pairs = pairs;
             Rejected = rejected;
+            OpenToRenderMs = openToMs;
         }
 
         /// <summary>L_visu: mean within the range, misread pictures apart, ms.</summary>
@@ -32,5 +33,11 @@ namespace Nowpose.Latency
 
         /// <summary>Pairs within the range whose L_visu is not the plateau's: misread pictures, and frames that waited behind a slow one.</summary>
         public int Rejected { get; }
+
+        /// <summary>
+        /// The limit may lie anywhere up to here, ms, for in between there are no pictures; null where they are close enough, within 5 %,
+        /// or no limit was reached.
+        /// </summary>
+        public double? OpenToRenderMs { get; }
     }
 }

@@ -32,7 +32,9 @@ namespace Nowpose.Latency
         /// <summary>Whether enough beyond it is bad to call it a limit.</summary>
         public bool IsReached { get; }
 
-        public static RangeSplit Find(bool[] good)
+        /// <param name="good">Sorted by render time.</param>
+        /// <param name="isLast">Whether a pair is the last with its render time: a source that counts in steps gives many the same one.</param>
+        public static RangeSplit Find(bool[] good, bool[] isLast)
         {
             var all = 0;
             foreach (var isGood in good) all += isGood ? 0 : 1;
@@ -42,6 +44,7 @@ namespace Nowpose.Latency
             for (var i = 1; i <= good.Length; i++)
             {
                 if (!good[i - 1]) below++;
+                if (!isLast[i - 1]) continue;
                 var likelihood = LogLikelihood(below, i, LeastBelow, GreatestBelow)
                     + LogLikelihood(all - below, good.Length - i, LeastBeyond, GreatestBeyond);
                 if (likelihood <= best) continue;

@@ -15,6 +15,9 @@ namespace Nowpose.Latency
         /// <summary>Of the render time at low loads: a rise below it could not be told from one frame's scatter.</summary>
         const double LeastRise = 0.1;
 
+        /// <summary>Of the render time at low loads: nothing drifts so far within a short sweep.</summary>
+        const double PlainRise = 0.5;
+
         /// <param name="visits">In their order in time; three different loads or more.</param>
         SweepPass(IReadOnlyList<SweepVisit> visits, SweepDrift drift)
         {
@@ -54,8 +57,15 @@ namespace Nowpose.Latency
             var ways = Ways(visits).Where(IsEnough).ToList();
             if (ways.Count == 0 && IsEnough(visits)) ways.Add(visits.ToList());
             var isUpAndDown = ways.Any(IsUp) && !ways.All(IsUp);
-            var drift = isUpAndDown ? SweepDrift.None : SweepDrift.Of(visits);
-            return ways.ConvertAll(way => new SweepPass(way, drift));
+            return ways.ConvertAll(way => isUpAndDown ? new SweepPass(way, SweepDrift.None) : WithoutDrift(way, SweepDrift.Of(visits)));
+        }
+
+        // A short sweep cannot tell drift, and has no time to drift as far as a load that is seen.
+        static SweepPass WithoutDrift(IReadOnlyList<SweepVisit> way, SweepDrift drift)
+        {
+            var asIs = new SweepPass(way, SweepDrift.None);
+            var isPlain = asIs.RiseMs >= Math.Max(asIs.NeededMs, PlainRise * Math.Abs(asIs.LowMs));
+            return isPlain && Certainty * drift.Error > asIs.RiseMs / 2 ? asIs : new SweepPass(way, drift);
         }
 
         static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= FewestLoads;

@@ -109,6 +109,66 @@ namespace Nowpose.Tests
         public void Fit_TooFewPairs_SaysHowManyAreNeeded() =>
             Assert.That(() => RangeFit.Fit(new LatencyPair[19]), Throws.TypeOf<InputException>().With.Message.Contains("19").And.Message.Contains("20"));
 
+        // A source that counts in whole milliseconds, or in frames: no limit within pairs that look alike.
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(1000 / 60.0)]
+        public void Fit_RenderTimesInSteps_SplitBetweenStepsOnly(double stepMs)
+        {
+            foreach (var seed in Enumerable.Range(1, 20))
+            {
+                var pairs = new SimulatedPictures().Take(seed)
+                    .Select(pair => new LatencyPair(Math.Ceiling(pair.RenderMs / stepMs) * stepMs, pair.VisuMs)).ToArray();
+
+                var limit = RangeFit.Fit(pairs).LimitRenderMs;
+
+                // The last step that is all within the limit, or one more where most of it is.
+                Assert.That(limit, Is.InRange(Math.Floor(TrueLimitMs / stepMs) * stepMs - 1e-9, Math.Ceiling(TrueLimitMs / stepMs) * stepMs + 1e-9), "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void Fit_RenderTimeThatNeverMoves_InventsNoLimit()
+        {
+            var pairs = new SimulatedPictures().Take(1).Select(pair => new LatencyPair(8, pair.VisuMs)).ToArray();
+
+            double? limit = null;
+            try
+            {
+                limit = RangeFit.Fit(pairs).LimitRenderMs;
+            }
+            catch (InputException)
+            {
+                // Nor would a plateau be right.
+            }
+
+            Assert.That(limit, Is.Null);
+        }
+
+        [Test]
+        public void Fit_NoiseWithoutAPlateau_SaysThatThereIsNone()
+        {
+            var random = new Random(4);
+            var noise = Enumerable.Range(0, 300).Select(i => new LatencyPair(4 + 0.05 * i, 20 + 60 * random.NextDouble())).ToArray();
+
+            Assert.That(() => RangeFit.Fit(noise), Throws.TypeOf<InputException>().With.Message.Contains("scatters by").And.Message.Contains("10 ms"));
+        }
+
+        [TestCase(21, false)]
+        [TestCase(5, true)]
+        public void Fit_LoadsFarApart_SaysHowFarTheLimitIsOpen(int loads, bool isOpen)
+        {
+            var pictures = new SimulatedPictures { Loads = Enumerable.Range(0, loads).Select(i => 2e6 * i / (loads - 1)).ToArray() };
+
+            foreach (var seed in Enumerable.Range(1, 20))
+            {
+                var fit = RangeFit.Fit(pictures.Take(seed));
+
+                Assert.That(fit.OpenToRenderMs.HasValue, Is.EqualTo(isOpen), "seed " + seed);
+                if (isOpen) Assert.That(TrueLimitMs, Is.InRange(fit.LimitRenderMs, fit.OpenToRenderMs), "seed " + seed);
+            }
+        }
+
         // Whatever it is given: a result that makes sense, or one line that says why there is none.
         [Test]
         public void Fit_AnyPairs_GivesAResultWithinThemOrSaysWhyNot()

@@ -33,6 +33,11 @@ namespace Nowpose.Tests
         public void Gpu_InAShortSweepOfSmallLoads_SeesLoad() =>
             AllAre(LoadSight.Seen, new SweepPlan(300_000, 5, 2, 0), sweep => (t, v) => sweep.GpuMs(t, v));
 
+        // Half a second each: too short to tell drift, which must not be held against it.
+        [Test]
+        public void Gpu_InASweepUpOfHalfASecondEach_SeesLoad() => AllAre(
+            LoadSight.Seen, new SweepPlan(steps: 21, secondsPerLoad: 0.5, settleSeconds: 0, goesDown: false), sweep => (t, v) => sweep.GpuMs(t, v));
+
         [Test]
         public void Gpu_ThatDriftsDownAsItGoesUp_SeesLoad() =>
             AllAre(LoadSight.Seen, Upwards, sweep => (t, v) => Math.Max(0.1, sweep.GpuMs(t, v) - 0.03 * t));
