@@ -21,6 +21,7 @@ static class VlcVerb
         "--readout-ms", "Rolling shutter: how much later the last row of a picture is exposed than the first", 0.0, -100, 100, "ms");
     static readonly Option<double> ControlDelay = NumberOption.Create(
         "--control-delay-ms", "By how much what shows the control's code is late: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
+    static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
     static readonly DeviceOptions Device = new();
@@ -29,7 +30,7 @@ static class VlcVerb
     {
         var verb = new Command("vlc", "Evaluate pictures of both codes, the control's and the headset's: L_visu of each, and with a sweep's log the range.")
         {
-            Pictures, Sweep, Readout, ControlDelay, Output, Json,
+            Pictures, Sweep, Readout, ControlDelay, Earlier, Output, Json,
         };
         Device.AddTo(verb);
         // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
@@ -48,7 +49,7 @@ static class VlcVerb
         Tell(result, run);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Read.Count == 0) return status == ExitStatus.Done ? throw NothingRead(arguments, result) : status;
-        var evaluation = new VlcEvaluation(result, sweep, Device.GivenDevice(parsed), Device.GivenDisplayHz(parsed));
+        var evaluation = new VlcEvaluation(result, sweep, Device.GivenDevice(parsed), Device.GivenDisplayHz(parsed), parsed.GetValue(Earlier));
         output.Write(evaluation.Profile, evaluation.Page);
         if (sweep != null) output.WritePairs(evaluation.Pictures);
         if (parsed.GetValue(Json))

@@ -11,6 +11,9 @@ sealed class VlcEvaluation
     /// <summary>By chance a code stands in a log of another recording once in a while.</summary>
     const double LeastShareJoined = 0.2;
 
+    /// <summary>At one load a few frames wait behind a slow one, no more.</summary>
+    const double LeastShareNear = 0.9;
+
     readonly VlcResult _result;
     readonly List<string> _warnings = [];
 
@@ -76,6 +79,9 @@ sealed class VlcEvaluation
         var plateau = hasSweep && Pictures.Any(each => each.Vertices != Pictures[0].Vertices)
             ? Plateau.OfSweep(Pictures)
             : Plateau.OfOneLoad([.. _result.Read.Select(picture => picture.VisuMs)]);
+        if (!hasSweep && plateau?.Count < LeastShareNear * _result.Read.Count)
+            _warnings.Add($"{_result.Read.Count - plateau.Count} of {_result.Read.Count} pictures are late and were left out: "
+                + "were they taken at several loads? Then give the sweep's log (--sweep)");
         if (plateau != null)
             return EarlierProfile.With(
                 earlierPath, plateau.VisuMs, plateau.SpreadMs, device, double.IsNaN(rate) ? 0 : rate, CalibrationMethod.VisibleLight, plateau.Count);

@@ -59,6 +59,25 @@ public class RangeVerbTests : CalibrationFolder
         Assert.That(LatencyProfileFile.Load(ProfilePath).Range, Is.Null);
     }
 
+    [Test]
+    public async Task Range_RenderTimeThatDoesNotMoveWithTheLoad_SaysThatTheSourceCannotSeeLoad()
+    {
+        var blind = Sweep(7, 2).Select((line, i) => i == 0 ? line : string.Join(',', line.Split(',') is var fields ? [fields[0], fields[1], "3.1", fields[3]] : []));
+
+        Assert.That(await RefusalOf("range", Write("pairs.csv", blind)), Does.Contain("this source cannot see load").And.Contain("display_gpu_time was 3.10 ms"));
+        Assert.That(File.Exists(ProfilePath), Is.False);
+    }
+
+    [Test]
+    public async Task Range_FewLoads_SaysHowFarTheLimitIsOpen()
+    {
+        var coarse = Sweep(7, 2).Where((line, i) => i == 0 || int.Parse(line.Split(',')[1], CultureInfo.InvariantCulture) % 500_000 == 0);
+
+        var run = await CliRun.OfAsync("calibrate", "range", Write("pairs.csv", coarse), "--out", Out);
+
+        Assert.That(run.Errors, Does.Match(@"the limit may lie anywhere from 1[34]\.\d\d to 1[567]\.\d\d ms"));
+    }
+
     [TestCase("render_ms,visu_ms\n5,40\n0,40", ":3: render_ms: 0 ms is out of range; allowed are 0.001 to 1000 ms")]
     [TestCase("render_ms,visu_ms\nNaN,40", ":2: render_ms: NaN ms is out of range")]
     [TestCase("render_ms,visu_ms\n5,4o", ":2: visu_ms: '4o' is not a number")]

@@ -99,6 +99,40 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
+    public void Sweep_OfAnotherRecording_IsRefused()
+    {
+        var (rows, result) = Sweep(ms => ms);
+        var other = rows.Select(row => new SweepRow(
+            row.FrameStart + TimeSpan.FromMilliseconds(5), row.Vertices, row.RenderMs, row.Source, row.Device, row.DisplayHz)).ToList();
+
+        Assert.That(() => new VlcEvaluation(result, other, null, null),
+            Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of").And.Message.Contains("another recording"));
+    }
+
+    [Test]
+    public void Pictures_OfSeveralLoadsWithoutTheirSweep_AreDoubted()
+    {
+        var (_, result) = Sweep(ms => ms);
+
+        var evaluation = new VlcEvaluation(result, null, null, null);
+
+        Assert.That(evaluation.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.3));
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("several loads"));
+    }
+
+    [Test]
+    public void Pictures_ThatScatterOverAll_MakeNoProfile()
+    {
+        var random = new Random(2);
+        PictureResult[] pictures = [.. Enumerable.Range(0, 100).Select(i => new PictureResult("p" + i, 0, i, 20 + 60 * random.NextDouble(), null))];
+
+        var evaluation = new VlcEvaluation(new VlcResult(pictures), null, null, null);
+
+        Assert.That(evaluation.Profile, Is.Null);
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much to be constant"));
+    }
+
+    [Test]
     public void Picture_Alone_MakesNoProfile()
     {
         var evaluation = new VlcEvaluation(new VlcResult([new PictureResult("p", 0, 0, 40, null)]), null, null, null);
