@@ -72,9 +72,20 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
   return { chart, legend };
 }
 
-function yRange({ fromZero, yExtent }: LinePlotOptions): uPlot.Scale.Range {
+function yRange({ fromZero, yExtent, traces }: LinePlotOptions): uPlot.Scale.Range {
   if (yExtent) return [-yExtent, yExtent];
+  // uPlot knows of the points only: bars would be cut off.
+  if (traces.some(t => t.deviation)) return barRange(traces, fromZero ?? false);
   return { min: { pad: 0.08, soft: 0, mode: fromZero ? 1 : 0 }, max: { pad: 0.08 } };
+}
+
+function barRange(traces: Trace[], fromZero: boolean): [number, number] {
+  const ends = traces.flatMap(({ v, deviation }) => v.flatMap((value, i) => {
+    const half = deviation?.[i] ?? 0;
+    return value == null ? [] : [value - half, value + half];
+  }));
+  const least = Math.min(...ends, ...(fromZero ? [0] : [])), greatest = Math.max(...ends), pad = 0.08 * (greatest - least || 1);
+  return [fromZero && least >= 0 ? 0 : least - pad, greatest + pad];
 }
 
 export function labelOf({ name, unit }: Quantity): string {
