@@ -46,7 +46,7 @@ static class VlcVerb
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
         var result = run.Run(files, cancel);
-        Tell(result, run);
+        Tell(result);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Read.Count == 0) return status == ExitStatus.Done ? throw NothingRead(arguments, result) : status;
         var evaluation = new VlcEvaluation(result, sweep, Device.GivenDevice(parsed), Device.GivenDisplayHz(parsed), parsed.GetValue(Earlier));
@@ -64,12 +64,8 @@ static class VlcVerb
         return status;
     }
 
-    static void Tell(VlcResult result, VlcRun run)
+    static void Tell(VlcResult result)
     {
-        if (run.MixedSizes.Count > 0)
-            Console.Error.WriteLine(
-                $"nowpose: the pictures have {run.MixedSizes.Count} sizes ({string.Join(", ", run.MixedSizes.Select(size => $"{size.Width}x{size.Height}"))}): "
-                + "is one of another camera among them?");
         if (result.Read.Count == 0) return;
         var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
         foreach (var picture in rejected.Take(MostTold)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");

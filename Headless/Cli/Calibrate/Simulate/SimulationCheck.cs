@@ -10,7 +10,7 @@ sealed class SimulationCheck
     /// <summary>A picture that is read and wrong by more than this is misread, ms: half of it come from whole milliseconds.</summary>
     public const double MisreadMs = 2.5;
 
-    readonly SortedDictionary<int, (PictureResult Result, double ErrorMs, string SpoiledBy)> _pictures = [];
+    readonly SortedDictionary<int, Checked> _pictures = [];
 
     /// <summary>Makes all pictures in memory and reads them.</summary>
     public static SimulationCheck Run(SimulationSettings settings, CancellationToken cancellation)
@@ -26,10 +26,11 @@ sealed class SimulationCheck
             (place, seen) =>
             {
                 var result = reader.Read(FormattableString.Invariant($"{place}"), seen);
-                check._pictures[place] = (result, result.VisuMs - sweep.VisuMsOf(sweep.Moments[place]), spoiled[place]);
+                check._pictures[place] = new(result, result.VisuMs - sweep.VisuMsOf(sweep.Moments[place]), spoiled[place]);
                 report(check._pictures.Count);
             },
             cancellation));
+        check.RejectStrays();
         return check;
     }
 
@@ -60,10 +61,19 @@ sealed class SimulationCheck
         foreach (var (result, error, spoiledBy) in Wrong().Take(20)) yield return Text($"misread: picture {result.File} by {error:0.0} ms{(spoiledBy.Length == 0 ? "" : ", " + spoiledBy)}");
     }
 
+    void RejectStrays()
+    {
+        int[] places = [.. _pictures.Keys];
+        var results = Strays.Rejected([.. places.Select(place => _pictures[place].Result)]);
+        for (var i = 0; i < places.Length; i++) _pictures[places[i]] = _pictures[places[i]] with { Result = results[i] };
+    }
+
     IEnumerable<double> Errors() => _pictures.Values.Where(picture => picture.Result.IsRead).Select(picture => picture.ErrorMs);
 
-    IEnumerable<(PictureResult Result, double ErrorMs, string SpoiledBy)> Wrong() =>
+    IEnumerable<Checked> Wrong() =>
         _pictures.Values.Where(picture => picture.Result.IsRead && !(Math.Abs(picture.ErrorMs) <= MisreadMs));
 
     static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    readonly record struct Checked(PictureResult Result, double ErrorMs, string SpoiledBy);
 }

@@ -6,12 +6,11 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed class VlcRun(PictureReader reader)
 {
     readonly SortedDictionary<int, PictureResult> _results = [];
-    readonly HashSet<(int Width, int Height)> _sizes = [];
-
-    /// <summary>Sizes of the pictures, where there are several.</summary>
-    public IReadOnlyCollection<(int Width, int Height)> MixedSizes => _sizes.Count > 1 ? _sizes : [];
+    SeenPicture _first;
+    string _firstName;
 
     /// <summary>What there is when the pictures, or the user's patience, have ended.</summary>
+    /// <exception cref="InputException">Pictures of several sizes: they are of several cameras, or one is none of the series.</exception>
     public VlcResult Run(IReadOnlyList<string> files, CancellationToken cancellation)
     {
         var isVideo = PictureFiles.IsVideo(files[0]);
@@ -21,11 +20,20 @@ sealed class VlcRun(PictureReader reader)
             isVideo ? VideoFrames.Of(files[0]) : files.Select(PictureRequest.File),
             (place, seen) =>
             {
-                if (seen.Fault == null) _sizes.Add((seen.Width, seen.Height));
+                RequireSameSize(seen, NameOf(place));
                 _results[place] = reader.Read(NameOf(place), seen);
                 report(_results.Count);
             },
             cancellation));
-        return new VlcResult([.. _results.Values]);
+        return new VlcResult(Strays.Rejected([.. _results.Values]));
+    }
+
+    void RequireSameSize(SeenPicture seen, string name)
+    {
+        if (seen.Fault != null) return;
+        if (_first == null) (_first, _firstName) = (seen, name);
+        if (seen.Width != _first.Width || seen.Height != _first.Height)
+            throw new InputException(
+                $"{name}: {seen.Width}x{seen.Height} px, but {_firstName} has {_first.Width}x{_first.Height} px; evaluate the pictures of each camera by themselves");
     }
 }

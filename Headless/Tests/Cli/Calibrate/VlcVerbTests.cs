@@ -110,6 +110,25 @@ public sealed class VlcVerbTests
         Assert.That(run.Errors, Does.Contain("huge.png: unreadable: 30000x30000 pixels are too many"));
     }
 
+    [Test]
+    public async Task Pictures_OfSeveralSizes_AreRefusedByNameAndTheLastGoodProfileStays()
+    {
+        Directory.CreateDirectory(In("out"));
+        File.WriteAllText(In("out/profile.json"), "good");
+        var mixed = Directory.CreateDirectory(In("mixed")).FullName;
+        File.Copy(Directory.GetFiles(In("pictures"), "*.jpg").Order(StringComparer.Ordinal).First(), Path.Combine(mixed, "a.jpg"));
+        // A grey PNG of one pixel.
+        File.WriteAllBytes(Path.Combine(mixed, "b.png"), Convert.FromBase64String(
+            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg=="));
+
+        var run = await Run(mixed);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
+        Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1), run.Errors);
+        Assert.That(run.Errors, Does.Contain("1x1 px").And.Contain("1280x720 px"));
+        Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
+    }
+
     [TestCase("nowhere", "no such file or folder")]
     [TestCase("empty", "no pictures in it")]
     [TestCase("sweep.csv", "neither a picture")]
