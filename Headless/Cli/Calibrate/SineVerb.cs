@@ -24,10 +24,12 @@ static class SineVerb
     static readonly Option<PictureBox?> RobotBox = BoxOption.Create("--robot-box", "Video: a patch of the robot's tool in the first picture");
     static readonly Option<PictureBox?> HologramBox = BoxOption.Create("--hologram-box", "Video: a patch of the hologram in the first picture");
     static readonly Option<bool> Inverted = new("--inverted") { Description = "One of the two counts backwards" };
-    static readonly Option<double?> Application = Optional("--app-ms", "Compensation off (the ghost): L_app as the panel shows it", 0, 1000);
+    static readonly Option<double?> Application = NumberOption.CreateOptional(
+        "--app-ms", "Compensation off (the ghost): L_app as the panel shows it", 0.0, 1000, "ms");
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "With --app-ms: sampling interval T_s; a held sample is half of it late besides", 50.0, 1, 1000, "ms");
-    static readonly Option<double?> Told = Optional("--told-ms", "Compensation on (the gripper): L_visu that the headset was told; what lags still is its error", 0, 500);
+    static readonly Option<double?> Told = NumberOption.CreateOptional(
+        "--told-ms", "Compensation on (the gripper): L_visu that the headset was told; what lags still is its error", 0.0, 500, "ms");
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
@@ -83,17 +85,5 @@ static class SineVerb
         {
             throw new InputException($"{path}: {bad.Message}");
         }
-    }
-
-    static Option<double?> Optional(string name, string description, double least, double greatest)
-    {
-        var option = new Option<double?>(name) { Description = FormattableString.Invariant($"{description} [{least} to {greatest} ms]") };
-        option.Validators.Add(result =>
-        {
-            if (result.Tokens.Count == 1 && double.TryParse(result.Tokens[0].Value, out _) && result.GetValueOrDefault<double?>() is double value
-                && !(value >= least && value <= greatest))
-                result.AddError(FormattableString.Invariant($"{name}: {value} ms is out of range; allowed are {least} to {greatest} ms."));
-        });
-        return option;
     }
 }

@@ -6,7 +6,6 @@ namespace Nowpose.Cli.Demo;
 /// <summary>Calibrates the simulated headset before a run with a load, as its user would: a sweep of loads, seen by a camera.</summary>
 static class DemoCalibration
 {
-    const int GreatestVertices = 2_000_000;
     const int Steps = 20;
     const int PicturesPerStep = 50;
 
@@ -35,7 +34,7 @@ static class DemoCalibration
         {
             for (var i = -FramesBefore; i < PicturesPerStep; i++)
             {
-                var frame = display.Next((double)GreatestVertices * step / Steps);
+                var frame = display.Next((double)SweepPlan.GreatestVertices * step / Steps);
                 if (i >= 0) pairs.Add(new LatencyPair(frame.RenderTime.TotalMilliseconds, Read(frame.Visualisation.TotalMilliseconds, phase)));
             }
         }

@@ -3,6 +3,7 @@ using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recordings;
 using Nowpose.Gateway.Robots;
+using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Prediction;
 using Nowpose.Simulation;
@@ -34,7 +35,7 @@ static class DemoVerb
     static readonly Option<double> VisualisationError = NumberOption.Create(
         "--visu-error-ms", "Error of the display latency that the runtime is told", 0.0, -100, 100, "ms");
     static readonly Option<int?> Load = NumberOption.CreateOptional(
-        "--load", "Vertices to be rendered from the first third of the run to its last quarter", 0, 2_000_000, "vertices");
+        "--load", "Vertices to be rendered from the first third of the run to its last quarter", 0, SweepPlan.GreatestVertices, "vertices");
     static readonly Option<bool> Trajectory = new("--trajectory")
     {
         Description = "Let the cell publish its set-points ahead of time, too",

@@ -10,7 +10,6 @@ sealed class DisplayStudy : IFigureStudy
 {
     const int PicturesPerLoad = 100;
     const int Loads = 21;
-    const int GreatestLoad = 2_000_000;
 
     /// <summary>What a camera reads wrong by, standard deviation, ms: codes are in whole milliseconds.</summary>
     const double CameraMs = 0.7;
@@ -32,7 +31,7 @@ sealed class DisplayStudy : IFigureStudy
         return [Figure10.Of(_normal, _high), Figure11.OverLoad(_sweep, fit), Figure11.OverRenderTime(_sweep, fit)];
     }
 
-    List<MeasuredPicture> Sweep() => [.. Enumerable.Range(0, Loads).SelectMany(i => Pictures(GreatestLoad / (Loads - 1) * i, 10 + i))];
+    List<MeasuredPicture> Sweep() => [.. Enumerable.Range(0, Loads).SelectMany(i => Pictures(SweepPlan.GreatestVertices / (Loads - 1) * i, 10 + i))];
 
     /// <summary>One load, long enough that what was before it is over.</summary>
     List<MeasuredPicture> Pictures(int vertices, int run)
