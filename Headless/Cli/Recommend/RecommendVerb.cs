@@ -43,7 +43,7 @@ static class RecommendVerb
     {
         var recording = SessionFileReader.IsSession(path) ? OfSession(path) : OfMotion(path, conditions);
         var contest = new Contest(recording.Subjects);
-        RecommendProgress.Run(contest.Runs, report => contest.Run(report, cancel));
+        CountProgress.Run("trying predictors", "runs", contest.Runs, report => contest.Run(report, cancel));
         (Verdict, BlendCost)[] results = [.. contest.Verdicts().Select(verdict => (verdict, new BlendCost(verdict, cancel)))];
         if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, results));
         else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, results);

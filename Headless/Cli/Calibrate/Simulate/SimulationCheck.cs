@@ -21,7 +21,7 @@ sealed class SimulationCheck
         var reader = new PictureReader(settings.ReadoutMs, 0);
         var spoiled = new string[settings.Pictures];
         using var pool = new VisionPool();
-        PictureProgress.Run("reading pictures", settings.Pictures, report => pool.Look(
+        CountProgress.Run("reading pictures", "pictures", settings.Pictures, report => pool.Look(
             Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out spoiled[i]))),
             (place, seen) =>
             {

@@ -16,7 +16,7 @@ static class FilmedJog
         var times = VideoFrames.TimesOf(path);
         var places = new List<IReadOnlyList<TrackedPlace>>(times.Length);
         using var tracker = new MotionTracker([robot, hologram]);
-        PictureProgress.Run("following robot and hologram", times.Length, report =>
+        CountProgress.Run("following robot and hologram", "pictures", times.Length, report =>
         {
             foreach (var (width, height, bytes) in VideoFrames.Read(path))
             {

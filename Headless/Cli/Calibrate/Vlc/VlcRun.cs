@@ -16,7 +16,7 @@ sealed class VlcRun(PictureReader reader)
         var isVideo = PictureFiles.IsVideo(files[0]);
         string NameOf(int place) => isVideo ? FormattableString.Invariant($"{files[0]}#{place + 1}") : files[place];
         using var pool = new VisionPool();
-        PictureProgress.Run("reading pictures", isVideo ? null : files.Count, report => pool.Look(
+        CountProgress.Run("reading pictures", "pictures", isVideo ? null : files.Count, report => pool.Look(
             isVideo ? VideoFrames.Of(files[0]) : files.Select(PictureRequest.File),
             (place, seen) =>
             {
