@@ -30,9 +30,11 @@ public sealed class DisplayCalibrationTests
     }
 
     [TearDown]
-    public void End()
+    public async Task End()
     {
         _cell.Dispose();
+        // What a sweep logged until then is still written, by a thread that no frame waits for.
+        await _sweep.Closed.Bounded();
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
 

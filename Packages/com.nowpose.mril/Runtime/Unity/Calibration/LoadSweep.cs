@@ -67,6 +67,7 @@ namespace Nowpose.Unity
         SweepFile _file;
         SweepFrame? _frame;
         Task<LoadSensitivity> _judging;
+        Task _closing = Task.CompletedTask;
         string _device;
         double _displayHz;
         int _verticesBefore;
@@ -89,6 +90,9 @@ namespace Nowpose.Unity
 
         /// <summary>Why there is no sweep although it was asked for, or why it ended early, in one line; null when nothing is wrong.</summary>
         public string Problem { get; private set; }
+
+        /// <summary>Completes when nothing more is written by the sweep that ended last.</summary>
+        internal Task Closed => _closing;
 
         /// <summary>Goes through the loads from the first one, into a log of its own. Does nothing while it is running.</summary>
         public void StartSweep()
@@ -213,7 +217,9 @@ namespace Nowpose.Unity
             _run = null;
             // Destroyed with the scene, it minds no load.
             if (_generator != null) _generator.Vertices = _verticesBefore;
-            return _file.CloseAsync();
+            var closing = _file.CloseAsync();
+            _closing = closing;
+            return closing;
         }
 
         void Conclude()
