@@ -63,6 +63,11 @@ namespace Nowpose.Kinematics
             a.R10 * b.X + a.R11 * b.Y + a.R12 * b.Z + a.Y,
             a.R20 * b.X + a.R21 * b.Y + a.R22 * b.Z + a.Z);
 
+        /// <summary>The parent's pose in the child's frame: <c>pose * pose.Inverse</c> is <see cref="Identity"/>.</summary>
+        public RigidTransform Inverse => new RigidTransform(
+            R00, R10, R20, R01, R11, R21, R02, R12, R22,
+            -(R00 * X + R10 * Y + R20 * Z), -(R01 * X + R11 * Y + R21 * Z), -(R02 * X + R12 * Y + R22 * Z));
+
         /// <summary>The 4×4 matrix for column vectors, row by row: the translation is in elements 3, 7 and 11.</summary>
         public double[] ToRowMajor16() => new[]
         {

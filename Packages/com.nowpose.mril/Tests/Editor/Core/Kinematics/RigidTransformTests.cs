@@ -43,5 +43,14 @@ namespace Nowpose.Tests
             Assert.That(((a * b) * c).ToRowMajor16(), Is.EqualTo((a * (b * c)).ToRowMajor16()).Within(1e-14));
             Assert.That((a * RigidTransform.Identity).ToRowMajor16(), Is.EqualTo(a.ToRowMajor16()));
         }
+
+        [Test]
+        public void Inverse_OfAnyPose_LeadsBack()
+        {
+            var pose = RigidTransform.FromXyzRpy(0.4, -1.3, 2.2, 0.5, -0.9, 2.6);
+
+            Assert.That((pose * pose.Inverse).ToRowMajor16(), Is.EqualTo(RigidTransform.Identity.ToRowMajor16()).Within(1e-12));
+            Assert.That((pose.Inverse * pose).ToRowMajor16(), Is.EqualTo(RigidTransform.Identity.ToRowMajor16()).Within(1e-12));
+        }
     }
 }
