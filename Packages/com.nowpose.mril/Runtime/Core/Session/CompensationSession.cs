@@ -160,6 +160,12 @@ namespace Nowpose.Session
             set { lock (_gate) _light.Source = value; }
         }
 
+        /// <summary>Whether the light of the newest frame is as <see cref="DisplayTimeSource"/> told; else as calibrated. Any thread.</summary>
+        public bool IsLightPredicted
+        {
+            get { lock (_gate) return _light.IsPredicted; }
+        }
+
         /// <summary>Δt_render as <see cref="Rendered"/> was told it last; null while nothing measures.</summary>
         public TimeSpan? NewestRenderTime { get; private set; }
 

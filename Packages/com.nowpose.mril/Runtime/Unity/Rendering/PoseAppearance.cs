@@ -35,6 +35,21 @@ namespace Nowpose.Unity
         PoseState? _pose;
         OutsideRangeResponse _outsideRange;
         bool _isOn, _hasWords;
+        float _opacity = 1;
+
+        /// <summary>
+        /// How much of their opacity the parts keep, for a wearer who wants to see what is behind: 1 (all) to 0 (the fifth that a fade
+        /// leaves). A pose that is not current stays as visible as <see cref="PoseAppearance"/> makes it, and striped.
+        /// </summary>
+        public float Opacity
+        {
+            get => _opacity;
+            set
+            {
+                _opacity = float.IsNaN(value) ? 1 : Mathf.Clamp01(value);
+                if (_isOn) Draw();
+            }
+        }
 
         internal PoseLook Look
         {
@@ -146,8 +161,8 @@ namespace Nowpose.Unity
             var look = Look;
             foreach (var part in _parts.Values)
             {
-                if (_pose.HasValue) part.Draw(look);
-                else part.Abandon();
+                if (_pose.HasValue) part.Draw(look, _opacity);
+                else part.Abandon(_opacity);
             }
             Say(look.Words);
         }

@@ -1,4 +1,5 @@
 using Nowpose.Session;
+using UnityEngine;
 
 namespace Nowpose.Unity
 {
@@ -55,6 +56,10 @@ namespace Nowpose.Unity
                 default: return 0.3f;
             }
         }
+
+        /// <summary>The fade for a wearer who wants it fainter: a pose that is not current never becomes fainter than the faintest of these looks.</summary>
+        /// <param name="opacity">0 to 1 (as it is).</param>
+        public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, Abandoned.Fade) : 1 - opacity);
 
         /// <summary>The same for other words: of the parts that do not follow the pose, which are not drawn at all.</summary>
         public PoseLook Saying(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);

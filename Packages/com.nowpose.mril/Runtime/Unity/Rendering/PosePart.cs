@@ -37,14 +37,14 @@ namespace Nowpose.Unity
             _ownHatch = Own(HatchId);
         }
 
-        public void Draw(PoseLook look)
+        public void Draw(PoseLook look, float opacity)
         {
             IsDrawn = look.IsDrawn && (Carrier == null || Carrier.IsFollowing);
-            Set(look);
+            Set(look, opacity);
         }
 
         /// <summary>What was not drawn before the session ended does not come to light by that.</summary>
-        public void Abandon() => Set(PoseLook.Abandoned);
+        public void Abandon(float opacity) => Set(PoseLook.Abandoned, opacity);
 
         /// <summary>Draws it as before.</summary>
         public void GiveBack()
@@ -62,7 +62,8 @@ namespace Nowpose.Unity
             return material != null && material.HasProperty(property) ? material.GetFloat(property) : 0;
         }
 
-        void Set(PoseLook look) => Set(_isOwnOff || !IsDrawn, Mathf.Max(_ownFade, look.Fade), look.IsHatched ? 1 : _ownHatch);
+        void Set(PoseLook look, float opacity) =>
+            Set(_isOwnOff || !IsDrawn, Mathf.Max(_ownFade, look.FadeAt(opacity)), look.IsHatched ? 1 : _ownHatch);
 
         void Set(bool isOff, float fade, float hatch)
         {

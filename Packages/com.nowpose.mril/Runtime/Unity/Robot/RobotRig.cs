@@ -51,6 +51,9 @@ namespace Nowpose.Unity
 
         public RigPose Shows => _shows;
 
+        /// <summary>Of the links up to the flange of a robot built of primitives; null for none.</summary>
+        internal Material ArmMaterial => _armMaterial;
+
         /// <summary>Joint positions shown last, one per moving joint of the model, rad or m; zeros before the first.</summary>
         public ReadOnlySpan<double> Joints => _joints;
 

@@ -134,6 +134,9 @@ namespace Nowpose.Unity
             set => _nextClock = value ?? throw new ArgumentNullException(nameof(value));
         }
 
+        /// <summary>Whether it is to be connected: since <see cref="Connect"/>, until <see cref="Disconnect"/>. Its statistics tell whether it is.</summary>
+        public bool IsConnecting => _isWanted;
+
         /// <summary>Connects to the gateway, now and after each pause. Returns at once; comes back by itself when the connection is lost.</summary>
         public void Connect()
         {
