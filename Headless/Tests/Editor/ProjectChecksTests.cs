@@ -14,12 +14,13 @@ public sealed class ProjectChecksTests : EditorFixture
     ProjectReview _review;
 
     static IEnumerable<string> SettingChecks => ProjectChecks.ForHoloLens()
-        .Where(c => c is not (PackageCheck or OpenXrLoaderCheck)).Select(c => c.Title);
+        .Where(c => c is not (PackageCheck or Mrtk3Check or OpenXrLoaderCheck)).Select(c => c.Title);
 
     [SetUp]
     public void SetUp()
     {
-        _project = new UnityProjectSettings();
+        OpenXrAssets.Put(Keep, BuildTargetGroup.WSA, BuildTargetGroup.Android);
+        _project = new UnityProjectSettings(HeadsetPlatform.HoloLens2);
         _review = new ProjectReview(ProjectChecks.ForHoloLens(), _project);
     }
 
@@ -51,7 +52,7 @@ public sealed class ProjectChecksTests : EditorFixture
     {
         for (var i = 0; i < 3; i++) _review.LookAgain();
 
-        Assert.That(_review.MissingCount, Is.EqualTo(11));
+        Assert.That(_review.MissingCount, Is.EqualTo(16));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
         Assert.That(EditorUserBuildSettings.wsaArchitecture, Is.EqualTo("x64"));
         Assert.That(PlayerSettings.runInBackground | PlayerSettings.enableFrameTimingStats, Is.False);
@@ -67,6 +68,7 @@ public sealed class ProjectChecksTests : EditorFixture
         Assert.That(capabilities, Is.EqualTo(new[]
         {
             "Capability InternetClient", "Capability PrivateNetworkClientServer", "Capability WebCam", "Capability SpatialPerception",
+            "Capability GazeInput", "Capability Microphone",
         }));
     }
 
@@ -74,7 +76,7 @@ public sealed class ProjectChecksTests : EditorFixture
     public void BuildTarget_EditorWithoutUwp_SaysWhatToInstall()
     {
         EditorUserBuildSettings.HasUwp = false;
-        var check = IndexOf("Build target is the Universal Windows Platform");
+        var check = IndexOf("Build target is Universal Windows Platform");
 
         _review.Fix(check);
 
@@ -172,6 +174,52 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
+    public void Mrtk3_PartInstalled_NamesWhatIsMissing()
+    {
+        foreach (var part in new[] { "core", "uxcore", "uxcomponents", "spatialmanipulation", "input" })
+            PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.3.0"));
+        _review.LookAgain();
+        Assert.That(_review.Results[IndexOf("MRTK3 (optional)")].Found, Does.StartWith("org.mixedrealitytoolkit.windowsspeech is not installed"));
+
+        PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit.windowsspeech", "3.0.4"));
+        _review.LookAgain();
+        Assert.That(_review.Results[IndexOf("MRTK3 (optional)")].State, Is.EqualTo(CheckState.Good));
+    }
+
+    [Test]
+    public void OpenXrSettings_NoneYet_AreMissingAndTheFixSaysWhereTheyAre()
+    {
+        Project.Open(null);
+        _review.LookAgain();
+
+        foreach (var title in new[] { "OpenXR feature Hand Tracking", "OpenXR Render Mode is Single Pass Instanced" })
+        {
+            _review.Fix(IndexOf(title));
+            Assert.That(_review.Results[IndexOf(title)].State, Is.EqualTo(CheckState.Missing));
+            Assert.That(_review.Advice[IndexOf(title)], Does.StartWith("Project Settings, XR Plug-in Management, OpenXR: "));
+        }
+        Assert.That(EditorApplication.MenuItems, Has.Count.EqualTo(2));
+    }
+
+    [Test]
+    public void AndroidChecks_EachSetting_FailsBeforeAndPassesAfterItsFix()
+    {
+        _project = new UnityProjectSettings(HeadsetPlatform.AndroidHeadset);
+        _review = new ProjectReview(ProjectChecks.For(HeadsetPlatform.AndroidHeadset), _project);
+        foreach (var check in Enumerable.Range(0, _review.Checks.Count).Where(i => _review.Checks[i] is not (PackageCheck or OpenXrLoaderCheck)))
+        {
+            Assert.That(_review.Results[check].State, Is.Not.EqualTo(CheckState.Good), _review.Checks[check].Title);
+            _review.Fix(check);
+            Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Good), _review.Checks[check].Title);
+        }
+
+        Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.Android));
+        Assert.That(PlayerSettings.Android.forceInternetPermission);
+        var holoLens = new ProjectReview(ProjectChecks.ForHoloLens(), new UnityProjectSettings(HeadsetPlatform.HoloLens2));
+        Assert.That(holoLens.Results[IndexIn(holoLens, "Scripting backend is IL2CPP")].State, Is.EqualTo(CheckState.Missing), "of another player");
+    }
+
+    [Test]
     public void OpenXrLoader_Fix_OpensTheSettingsAndSaysWhereToTick()
     {
         var check = IndexOf("OpenXR starts in the UWP player");
@@ -182,5 +230,7 @@ public sealed class ProjectChecksTests : EditorFixture
         Assert.That(_review.Advice[check], Does.Contain("Universal Windows Platform: tick OpenXR"));
     }
 
-    int IndexOf(string title) => _review.Checks.Select(c => c.Title).ToList().IndexOf(title);
+    int IndexOf(string title) => IndexIn(_review, title);
+
+    static int IndexIn(ProjectReview review, string title) => review.Checks.Select(c => c.Title).ToList().IndexOf(title);
 }

@@ -19,7 +19,7 @@ public sealed class SetupWindowTests : EditorFixture
     {
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts[0], Is.EqualTo("11 points are missing for a HoloLens."));
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("16 points are missing for a HoloLens 2."));
         Assert.That(GuiRecorder.Texts, Does.Contain("✗ Scripting backend is IL2CPP"));
         Assert.That(GuiRecorder.Texts, Does.Contain("missing: another backend is chosen"));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
@@ -36,7 +36,7 @@ public sealed class SetupWindowTests : EditorFixture
         GuiRecorder.Clear();
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts[0], Is.EqualTo("10 points are missing for a HoloLens."));
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("15 points are missing for a HoloLens 2."));
         Assert.That(GuiRecorder.Texts, Does.Contain("✓ Capability WebCam"));
         Assert.That(GuiRecorder.Buttons, Does.Not.Contain("Declare WebCam"));
         Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam));
@@ -64,6 +64,32 @@ public sealed class SetupWindowTests : EditorFixture
         EditorApplication.RunDelayed();
 
         Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam), Is.False);
+    }
+
+    [Test]
+    public void Click_OnTheOtherHeadset_ListsWhatThatNeeds()
+    {
+        GuiRecorder.Click = "Android headset (Quest, Magic Leap 2)";
+        Send("OnGUI");
+        Assert.That(GuiRecorder.Texts, Does.Contain("✗ Capability WebCam"), "changed between a layout and its event");
+        EditorApplication.RunDelayed();
+
+        var texts = Draw();
+
+        Assert.That(texts[2], Is.EqualTo("8 points are missing for an Android headset."));
+        Assert.That(texts, Does.Contain("✗ Internet Access is Require"));
+        Assert.That(texts, Has.None.Contains("Capability"));
+        Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64), "choosing what is listed switches nothing");
+    }
+
+    [Test]
+    public void Open_ProjectForAndroid_ListsWhatThatNeeds()
+    {
+        EditorUserBuildSettings.SwitchActiveBuildTarget(UnityEditor.Build.NamedBuildTarget.Android, BuildTarget.Android);
+
+        _window = Keep(ScriptableObject.CreateInstance<SetupWindow>());
+
+        Assert.That(Draw(), Does.Contain("✓ Build target is Android"));
     }
 
     [Test]

@@ -15,7 +15,7 @@ static partial class UnityModules
         ("androidjni", @"AndroidJava\w+|AndroidJNI\w*"),
         ("animation", @"UnityEngine\.Animations|Animat(ion|or|ionClip|ionEvent|orStateInfo|orOverrideController)|RuntimeAnimatorController"),
         ("assetbundle", @"AssetBundle\w*"),
-        ("audio", @"UnityEngine\.Audio|Audio(Source|Clip|Listener|Mixer\w*|Settings|ReverbZone)|Microphone"),
+        ("audio", @"UnityEngine\.Audio|Audio(Source|Clip|Listener|Mixer\w*|Settings|ReverbZone)|(?<!WSACapability\.)Microphone"),
         ("cloth", @"Cloth"),
         ("director", @"PlayableDirector"),
         ("imageconversion", @"ImageConversion|EncodeTo(PNG|JPG|TGA|EXR)|LoadImage"),

@@ -33,6 +33,7 @@ public sealed class UnityModulesTests
     [TestCase("using UnityEngine; // a Rigidbody would need UnityEngine.XR\nclass A { string _a = \"AudioSource\"; }")]
     [TestCase("using UnityEngine; /* Canvas\n Animator */ class A { string _a = @\"GUI \"\" Cloth\"; }")]
     [TestCase("using UnityEngine.XR.ARFoundation; class A { }")]
+    [TestCase("using UnityEditor; class A { object _a = PlayerSettings.WSACapability.Microphone; }")]
     [TestCase("namespace Nowpose { class Terrain { Event _event; Physics _physics; } }")]
     [TestCase("using System.Text.Json;")]
     public void UsedByCode_CoreTypesOrOwnNames_NamesNone(string source)

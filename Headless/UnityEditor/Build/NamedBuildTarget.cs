@@ -4,6 +4,7 @@ namespace UnityEditor.Build;
 
 public readonly struct NamedBuildTarget : IEquatable<NamedBuildTarget>, IComparable<NamedBuildTarget>
 {
+    public static readonly NamedBuildTarget Android = new NamedBuildTarget("Android");
     public static readonly NamedBuildTarget Standalone = new NamedBuildTarget("Standalone");
     public static readonly NamedBuildTarget WindowsStoreApps = new NamedBuildTarget("Windows Store Apps");
 

@@ -31,6 +31,7 @@ public sealed class PlayerSettings : Object
         ApiLevels.Clear();
         enableFrameTimingStats = runInBackground = false;
         WSA.Capabilities.Clear();
+        Android.forceInternetPermission = false;
     }
 
     public enum WSACapability
@@ -73,6 +74,11 @@ public sealed class PlayerSettings : Object
         UserDataTasks = 35,
         UserNotificationListener = 36,
         GazeInput = 37,
+    }
+
+    public class Android
+    {
+        public static bool forceInternetPermission { get; set; }
     }
 
     public sealed class WSA

@@ -34,6 +34,12 @@ public class SerializedProperty : IDisposable
         set => Set(_type.IsEnum ? Enum.ToObject(_type, value) : value);
     }
 
+    public bool boolValue
+    {
+        get => (bool)Value;
+        set => Set(value);
+    }
+
     public string stringValue
     {
         get => (string)Value;

@@ -1,20 +1,18 @@
-using UnityEditor;
-
 namespace Nowpose.Editor
 {
     sealed class BuildTargetCheck : ProjectCheck
     {
-        public BuildTargetCheck()
+        public BuildTargetCheck(HeadsetPlatform platform)
             : base(
-                "Build target is the Universal Windows Platform", "A HoloLens runs UWP apps; the settings below are those of that player.",
-                "Switch to UWP") { }
+                "Build target is " + platform.Player, "The player that " + platform.Headset + " runs; the settings below are those of that player.",
+                "Switch to " + platform.ShortPlayer) { }
 
-        public override CheckResult Look(IProjectSettings project) => project.BuildTarget == BuildTarget.WSAPlayer
-            ? Good("Universal Windows Platform")
-            : Missing("the project is built for " + project.BuildTarget);
+        public override CheckResult Look(IProjectSettings project) => project.OtherTarget == null
+            ? Good(project.Platform.Player)
+            : Missing("the project is built for " + project.OtherTarget);
 
-        public override string Fix(IProjectSettings project) => project.SwitchTo(BuildTarget.WSAPlayer)
+        public override string Fix(IProjectSettings project) => project.SwitchToPlatform()
             ? null
-            : "Unity could not switch: add the module 'Universal Windows Platform Build Support' to this editor in Unity Hub.";
+            : "Unity could not switch: add the module '" + project.Platform.Player + " Build Support' to this editor in Unity Hub.";
     }
 }

@@ -6,11 +6,18 @@ namespace Nowpose.Editor
     sealed class CapabilityCheck : ProjectCheck
     {
         readonly PlayerSettings.WSACapability _capability;
+        readonly CheckState _without;
 
-        public CapabilityCheck(PlayerSettings.WSACapability capability, string why)
-            : base("Capability " + capability, why, "Declare " + capability) => _capability = capability;
+        /// <param name="without">How a project stands that does not declare it.</param>
+        public CapabilityCheck(PlayerSettings.WSACapability capability, string why, CheckState without = CheckState.Missing)
+            : base("Capability " + capability, why, "Declare " + capability)
+        {
+            _capability = capability;
+            _without = without;
+        }
 
-        public override CheckResult Look(IProjectSettings project) => project.IsAllowed(_capability) ? Good("declared") : Missing("not declared");
+        public override CheckResult Look(IProjectSettings project) =>
+            project.IsAllowed(_capability) ? Good("declared") : new CheckResult(_without, "not declared");
 
         public override string Fix(IProjectSettings project)
         {

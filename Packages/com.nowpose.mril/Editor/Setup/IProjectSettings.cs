@@ -11,7 +11,11 @@ namespace Nowpose.Editor
         /// <summary>Why the newest of it failed; null where it did not.</summary>
         string Trouble { get; }
 
-        BuildTarget BuildTarget { get; }
+        /// <summary>The headset whose player is looked at.</summary>
+        HeadsetPlatform Platform { get; }
+
+        /// <summary>Whether the project is built for it, in words where it is not; null where it is.</summary>
+        string OtherTarget { get; }
 
         bool UsesIl2Cpp { get; set; }
 
@@ -22,11 +26,26 @@ namespace Nowpose.Editor
         bool FrameTimingStats { get; set; }
         bool RunsInBackground { get; set; }
 
-        /// <summary>Whether OpenXR is the UWP player's XR plug-in; null where the project has no settings for XR plug-ins.</summary>
+        /// <summary>Whether the Android player asks for internet access.</summary>
+        bool AsksForInternet { get; set; }
+
+        /// <summary>Whether OpenXR is the player's XR plug-in; null where the project has no settings for XR plug-ins.</summary>
         bool? UsesOpenXr { get; }
 
-        /// <returns>False where the editor was installed without that platform.</returns>
-        bool SwitchTo(BuildTarget target);
+        /// <summary>Whether a feature of OpenXR is ticked for the player; null where there is none of that id.</summary>
+        bool? IsFeatureOn(string featureId);
+
+        /// <returns>False where there is none of that id.</returns>
+        bool TurnFeatureOn(string featureId);
+
+        /// <summary>A choice in the settings of OpenXR, by its serialised name; null where there are none.</summary>
+        int? OpenXrOption(string field);
+
+        /// <returns>False where there are no such settings.</returns>
+        bool ChooseOpenXrOption(string field, int value);
+
+        /// <returns>False where the editor was installed without the platform.</returns>
+        bool SwitchToPlatform();
 
         bool IsAllowed(PlayerSettings.WSACapability capability);
         void Allow(PlayerSettings.WSACapability capability);

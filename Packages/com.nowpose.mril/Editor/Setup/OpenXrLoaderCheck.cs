@@ -2,13 +2,11 @@ namespace Nowpose.Editor
 {
     sealed class OpenXrLoaderCheck : ProjectCheck
     {
-        const string Where = "Project Settings, XR Plug-in Management, tab Universal Windows Platform: tick OpenXR and its feature group "
-            + "Microsoft HoloLens.";
-
         // The settings belong to another package, whose assemblies this one does not know.
-        public OpenXrLoaderCheck()
+        public OpenXrLoaderCheck(HeadsetPlatform platform)
             : base(
-                "OpenXR starts in the UWP player", "Without it the app is a flat window in front of the wearer.", "Open Project Settings") { }
+                "OpenXR starts in the " + platform.ShortPlayer + " player",
+                "Without it the app is a flat window in front of the wearer.", "Open Project Settings") { }
 
         public override CheckResult Look(IProjectSettings project)
         {
@@ -23,7 +21,7 @@ namespace Nowpose.Editor
         public override string Fix(IProjectSettings project)
         {
             project.OpenProjectSettings();
-            return Where;
+            return "Project Settings, XR Plug-in Management, tab " + project.Platform.Player + ": tick OpenXR and the feature group of your headset.";
         }
     }
 }

@@ -2,8 +2,8 @@ namespace Nowpose.Editor
 {
     sealed class ScriptingBackendCheck : ProjectCheck
     {
-        public ScriptingBackendCheck()
-            : base("Scripting backend is IL2CPP", "The UWP player has no other that runs on a HoloLens.", "Use IL2CPP") { }
+        public ScriptingBackendCheck(HeadsetPlatform platform)
+            : base("Scripting backend is IL2CPP", "Nothing else runs on " + platform.Headset + ", whose processor is an ARM64.", "Use IL2CPP") { }
 
         public override CheckResult Look(IProjectSettings project) => project.UsesIl2Cpp ? Good("IL2CPP") : Missing("another backend is chosen");
 

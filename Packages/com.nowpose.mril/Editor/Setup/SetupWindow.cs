@@ -1,13 +1,16 @@
+using System;
 using UnityEditor;
 using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Lists what a HoloLens project needs, says what is missing and why it matters, and does it at a click.</summary>
+    /// <summary>Lists what a project for a headset needs, says what is missing and why it matters, and does it at a click.</summary>
     public sealed class SetupWindow : EditorWindow
     {
         const float ButtonWidth = 260;
 
+        static readonly HeadsetPlatform[] Platforms = { HeadsetPlatform.HoloLens2, HeadsetPlatform.AndroidHeadset };
+        static readonly string[] PlatformNames = { "HoloLens 2", "Android headset (Quest, Magic Leap 2)" };
         static readonly string[] Signs = { "✓ ", "○ ", "✗ ", "? " };
         static readonly string[] Words = { "", "advised: ", "missing: ", "not known: " };
 
@@ -22,11 +25,12 @@ namespace Nowpose.Editor
         internal void Show(IProjectSettings project)
         {
             _project = project;
-            _review = new ProjectReview(ProjectChecks.ForHoloLens(), project);
+            _review = new ProjectReview(ProjectChecks.For(project.Platform), project);
             Latch();
         }
 
-        void OnEnable() => Show(new UnityProjectSettings());
+        void OnEnable() => Show(new UnityProjectSettings(
+            EditorUserBuildSettings.activeBuildTarget == BuildTarget.Android ? HeadsetPlatform.AndroidHeadset : HeadsetPlatform.HoloLens2));
 
         void OnFocus() => LookAgain();
 
@@ -39,7 +43,9 @@ namespace Nowpose.Editor
 
         void OnGUI()
         {
-            EditorGUILayout.LabelField(Summary(_review.MissingCount), EditorStyles.boldLabel);
+            var shown = Array.IndexOf(Platforms, _project.Platform);
+            var chosen = GUILayout.Toolbar(shown, PlatformNames);
+            EditorGUILayout.LabelField(Summary(_review.MissingCount, _project.Platform), EditorStyles.boldLabel);
             if (_activity != null) EditorGUILayout.HelpBox(_activity, MessageType.Info);
             if (_trouble != null) EditorGUILayout.HelpBox(_trouble, MessageType.Error);
             var clicked = -1;
@@ -52,8 +58,16 @@ namespace Nowpose.Editor
             var again = GUILayout.Button("Check again");
 
             // Not here: what is drawn must stay the same from one layout to its event, and a fix may compile all scripts anew.
-            if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
+            if (chosen != shown) EditorApplication.delayCall += () => Choose(Platforms[chosen]);
+            else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
             else if (again) EditorApplication.delayCall += LookAgain;
+        }
+
+        void Choose(HeadsetPlatform platform)
+        {
+            if (this == null) return;
+            Show(new UnityProjectSettings(platform));
+            Repaint();
         }
 
         void Fix(int check)
@@ -77,9 +91,9 @@ namespace Nowpose.Editor
             _trouble = _project.Trouble;
         }
 
-        static string Summary(int missing) => missing == 0
-            ? "Nothing is missing for a HoloLens."
-            : missing + (missing == 1 ? " point is missing for a HoloLens." : " points are missing for a HoloLens.");
+        static string Summary(int missing, HeadsetPlatform platform) => missing == 0
+            ? "Nothing is missing for " + platform.Headset + "."
+            : missing + (missing == 1 ? " point is" : " points are") + " missing for " + platform.Headset + ".";
 
         bool Draw(int index)
         {

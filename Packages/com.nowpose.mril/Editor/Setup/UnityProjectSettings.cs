@@ -2,7 +2,6 @@ using System;
 using System.IO;
 using System.Linq;
 using UnityEditor;
-using UnityEditor.Build;
 using UnityEditor.PackageManager;
 using UnityEditor.PackageManager.Requests;
 // UnityEditor has another of that name.
@@ -15,11 +14,13 @@ namespace Nowpose.Editor
     {
         const string Manifest = "Packages/manifest.json";
 
-        static readonly NamedBuildTarget Uwp = NamedBuildTarget.WindowsStoreApps;
-
         PackageOrigin _package;
         Request _adding;
         string _trouble;
+
+        public UnityProjectSettings(HeadsetPlatform platform) => Platform = platform;
+
+        public HeadsetPlatform Platform { get; }
 
         public string Activity => _adding == null || _adding.IsCompleted ? null : "adding " + _package.Name + " …";
 
@@ -27,12 +28,14 @@ namespace Nowpose.Editor
             ? _package.Name + " could not be added: " + _adding.Error.message
             : _trouble;
 
-        public BuildTarget BuildTarget => EditorUserBuildSettings.activeBuildTarget;
+        public string OtherTarget => EditorUserBuildSettings.activeBuildTarget == Platform.Target
+            ? null
+            : EditorUserBuildSettings.activeBuildTarget.ToString();
 
         public bool UsesIl2Cpp
         {
-            get => PlayerSettings.GetScriptingBackend(Uwp) == ScriptingImplementation.IL2CPP;
-            set => PlayerSettings.SetScriptingBackend(Uwp, value ? ScriptingImplementation.IL2CPP : ScriptingImplementation.Mono2x);
+            get => PlayerSettings.GetScriptingBackend(Platform.Named) == ScriptingImplementation.IL2CPP;
+            set => PlayerSettings.SetScriptingBackend(Platform.Named, value ? ScriptingImplementation.IL2CPP : ScriptingImplementation.Mono2x);
         }
 
         public string Architecture
@@ -43,8 +46,9 @@ namespace Nowpose.Editor
 
         public bool UsesNetStandard
         {
-            get => PlayerSettings.GetApiCompatibilityLevel(Uwp) == ApiCompatibilityLevel.NET_Standard;
-            set => PlayerSettings.SetApiCompatibilityLevel(Uwp, value ? ApiCompatibilityLevel.NET_Standard : ApiCompatibilityLevel.NET_Unity_4_8);
+            get => PlayerSettings.GetApiCompatibilityLevel(Platform.Named) == ApiCompatibilityLevel.NET_Standard;
+            set => PlayerSettings.SetApiCompatibilityLevel(
+                Platform.Named, value ? ApiCompatibilityLevel.NET_Standard : ApiCompatibilityLevel.NET_Unity_4_8);
         }
 
         public bool FrameTimingStats
@@ -59,9 +63,23 @@ namespace Nowpose.Editor
             set => PlayerSettings.runInBackground = value;
         }
 
-        public bool? UsesOpenXr => XrPlugIns.UseOpenXr(BuildTargetGroup.WSA);
+        public bool AsksForInternet
+        {
+            get => PlayerSettings.Android.forceInternetPermission;
+            set => PlayerSettings.Android.forceInternetPermission = value;
+        }
 
-        public bool SwitchTo(BuildTarget target) => EditorUserBuildSettings.SwitchActiveBuildTarget(Uwp, target);
+        public bool? UsesOpenXr => XrPlugIns.UseOpenXr(Platform.Group);
+
+        public bool? IsFeatureOn(string featureId) => OpenXrOptions.IsOn(Platform.Group, featureId);
+
+        public bool TurnFeatureOn(string featureId) => OpenXrOptions.TurnOn(Platform.Group, featureId);
+
+        public int? OpenXrOption(string field) => OpenXrOptions.Get(Platform.Group, field);
+
+        public bool ChooseOpenXrOption(string field, int value) => OpenXrOptions.Set(Platform.Group, field, value);
+
+        public bool SwitchToPlatform() => EditorUserBuildSettings.SwitchActiveBuildTarget(Platform.Named, Platform.Target);
 
         public bool IsAllowed(PlayerSettings.WSACapability capability) => PlayerSettings.WSA.GetCapability(capability);
 

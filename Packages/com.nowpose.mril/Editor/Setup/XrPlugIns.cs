@@ -1,4 +1,3 @@
-using System;
 using System.Linq;
 using UnityEditor;
 using Object = UnityEngine.Object;
@@ -7,8 +6,7 @@ namespace Nowpose.Editor
 {
     /// <summary>Reads which XR plug-ins a player starts from the settings asset of XR Plug-in Management.</summary>
     /// <remarks>
-    /// That package is not referenced, so its assets are read by the names of their serialised fields, which stand in every
-    /// project's XRGeneralSettings.asset: Keys and Values, m_LoaderManagerInstance, m_Loaders.
+    /// By the names of the serialised fields that stand in every project's XRGeneralSettings.asset: m_LoaderManagerInstance, m_Loaders.
     /// </remarks>
     static class XrPlugIns
     {
@@ -16,30 +14,8 @@ namespace Nowpose.Editor
         const string LoaderType = "OpenXRLoaderBase";
 
         /// <summary>Null where the project has no settings for that player.</summary>
-        public static bool? UseOpenXr(BuildTargetGroup player)
-        {
-            foreach (var guid in AssetDatabase.FindAssets("t:" + SettingsType))
-            {
-                var all = AssetDatabase.LoadMainAssetAtPath(AssetDatabase.GUIDToAssetPath(guid));
-                var isOpenXr = HasOpenXr(Referenced(SettingsOf(all, player), "m_LoaderManagerInstance"));
-                if (isOpenXr != null) return isOpenXr;
-            }
-            return null;
-        }
-
-        static Object SettingsOf(Object all, BuildTargetGroup player)
-        {
-            if (all == null) return null;
-            using (var serialised = new SerializedObject(all))
-            {
-                var keys = serialised.FindProperty("Keys");
-                var values = serialised.FindProperty("Values");
-                if (keys == null || values == null) return null;
-                for (var i = 0; i < Math.Min(keys.arraySize, values.arraySize); i++)
-                    if (keys.GetArrayElementAtIndex(i).intValue == (int)player) return values.GetArrayElementAtIndex(i).objectReferenceValue;
-                return null;
-            }
-        }
+        public static bool? UseOpenXr(BuildTargetGroup player) =>
+            HasOpenXr(Referenced(PlayerAsset.Find(SettingsType, player), "m_LoaderManagerInstance"));
 
         static Object Referenced(Object owner, string property)
         {

@@ -1,0 +1,38 @@
+using UnityEditor;
+using UnityEditor.Build;
+
+namespace Nowpose.Editor
+{
+    /// <summary>A kind of headset, and the player that is built for it.</summary>
+    sealed class HeadsetPlatform
+    {
+        public static readonly HeadsetPlatform HoloLens2 = new HeadsetPlatform(
+            "a HoloLens 2", "Universal Windows Platform", "UWP", NamedBuildTarget.WindowsStoreApps, BuildTarget.WSAPlayer, BuildTargetGroup.WSA);
+
+        /// <summary>Quest, Magic Leap 2 and others that run Android.</summary>
+        public static readonly HeadsetPlatform AndroidHeadset = new HeadsetPlatform(
+            "an Android headset", "Android", "Android", NamedBuildTarget.Android, BuildTarget.Android, BuildTargetGroup.Android);
+
+        HeadsetPlatform(
+            string headset, string player, string shortPlayer, NamedBuildTarget named, BuildTarget target, BuildTargetGroup group)
+        {
+            Headset = headset;
+            Player = player;
+            ShortPlayer = shortPlayer;
+            Named = named;
+            Target = target;
+            Group = group;
+        }
+
+        /// <summary>With its article.</summary>
+        public string Headset { get; }
+
+        /// <summary>As Unity calls it in its windows and in the Hub's list of modules.</summary>
+        public string Player { get; }
+
+        public string ShortPlayer { get; }
+        public NamedBuildTarget Named { get; }
+        public BuildTarget Target { get; }
+        public BuildTargetGroup Group { get; }
+    }
+}

@@ -1,0 +1,38 @@
+using System;
+
+namespace Nowpose.Editor
+{
+    /// <summary>A choice in the settings of OpenXR.</summary>
+    sealed class OpenXrOptionCheck : ProjectCheck
+    {
+        readonly string _field, _title;
+        readonly string[] _names;
+        readonly int _wanted;
+
+        /// <param name="title">As the settings show it.</param>
+        /// <param name="field">Its serialised name.</param>
+        /// <param name="names">Of all values, by their number.</param>
+        public OpenXrOptionCheck(string title, string why, string field, string[] names, int wanted)
+            : base("OpenXR " + title + " is " + names[wanted], why, "Use " + names[wanted])
+        {
+            _title = title;
+            _field = field;
+            _names = names;
+            _wanted = wanted;
+        }
+
+        public override CheckResult Look(IProjectSettings project)
+        {
+            if (!(project.OpenXrOption(_field) is int value)) return Missing("the project has no settings of OpenXR yet");
+            var name = value >= 0 && value < _names.Length ? _names[value] : FormattableString.Invariant($"unknown value {value}");
+            return value == _wanted ? Good(name) : Missing(name + " is chosen");
+        }
+
+        public override string Fix(IProjectSettings project)
+        {
+            if (project.ChooseOpenXrOption(_field, _wanted)) return null;
+            project.OpenProjectSettings();
+            return "Project Settings, XR Plug-in Management, OpenXR: " + _title + " " + _names[_wanted] + ".";
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using System;
+using UnityEditor;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Finds, in an asset of another package that holds one object for each player, the one for a player.</summary>
+    /// <remarks>Those packages are not referenced, so their assets are read by the names of their serialised fields: Keys and Values.</remarks>
+    static class PlayerAsset
+    {
+        /// <param name="type">Name of the asset's type.</param>
+        /// <returns>Null where there is no such asset, or nothing for that player in it.</returns>
+        public static Object Find(string type, BuildTargetGroup player)
+        {
+            foreach (var guid in AssetDatabase.FindAssets("t:" + type))
+            {
+                var found = In(AssetDatabase.LoadMainAssetAtPath(AssetDatabase.GUIDToAssetPath(guid)), player);
+                if (found != null) return found;
+            }
+            return null;
+        }
+
+        static Object In(Object all, BuildTargetGroup player)
+        {
+            if (all == null) return null;
+            using (var serialised = new SerializedObject(all))
+            {
+                var keys = serialised.FindProperty("Keys");
+                var values = serialised.FindProperty("Values");
+                if (keys == null || values == null) return null;
+                for (var i = 0; i < Math.Min(keys.arraySize, values.arraySize); i++)
+                    if (keys.GetArrayElementAtIndex(i).intValue == (int)player) return values.GetArrayElementAtIndex(i).objectReferenceValue;
+                return null;
+            }
+        }
+    }
+}
