@@ -1,0 +1,86 @@
+using System;
+using System.Globalization;
+using System.Text;
+
+namespace Nowpose.Pairing
+{
+    /// <summary>Names of cells: what a person may be shown in a question, and nothing that could change how the question looks.</summary>
+    static class CellName
+    {
+        public const int GreatestLength = 40;
+
+        // Strict: bytes that are not UTF-8 are refused rather than replaced.
+        static readonly UTF8Encoding Utf8 = new UTF8Encoding(false, true);
+
+        /// <exception cref="InputException">Empty, too long, or with a character that is none of those allowed.</exception>
+        public static string Require(string name, string what)
+        {
+            if (string.IsNullOrEmpty(name) || name.Length > GreatestLength)
+                throw new InputException(what + ": is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + GreatestLength);
+            for (var i = 0; i < name.Length; i++)
+                if (!IsAllowed(name[i]))
+                    throw new InputException(string.Format(
+                        CultureInfo.InvariantCulture,
+                        "{0}: character {1} is U+{2:X4}; allowed are letters, digits, blanks, hyphens, underscores and full stops", what, i + 1, (int)name[i]));
+            if (name[0] == ' ' || name[name.Length - 1] == ' ') throw new InputException(what + ": begins or ends with a blank");
+            return name;
+        }
+
+        /// <summary>As it stands in a code: percent-encoded UTF-8 but for ASCII letters, digits, -, _ and full stops.</summary>
+        public static string Encode(string name)
+        {
+            var text = new StringBuilder();
+            foreach (var b in Utf8.GetBytes(name))
+                if (b < 0x80 && IsUnreserved((char)b)) text.Append((char)b);
+                else text.Append('%').Append(b.ToString("X2", CultureInfo.InvariantCulture));
+            return text.ToString();
+        }
+
+        /// <exception cref="InputException">Not what <see cref="Encode"/> writes, apart from the case of hexadecimal digits.</exception>
+        public static string Decode(string text, string what)
+        {
+            var bytes = new byte[text.Length];
+            var length = 0;
+            for (var i = 0; i < text.Length; i++)
+            {
+                if (text[i] == '%' && i + 2 < text.Length && Uri.IsHexDigit(text[i + 1]) && Uri.IsHexDigit(text[i + 2]))
+                {
+                    bytes[length++] = (byte)(Uri.FromHex(text[i + 1]) * 16 + Uri.FromHex(text[i + 2]));
+                    i += 2;
+                }
+                else if (IsUnreserved(text[i])) bytes[length++] = (byte)text[i];
+                else throw new InputException(what + ": character " + (i + 1) + " must be percent-encoded as %XX");
+            }
+            try
+            {
+                return Require(Utf8.GetString(bytes, 0, length), what);
+            }
+            catch (DecoderFallbackException)
+            {
+                throw new InputException(what + ": its percent-encoded bytes are not UTF-8");
+            }
+        }
+
+        // No angle brackets, which are tags in Unity's texts; no control, format or direction characters; no pairs of surrogates.
+        static bool IsAllowed(char c)
+        {
+            switch (char.GetUnicodeCategory(c))
+            {
+                case UnicodeCategory.UppercaseLetter:
+                case UnicodeCategory.LowercaseLetter:
+                case UnicodeCategory.TitlecaseLetter:
+                case UnicodeCategory.ModifierLetter:
+                case UnicodeCategory.OtherLetter:
+                case UnicodeCategory.NonSpacingMark:
+                case UnicodeCategory.SpacingCombiningMark:
+                case UnicodeCategory.DecimalDigitNumber:
+                    return true;
+                default:
+                    return c == ' ' || c == '-' || c == '_' || c == '.';
+            }
+        }
+
+        static bool IsUnreserved(char c) =>
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    }
+}

@@ -1,0 +1,80 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace Nowpose.Pairing
+{
+    /// <summary>The fields of a pairing code, asked for one by one. What does not fit the grammar is refused in one line.</summary>
+    /// <remarks>Nothing is skipped: a field that a reader does not know might be what makes the code safe, so each new one is a new version.</remarks>
+    sealed class CodeFields
+    {
+        readonly string _what;
+        readonly Dictionary<char, string> _values = new Dictionary<char, string>();
+
+        /// <param name="kind">"cell" or "token".</param>
+        /// <param name="version">The only one that is read.</param>
+        /// <param name="keys">All that may stand there, each once.</param>
+        /// <exception cref="InputException">Too long, of another kind or version, or not of the grammar. Never holds a field's value.</exception>
+        public CodeFields(string text, string kind, int version, string keys)
+        {
+            _what = kind + " code";
+            // Before anything else is looked at: a code in view may hold thousands of characters.
+            if (text == null || text.Length > PairingCode.GreatestLength)
+                throw Fault((text?.Length ?? 0) + " characters; allowed are up to " + PairingCode.GreatestLength);
+            RequirePlain(text);
+            var begin = PairingCode.Scheme + kind + "/";
+            if (!text.StartsWith(begin, StringComparison.Ordinal)) throw Fault("does not begin with " + begin);
+            var query = text.IndexOf('?');
+            RequireVersion(query < 0 ? text.Substring(begin.Length) : text.Substring(begin.Length, query - begin.Length), version);
+            if (query < 0) throw Fault("has no fields; allowed are " + List(keys));
+            foreach (var field in text.Substring(query + 1).Split('&')) Add(field, keys);
+        }
+
+        /// <exception cref="InputException">It is missing.</exception>
+        public string Text(char key) => OptionalText(key) ?? throw Fault(key + " is missing");
+
+        /// <returns>Null where it is missing.</returns>
+        public string OptionalText(char key) => _values.TryGetValue(key, out var value) ? value : null;
+
+        /// <summary>A number of digits without sign or leading zero.</summary>
+        public long Count(char key, long otherwise, long least, long greatest)
+        {
+            var text = OptionalText(key);
+            if (text == null) return otherwise;
+            var isNumber = long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var value)
+                && (text.Length == 1 || text[0] != '0');
+            if (isNumber && value >= least && value <= greatest) return value;
+            // What is no number may be anything, so it is not repeated.
+            throw Fault(key + (isNumber ? "=" + value : " is no whole number") + "; allowed are " + least + " to " + greatest);
+        }
+
+        public InputException Fault(string what) => new InputException(_what + ": " + what);
+
+        void RequirePlain(string text)
+        {
+            for (var i = 0; i < text.Length; i++)
+                if (text[i] <= ' ' || text[i] > '~')
+                    throw Fault(string.Format(
+                        CultureInfo.InvariantCulture, "character {0} is U+{1:X4}; allowed is ASCII without blanks and control characters",
+                        i + 1, (int)text[i]));
+        }
+
+        void RequireVersion(string text, int version)
+        {
+            if (text.Length == 0 || text.Length > 4 || text[0] == '0' || !int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var read))
+                throw Fault("has no version; expected is /" + version + "?");
+            if (read != version) throw Fault("of version " + read + ", this Nowpose reads version " + version + "; update Nowpose");
+        }
+
+        void Add(string field, string keys)
+        {
+            if (field.Length < 2 || field[1] != '=') throw Fault("a field is not KEY=VALUE; allowed are " + List(keys));
+            var key = field[0];
+            if (keys.IndexOf(key) < 0) throw Fault("field " + key + " is not known; allowed are " + List(keys));
+            if (field.Length == 2) throw Fault(key + " is empty");
+            if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " stands there twice");
+        }
+
+        static string List(string keys) => string.Join(", ", keys.ToCharArray());
+    }
+}

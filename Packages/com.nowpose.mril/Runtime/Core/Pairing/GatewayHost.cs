@@ -1,0 +1,77 @@
+using System;
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+
+namespace Nowpose.Pairing
+{
+    /// <summary>The host of a gateway as a code may name it: what a person reads is what is connected to.</summary>
+    static class GatewayHost
+    {
+        const int LongestName = 100, LongestLabel = 63;
+
+        /// <returns>In lower case.</returns>
+        /// <exception cref="InputException">No name of ASCII letters, digits and hyphens, and no address in its usual form.</exception>
+        public static string Require(string host, string what)
+        {
+            var plain = (host ?? "").ToLowerInvariant();
+            if (plain.Contains(':') ? IsIPv6(plain) : IsNumeric(plain) ? IsIPv4(plain) : IsName(plain)) return plain;
+            throw new InputException(what + ": '" + Shown(host) + "' is no host; allowed are a name of ASCII letters, digits, hyphens and dots, or an "
+                + "IPv4 or IPv6 address");
+        }
+
+        public static bool IsLoopback(string host) => host == "localhost" || (IPAddress.TryParse(host, out var address) && IPAddress.IsLoopback(address));
+
+        static bool IsName(string host)
+        {
+            if (host.Length == 0 || host.Length > LongestName) return false;
+            foreach (var label in host.Split('.'))
+                if (!IsLabel(label)) return false;
+            return true;
+        }
+
+        static bool IsLabel(string label)
+        {
+            if (label.Length == 0 || label.Length > LongestLabel || label[0] == '-' || label[label.Length - 1] == '-') return false;
+            foreach (var c in label)
+                if (!((c >= 'a' && c <= 'z') || IsDigit(c) || c == '-')) return false;
+            return true;
+        }
+
+        // 10.1, 012.0.0.1 and 0x7f.1 are addresses to some resolvers: what ends in a number is an address, or nothing.
+        static bool IsNumeric(string host)
+        {
+            var last = host.Substring(host.LastIndexOf('.') + 1);
+            return last.Length > 0 && IsDigit(last[0]) && (last.StartsWith("0x", StringComparison.Ordinal) || Array.TrueForAll(last.ToCharArray(), IsDigit));
+        }
+
+        static bool IsIPv4(string host)
+        {
+            var parts = host.Split('.');
+            if (parts.Length != 4) return false;
+            foreach (var part in parts)
+                if (!byte.TryParse(part, NumberStyles.None, CultureInfo.InvariantCulture, out var value)
+                    || part != value.ToString(CultureInfo.InvariantCulture)) return false;
+            return host != "0.0.0.0";
+        }
+
+        static bool IsIPv6(string host)
+        {
+            foreach (var c in host)
+                if (!((c >= 'a' && c <= 'f') || IsDigit(c) || c == ':' || c == '.')) return false;
+            return IPAddress.TryParse(host, out var address) && address.AddressFamily == AddressFamily.InterNetworkV6
+                && !address.Equals(IPAddress.IPv6Any);
+        }
+
+        static bool IsDigit(char c) => c >= '0' && c <= '9';
+
+        // A host that is refused may hold anything, tags of Unity's texts as well.
+        static string Shown(string host)
+        {
+            var shown = (host ?? "").ToCharArray();
+            for (var i = 0; i < shown.Length; i++)
+                if (shown[i] < ' ' || shown[i] > '~' || shown[i] == '<') shown[i] = '?';
+            return new string(shown, 0, Math.Min(shown.Length, LongestName));
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using System;
+using System.Globalization;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Pairing
+{
+    /// <summary>Where a marker is in the robot's base frame, as a person measures it: metres and degrees, to the sixth decimal.</summary>
+    /// <remarks>
+    /// A URDF origin but for the degrees: turned about the base frame's fixed x, then y, then z axis. The marker frame has its origin in
+    /// the centre of the print, x to the right along the print, y to its upper edge, z out of it.
+    /// </remarks>
+    public sealed class MarkerOffset
+    {
+        public const double GreatestMetres = 100;
+        public const double GreatestDegrees = 360;
+
+        const int Decimals = 6, Numbers = 6;
+
+        readonly double[] _numbers;
+
+        /// <exception cref="InputException">A number is out of range, or none.</exception>
+        public MarkerOffset(double x, double y, double z, double rollDegrees = 0, double pitchDegrees = 0, double yawDegrees = 0)
+            : this(new[] { x, y, z, rollDegrees, pitchDegrees, yawDegrees }, "marker offset") { }
+
+        MarkerOffset(double[] numbers, string what)
+        {
+            var names = new[] { "x", "y", "z", "roll", "pitch", "yaw" };
+            for (var i = 0; i < Numbers; i++)
+            {
+                var greatest = i < 3 ? GreatestMetres : GreatestDegrees;
+                var value = SettingRange.Require(numbers[i], -greatest, greatest, what + ", " + names[i], i < 3 ? "m" : "degrees");
+                // Zero has one sign only.
+                numbers[i] = Math.Round(value, Decimals) + 0.0;
+            }
+            _numbers = numbers;
+        }
+
+        /// <summary>Six numbers between commas: x,y,z in metres, roll,pitch,yaw in degrees; or the first three.</summary>
+        /// <param name="what">Names them in messages.</param>
+        /// <exception cref="InputException">Anything else.</exception>
+        public static MarkerOffset Parse(string text, string what)
+        {
+            var words = (text ?? "").Split(',');
+            if (words.Length != Numbers && words.Length != 3)
+                throw new InputException(what + ": " + words.Length + " numbers; allowed are x,y,z or x,y,z,roll,pitch,yaw in metres and degrees");
+            var numbers = new double[Numbers];
+            for (var i = 0; i < words.Length; i++)
+                if (!TryRead(words[i], out numbers[i]))
+                    throw new InputException(what + ": number " + (i + 1) + " is none; allowed are at most three digits, and six after a full stop");
+            return new MarkerOffset(numbers, what);
+        }
+
+        /// <summary>The marker frame in the base frame.</summary>
+        public RigidTransform ToPose() => RigidTransform.FromXyzRpy(
+            _numbers[0], _numbers[1], _numbers[2], Radians(_numbers[3]), Radians(_numbers[4]), Radians(_numbers[5]));
+
+        /// <summary>As <see cref="Parse"/> reads it: "0.25,-0.1,0" where nothing is turned, else six numbers.</summary>
+        public override string ToString()
+        {
+            var count = _numbers[3] == 0 && _numbers[4] == 0 && _numbers[5] == 0 ? 3 : Numbers;
+            return string.Join(",", Array.ConvertAll(_numbers.AsSpan(0, count).ToArray(), Write));
+        }
+
+        internal static string Write(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
+
+        // Neither exponents nor blanks, infinities or other alphabets' digits, which parsers differ in.
+        internal static bool TryRead(string text, out double number)
+        {
+            number = 0;
+            var digits = text.StartsWith('-') ? text.Substring(1) : text;
+            var point = digits.IndexOf('.');
+            var whole = point < 0 ? digits.Length : point;
+            if (whole < 1 || whole > 3 || (point >= 0 && (digits.Length - point < 2 || digits.Length - point > Decimals + 1))) return false;
+            foreach (var c in digits)
+                if (c != '.' && (c < '0' || c > '9')) return false;
+            return double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out number);
+        }
+
+        static double Radians(double degrees) => degrees * Math.PI / 180;
+    }
+}

@@ -1,0 +1,78 @@
+using System;
+using Nowpose.Pairing;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class TokenCodeTests
+    {
+        const string PinText = "AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8";
+        const string Token = "_-ECAwQFBgcICQoLDA0ODw";
+        const string Whole = "nowpose:token/1?p=" + PinText + "&t=" + Token + "&x=1795186800";
+
+        static readonly CertificatePin Pin = CertificatePin.Parse("sha256/AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8=");
+        static readonly DateTime ValidTo = new DateTime(2026, 11, 20, 15, 0, 0, DateTimeKind.Utc);
+
+        [Test]
+        public void Parse_AllFields_ReadsEach()
+        {
+            var code = TokenCode.Parse(Whole);
+
+            Assert.That(code.Pin, Is.EqualTo(Pin));
+            Assert.That(code.Token, Is.EqualTo(Token));
+            Assert.That(code.ValidToUtc, Is.EqualTo(ValidTo));
+        }
+
+        [Test]
+        public void Write_AllFields_IsTheCode() => Assert.That(new TokenCode(Pin, Token, ValidTo).Text, Is.EqualTo(Whole));
+
+        [Test]
+        public void ToString_DoesNotTellTheToken() => Assert.That(TokenCode.Parse(Whole).ToString(), Does.Not.Contain(Token));
+
+        [Test]
+        public void IsFor_OtherKey_IsFalse()
+        {
+            var code = TokenCode.Parse(Whole);
+            var plain = TokenCode.Parse("nowpose:token/1?t=" + Token);
+            var other = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
+
+            Assert.That(code.IsFor(new CellCode("a", "10.0.0.7", Pin)), Is.True);
+            Assert.That(code.IsFor(new CellCode("a", "10.0.0.7", other)), Is.False);
+            Assert.That(code.IsFor(new CellCode("a", "localhost", null)), Is.False);
+            Assert.That(plain.IsFor(new CellCode("a", "localhost", null)), Is.True);
+            Assert.That(plain.IsFor(new CellCode("a", "10.0.0.7", Pin)), Is.False);
+        }
+
+        [TestCase("nowpose:token/1?p=" + PinText, "t is missing")]
+        [TestCase("nowpose:token/2?t=" + Token, "of version 2")]
+        [TestCase("nowpose:token/1?t=" + Token + "&n=a", "field n is not known")]
+        [TestCase("nowpose:token/1?t=" + Token + "A", "16 bytes")]
+        [TestCase("nowpose:token/1?t=_-ECAwQFBgcICQoLDA0OD", "16 bytes")]
+        [TestCase("nowpose:token/1?t=" + Token + "&x=-1", "x is no whole number")]
+        [TestCase("nowpose:token/1?t=" + Token + "&x=253402300800", "x=253402300800")]
+        public void Parse_NotOfTheGrammar_SaysWhyWithoutTheToken(string text, string why)
+        {
+            var error = Assert.Throws<InputException>(() => TokenCode.Parse(text));
+
+            Assert.That(error.Message, Does.Contain(why).And.Not.Contain(Token));
+        }
+
+        [Test]
+        public void Parse_Damaged_NeverTellsTheToken([Range(1, 200)] int seed)
+        {
+            var random = new Random(seed);
+            var text = Whole.ToCharArray();
+            text[random.Next(8, text.Length)] = (char)random.Next(256);
+
+            try
+            {
+                TokenCode.Parse(new string(text));
+            }
+            catch (InputException refused)
+            {
+                Assert.That(refused.Message, Does.Not.Contain(Token.Substring(4, 8)), "seed " + seed);
+            }
+        }
+    }
+}
