@@ -11,5 +11,11 @@ namespace Nowpose.Anchoring
 
         /// <summary>Followed, as the source says; its pose may be stale all the same, which <see cref="MarkerSighting.LastSeen"/> tells.</summary>
         Tracking,
+
+        /// <summary>
+        /// Put there by hand: it is where it was meant to be, whoever looks from wherever, and stays. While somebody moves it,
+        /// <see cref="MarkerSighting.LastSeen"/> goes on with the time; afterwards it is the moment at which it was put down.
+        /// </summary>
+        Placed,
     }
 }

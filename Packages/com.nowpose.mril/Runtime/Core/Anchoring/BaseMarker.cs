@@ -1,0 +1,42 @@
+using Nowpose.Kinematics;
+
+namespace Nowpose.Anchoring
+{
+    /// <summary>A marker that is fixed to the robot's base, and where.</summary>
+    public sealed class BaseMarker
+    {
+        /// <summary>Letters that the largest code holds.</summary>
+        const int MostLetters = 4296;
+
+        const double FarthestMetres = 100;
+
+        /// <summary>Of an edge: less cannot be seen from where one stands, more is no print.</summary>
+        const double SmallestMetres = 0.005, LargestMetres = 5;
+
+        /// <param name="payload">Text of its code, letter for letter.</param>
+        /// <param name="markerInBase">Marker frame, as of <see cref="MarkerSighting"/>, in the robot's base frame.</param>
+        /// <param name="sizeMetres">Length of an edge of the printed code; 0 for unknown.</param>
+        /// <exception cref="InputException">No text or too long a one, no pose, too far from the base, or no size.</exception>
+        public BaseMarker(string payload, in RigidTransform markerInBase, double sizeMetres = 0)
+        {
+            if (string.IsNullOrEmpty(payload)) throw new InputException("marker: its payload is empty; give the text of its code");
+            if (payload.Length > MostLetters)
+                throw new InputException("marker: its payload has " + payload.Length + " letters; no code holds more than " + MostLetters);
+            var name = MarkerName.Of(payload);
+            SettingRange.Require(markerInBase.X, -FarthestMetres, FarthestMetres, name + ": x of its offset", "m");
+            SettingRange.Require(markerInBase.Y, -FarthestMetres, FarthestMetres, name + ": y of its offset", "m");
+            SettingRange.Require(markerInBase.Z, -FarthestMetres, FarthestMetres, name + ": z of its offset", "m");
+            if (!markerInBase.IsPose()) throw new InputException(name + ": its offset turns nowhere; give three finite angles");
+            if (sizeMetres != 0) SettingRange.Require(sizeMetres, SmallestMetres, LargestMetres, name + ": its size", "m");
+            Payload = payload;
+            MarkerInBase = markerInBase;
+            SizeMetres = sizeMetres;
+        }
+
+        public string Payload { get; }
+        public RigidTransform MarkerInBase { get; }
+
+        /// <summary>Length of an edge; 0 for unknown.</summary>
+        public double SizeMetres { get; }
+    }
+}

@@ -1,0 +1,62 @@
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>A marker that somebody holds to where it is to be, instead of one that the device sees.</summary>
+    /// <remarks>
+    /// What moves it (a hand, a controller, a script) says when it begins and when it has ended. The base follows it meanwhile, and
+    /// is locked when it is put down.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Hand Placed Marker")]
+    [DisallowMultipleComponent]
+    public sealed class HandPlacedMarker : MonoBehaviour, IMarkerSource
+    {
+        [SerializeField, Tooltip("Text of the marker of the base that it stands for. Empty: its transform is the robot's base frame itself.")]
+        string _payload = "";
+
+        readonly IHeadsetClock _ownClock = new StopwatchHeadsetClock();
+        string _id;
+        MrilSession _session;
+        HeadsetTime? _placed;
+
+        /// <summary>Whether somebody moves it at the moment.</summary>
+        public bool IsMoving { get; private set; }
+
+        /// <summary>Text of the marker that it stands for; empty for the base frame itself.</summary>
+        public string Payload => _payload;
+
+        IHeadsetClock Clock => _session != null ? _session.HeadsetClock : _ownClock;
+
+        /// <summary>From now on the transform is moved, and the base with it.</summary>
+        public void BeginMove() => IsMoving = isActiveAndEnabled;
+
+        /// <summary>It has been put down. Does nothing unless it was being moved.</summary>
+        public void EndMove()
+        {
+            if (!IsMoving) return;
+            IsMoving = false;
+            _placed = Clock.Now;
+        }
+
+        /// <inheritdoc/>
+        public void Read(List<MarkerSighting> markers)
+        {
+            if (!isActiveAndEnabled) return;
+            if (IsMoving) _placed = Clock.Now;
+            // Where a scene has it before anybody touched it says nothing about the room.
+            if (!(_placed is HeadsetTime placed)) return;
+            var pose = UnityPoses.ToRoom(transform.position, transform.rotation);
+            markers.Add(new MarkerSighting(_id, _payload.Length == 0 ? null : _payload, pose, 0, placed, MarkerTracking.Placed));
+        }
+
+        void OnEnable()
+        {
+            _id = "hand " + GetInstanceID();
+            _session = this.SessionOr(null);
+        }
+
+        void OnDisable() => EndMove();
+    }
+}
