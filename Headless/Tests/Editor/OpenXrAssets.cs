@@ -11,7 +11,7 @@ static class OpenXrAssets
     static readonly string[] Features =
     {
         "com.microsoft.openxr.feature.appremoting", HoloLens, "com.microsoft.openxr.feature.handtracking",
-        "com.unity.openxr.feature.input.handtracking",
+        "com.unity.openxr.feature.input.handtracking", "com.unity.openxr.feature.input.eyetracking",
     };
 
     /// <summary>Puts them into the project that is open.</summary>

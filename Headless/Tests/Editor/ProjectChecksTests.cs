@@ -52,7 +52,7 @@ public sealed class ProjectChecksTests : EditorFixture
     {
         for (var i = 0; i < 3; i++) _review.LookAgain();
 
-        Assert.That(_review.MissingCount, Is.EqualTo(16));
+        Assert.That(_review.MissingCount, Is.EqualTo(14));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
         Assert.That(EditorUserBuildSettings.wsaArchitecture, Is.EqualTo("x64"));
         Assert.That(PlayerSettings.runInBackground | PlayerSettings.enableFrameTimingStats, Is.False);
@@ -101,6 +101,15 @@ public sealed class ProjectChecksTests : EditorFixture
         Assert.That(_project.Activity, Is.Null);
         Assert.That(_review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr 1.13.0"));
         Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Good));
+    }
+
+    [Test]
+    public void Package_OfAVersion_IsAskedForByIt()
+    {
+        _review.Fix(IndexOf("AR Foundation"));
+
+        Assert.That(Client.Asked, Is.EqualTo(new[] { "com.unity.xr.arfoundation@5.1.5" }));
+        Assert.That(_project.Activity, Is.EqualTo("adding com.unity.xr.arfoundation …"));
     }
 
     [Test]
@@ -170,13 +179,13 @@ public sealed class ProjectChecksTests : EditorFixture
 
         Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Advice));
         Assert.That(_review.Checks[check].FixLabel, Is.Null);
-        Assert.That(_review.Results[check].Found, Does.Contain("Mixed Reality Feature Tool"));
+        Assert.That(_review.Results[check].Found, Does.Contain("github.com/MixedRealityToolkit"));
     }
 
     [Test]
     public void Mrtk3_PartInstalled_NamesWhatIsMissing()
     {
-        foreach (var part in new[] { "core", "uxcore", "uxcomponents", "spatialmanipulation", "input" })
+        foreach (var part in new[] { "core", "uxcore", "standardassets", "uxcomponents", "spatialmanipulation", "input" })
             PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.3.0"));
         _review.LookAgain();
         Assert.That(_review.Results[IndexOf("MRTK3 (optional)")].Found, Does.StartWith("org.mixedrealitytoolkit.windowsspeech is not installed"));
@@ -192,7 +201,7 @@ public sealed class ProjectChecksTests : EditorFixture
         Project.Open(null);
         _review.LookAgain();
 
-        foreach (var title in new[] { "OpenXR feature Hand Tracking", "OpenXR Render Mode is Single Pass Instanced" })
+        foreach (var title in new[] { "OpenXR feature Mixed Reality Features", "OpenXR Render Mode is Single Pass Instanced" })
         {
             _review.Fix(IndexOf(title));
             Assert.That(_review.Results[IndexOf(title)].State, Is.EqualTo(CheckState.Missing));

@@ -7,8 +7,9 @@ namespace Nowpose.Editor
     {
         static readonly string[] Packages =
         {
-            "org.mixedrealitytoolkit.core", "org.mixedrealitytoolkit.uxcore", "org.mixedrealitytoolkit.uxcomponents",
-            "org.mixedrealitytoolkit.spatialmanipulation", "org.mixedrealitytoolkit.input", "org.mixedrealitytoolkit.windowsspeech",
+            "org.mixedrealitytoolkit.core", "org.mixedrealitytoolkit.uxcore", "org.mixedrealitytoolkit.standardassets",
+            "org.mixedrealitytoolkit.spatialmanipulation", "org.mixedrealitytoolkit.uxcomponents", "org.mixedrealitytoolkit.input",
+            "org.mixedrealitytoolkit.windowsspeech",
         };
 
         public Mrtk3Check()
@@ -22,7 +23,7 @@ namespace Nowpose.Editor
                 : new CheckResult(
                     CheckState.Advice,
                     string.Join(", ", missing) + (missing.Count == 1 ? " is" : " are")
-                    + " not installed; get them with Microsoft's Mixed Reality Feature Tool or from the releases of github.com/MixedRealityToolkit");
+                    + " not installed; get the tarballs from the releases of github.com/MixedRealityToolkit/MixedRealityToolkit-Unity");
         }
 
         public override string Fix(IProjectSettings project) => null;

@@ -4,13 +4,16 @@ namespace Nowpose.Editor
     sealed class OpenXrFeatureCheck : ProjectCheck
     {
         readonly string _id, _name;
+        readonly CheckState _without;
 
         /// <param name="name">As the list of features shows it.</param>
-        public OpenXrFeatureCheck(string name, string why, string id)
+        /// <param name="without">How a project stands in which it is not ticked.</param>
+        public OpenXrFeatureCheck(string name, string why, string id, CheckState without = CheckState.Missing)
             : base("OpenXR feature " + name, why, "Tick " + name)
         {
             _id = id;
             _name = name;
+            _without = without;
         }
 
         public override CheckResult Look(IProjectSettings project)
@@ -18,8 +21,8 @@ namespace Nowpose.Editor
             switch (project.IsFeatureOn(_id))
             {
                 case true: return Good("ticked");
-                case false: return Missing("not ticked");
-                default: return Missing("the project has no such feature yet: it comes with OpenXR and Microsoft's plug-in, once OpenXR is ticked");
+                case false: return new CheckResult(_without, "not ticked");
+                default: return new CheckResult(_without, "the project has no such feature yet: it comes with its package once OpenXR is ticked");
             }
         }
 

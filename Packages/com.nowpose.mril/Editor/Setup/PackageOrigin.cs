@@ -19,7 +19,9 @@ namespace Nowpose.Editor
         public string Version { get; }
         public ScopedRegistry Registry { get; }
 
-        public static PackageOrigin OfUnity(string name) => new PackageOrigin(name, name, null, null);
+        /// <param name="version">Null for the one that Unity recommends for this editor.</param>
+        public static PackageOrigin OfUnity(string name, string version = null) =>
+            new PackageOrigin(name, version == null ? name : name + "@" + version, version, null);
 
         public static PackageOrigin OfGit(string name, string url) => new PackageOrigin(name, url, null, null);
 

@@ -25,14 +25,19 @@ namespace Nowpose.Editor
                 PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2")),
             new PackageCheck(
                 "AR Foundation", "Markers and anchors of Microsoft's plug-in are made of it; without it the robot's base is placed by hand only.",
-                "com.unity.xr.arfoundation", PackageOrigin.OfUnity("com.unity.xr.arfoundation"), without: CheckState.Advice),
+                "com.unity.xr.arfoundation", PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5"), without: CheckState.Advice),
             new OpenXrLoaderCheck(HeadsetPlatform.HoloLens2),
             new OpenXrFeatureCheck(
                 "Mixed Reality Features", "Markers, anchors and the predicted display time come by it.", "com.microsoft.openxr.feature.hololens"),
             new OpenXrFeatureCheck(
-                "Hand Tracking", "The joints of the hands, for the hand menu and for grabbing.", "com.microsoft.openxr.feature.handtracking"),
+                "Hand Tracking", "The joints of the hands, for MRTK3's hand menu and for grabbing.", "com.microsoft.openxr.feature.handtracking",
+                CheckState.Advice),
             new OpenXrFeatureCheck(
-                "Microsoft Hand Interaction Profile", "Pinch and ray of a hand.", "com.unity.openxr.feature.input.handtracking"),
+                "Microsoft Hand Interaction Profile", "Pinch and ray of a hand, for MRTK3.", "com.unity.openxr.feature.input.handtracking",
+                CheckState.Advice),
+            new OpenXrFeatureCheck(
+                "Eye Gaze Interaction Profile", "To look at a button and pinch, for MRTK3.", "com.unity.openxr.feature.input.eyetracking",
+                CheckState.Advice),
             RenderMode,
             new OpenXrOptionCheck(
                 "Depth Submission Mode", "The headset steadies the picture by the depth of what it shows; 24 bits cost more than they give.",
@@ -43,7 +48,7 @@ namespace Nowpose.Editor
                 PlayerSettings.WSACapability.PrivateNetworkClientServer, "To connect to a gateway in the same private network, the usual case."),
             new CapabilityCheck(PlayerSettings.WSACapability.WebCam, "To find the robot's base by a marker, which the headset's camera sees."),
             new CapabilityCheck(PlayerSettings.WSACapability.SpatialPerception, "To keep the robot's base where it is in the room."),
-            new CapabilityCheck(PlayerSettings.WSACapability.GazeInput, "To look at a button and pinch, where MRTK3 is used.", CheckState.Advice),
+            new CapabilityCheck(PlayerSettings.WSACapability.GazeInput, "To look at a button and pinch, for MRTK3.", CheckState.Advice),
             new CapabilityCheck(PlayerSettings.WSACapability.Microphone, "To call the hand menu's commands by voice.", CheckState.Advice),
             FrameTiming,
             RunInBackground,
