@@ -14,6 +14,16 @@ sealed class PersistentArguments
     [SerializeField, SerializedName("m_StringArgument")] string _string = "";
     [SerializeField, SerializedName("m_BoolArgument")] bool _bool;
 
+    internal static PersistentArguments Of(PersistentListenerMode mode, object value)
+    {
+        // The editor writes the type also where no object is passed.
+        var made = new PersistentArguments { _objectType = "UnityEngine.Object, UnityEngine" };
+        if (mode == PersistentListenerMode.Bool) made._bool = (bool)value;
+        else if (mode == PersistentListenerMode.Float) made._float = (float)value;
+        else if (value != null) throw new ArgumentException($"no argument of mode {mode} can be kept here yet", nameof(mode));
+        return made;
+    }
+
     internal Type ObjectType => Type.GetType(_objectType) ?? typeof(Object);
 
     internal Type TypeFor(PersistentListenerMode mode) => mode switch

@@ -19,22 +19,41 @@ sealed class PersistentCall
     [SerializeField, SerializedName("m_CallState")] UnityEventCallState _state = UnityEventCallState.RuntimeOnly;
 
     internal Object Target => _target;
+    internal string TargetTypeName => _targetType;
     internal string MethodName => _method;
+    internal PersistentListenerMode Mode => _mode;
 
-    /// <summary>Calls it, with the argument that is kept.</summary>
-    internal void Invoke()
+    /// <summary>A call as the editor makes it.</summary>
+    /// <param name="argument">Of the mode's type; null for none.</param>
+    internal static PersistentCall Of(Object target, string method, PersistentListenerMode mode, object argument)
+    {
+        var type = target.GetType();
+        return new PersistentCall
+        {
+            _target = target,
+            _targetType = type.FullName + ", " + type.Assembly.GetName().Name,
+            _method = method,
+            _mode = mode,
+            _arguments = PersistentArguments.Of(mode, argument),
+            _state = UnityEventCallState.RuntimeOnly,
+        };
+    }
+
+    /// <summary>Calls it, with the argument that is kept or the event's.</summary>
+    /// <param name="eventType">Of the event's argument; null where it has none.</param>
+    internal void Invoke(Type eventType = null, object eventArgument = null)
     {
         if (_state == UnityEventCallState.Off || (_state == UnityEventCallState.RuntimeOnly && !Application.isPlaying)) return;
         if (_target == null || _method.Length == 0) return;
 
-        var method = Method();
+        var method = Method(eventType);
         if (method == null)
         {
             Debug.LogError($"The event calls {_target.GetType().Name}.{_method}, which does not exist with such an argument.", _target);
             return;
         }
 
-        var arguments = TakesArgument ? new[] { _arguments.ValueFor(_mode) } : null;
+        var arguments = ArgumentType(eventType) == null ? null : new[] { KeepsArgument ? _arguments.ValueFor(_mode) : eventArgument };
         try
         {
             method.Invoke(_target, arguments);
@@ -46,13 +65,20 @@ sealed class PersistentCall
         }
     }
 
-    // The event has no argument of its own to pass on.
-    bool TakesArgument => _mode != PersistentListenerMode.EventDefined && _mode != PersistentListenerMode.Void;
+    bool KeepsArgument => _mode != PersistentListenerMode.EventDefined && _mode != PersistentListenerMode.Void;
+
+    Type ArgumentType(Type eventType)
+    {
+        if (_mode == PersistentListenerMode.EventDefined) return eventType;
+        return KeepsArgument ? _arguments.TypeFor(_mode) : null;
+    }
 
     /// <summary>Null where there is none of that name for the argument.</summary>
-    internal MethodInfo Method()
+    /// <param name="eventType">Of the event's argument; null where it has none.</param>
+    internal MethodInfo Method(Type eventType = null)
     {
-        var types = TakesArgument ? new[] { _arguments.TypeFor(_mode) } : Type.EmptyTypes;
+        var argument = ArgumentType(eventType);
+        var types = argument == null ? Type.EmptyTypes : new[] { argument };
         for (var type = _target.GetType(); type != null && type != typeof(object); type = type.BaseType)
         {
             var method = type.GetMethod(_method, Any, null, types, null);

@@ -11,4 +11,6 @@ sealed class PersistentCallGroup
     [SerializeField, SerializedName("m_Calls")] List<PersistentCall> _calls = new();
 
     internal IReadOnlyList<PersistentCall> Calls => _calls;
+
+    internal void Add(PersistentCall call) => _calls.Add(call);
 }

@@ -10,6 +10,9 @@ public abstract class UnityEventBase : ISerializationCallbackReceiver
 
     internal PersistentCallGroup Persistent => _persistent;
 
+    /// <summary>What it passes on; null for nothing.</summary>
+    internal virtual Type ArgumentType => null;
+
     public int GetPersistentEventCount() => _persistent.Calls.Count;
     public Object GetPersistentTarget(int index) => _persistent.Calls[index].Target;
     public string GetPersistentMethodName(int index) => _persistent.Calls[index].MethodName;

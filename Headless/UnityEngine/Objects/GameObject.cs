@@ -100,12 +100,23 @@ public sealed partial class GameObject : Object
     /// <summary>Adds it and nothing else: no message, no required ones.</summary>
     internal Component Add(Type type)
     {
-        if (type == typeof(Transform) && _components.Count > 0) return _components[0];
+        if (_components.Count > 0 && typeof(Transform).IsAssignableFrom(type)) return TransformOf(type);
 
         var component = (Component)Construction.Create(type);
         component.AttachTo(this);
         _components.Add(component);
         return component;
+    }
+
+    /// <summary>One of a derived class takes the place of the Transform, as in Unity; here only before anything hangs on it.</summary>
+    Transform TransformOf(Type type)
+    {
+        if (type.IsInstanceOfType(transform)) return transform;
+        var replacing = (Transform)Construction.Create(type);
+        replacing.AttachTo(this);
+        _components[0] = replacing;
+        transform = replacing;
+        return replacing;
     }
 
     /// <summary>Sets the flag as a file does, before the object is in a scene.</summary>

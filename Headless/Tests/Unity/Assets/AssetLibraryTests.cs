@@ -287,7 +287,7 @@ public sealed class AssetLibraryTests
     [TestCase("  - component: {fileID: 3}\n", "", "&3 MonoBehaviour: is a component that no GameObject lists")]
     [TestCase("  - component: {fileID: 3}\n", "  - component: {fileID: 4}\n", "&1 GameObject.m_Component: the file has no object 4")]
     [TestCase("  - component: {fileID: 2}\n", "", "a GameObject has one Transform, its first component")]
-    [TestCase("!u!4 &12\nTransform", "!u!224 &12\nRectTransform", "a GameObject has one Transform, its first component")]
+    [TestCase("!u!4 &12\nTransform", "!u!33 &12\nMeshFilter", "a GameObject has one Transform, its first component")]
     [TestCase("!u!114 &3\nMonoBehaviour", "!u!999 &3\nWobble", "&3 Wobble: the stand-in knows no class Wobble")]
     [TestCase("m_Layer: 5", "m_Lair: 5", "&1 GameObject: GameObject has no serialised field m_Lair")]
     public void Load_BrokenHierarchy_IsRefused(string good, string bad, string expected)

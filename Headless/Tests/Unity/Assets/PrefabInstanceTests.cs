@@ -43,6 +43,28 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
+    public void Instance_OfAPartOfACanvas_KeepsWhereItIsAndWhatIsHungBelow()
+    {
+        var button = new GameObject("Button");
+        button.AddComponent<RectTransform>();
+        Save("Assets/Button.prefab", 7, button);
+        var menu = new GameObject("Menu");
+        var inside = _project.Library() is var library ? library.InstantiatePrefab(library.Load<GameObject>("Assets/Button.prefab")) : null;
+        inside.transform.SetParent(menu.transform, false);
+        ((RectTransform)inside.transform)._anchoredPosition = new Vector2(12, -3);
+        NewChild("Label", inside.transform);
+
+        var text = new AssetWriter(library).Prefab(menu);
+        _project.AddYaml("Assets/Menu.prefab", 8, text.Substring(YamlHeader.Length));
+        var read = Load("Assets/Menu.prefab").transform.GetChild(0);
+
+        Assert.That(text, Does.Contain("propertyPath: m_AnchoredPosition.x\n      value: 12\n"));
+        Assert.That(text, Does.Contain("--- !u!224 &").And.Contain(" stripped"), "what the label hangs on");
+        Assert.That(((RectTransform)read)._anchoredPosition, Is.EqualTo(new Vector2(12, -3)));
+        Assert.That(read.GetChild(0).name, Is.EqualTo("Label"));
+    }
+
+    [Test]
     public void Instance_Unchanged_IsThePrefabElsewhere()
     {
         var arm = NewArm(out _);

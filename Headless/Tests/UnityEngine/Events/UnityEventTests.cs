@@ -49,6 +49,30 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
+    public void Invoke_EventWithAnArgument_PassesItOnUnlessTheCallKeepsOne()
+    {
+        var listener = Add<Listener>("a");
+        var passed = FromFile<UnityEvent<int>>(listener, "HeardInt", PersistentListenerMode.EventDefined);
+        var kept = FromFile<UnityEvent<int>>(listener, "HeardInt", PersistentListenerMode.Int, ("m_IntArgument", 4));
+        var none = FromFile<UnityEvent<int>>(listener, "Heard", PersistentListenerMode.Void);
+        passed.AddListener(value => Journal.Note("code " + value));
+
+        passed.Invoke(7);
+        kept.Invoke(7);
+        none.Invoke(7);
+
+        Assert.That(Journal.Take(), Is.EqualTo("HeardInt(7) code 7 HeardInt(4) Heard"));
+    }
+
+    [Test]
+    public void Invoke_CallThatTakesAnotherArgumentThanTheEvents_IsAnErrorThatNamesIt()
+    {
+        FromFile<UnityEvent<int>>(Add<Listener>("a"), "HeardBool", PersistentListenerMode.EventDefined).Invoke(7);
+
+        Assert.That(Player.Logs.Single().Message, Does.Contain("Listener.HeardBool"));
+    }
+
+    [Test]
     public void Invoke_CallSwitchedOffOrWithoutTarget_IsPassedOver()
     {
         var listener = Add<Listener>("a");

@@ -50,11 +50,13 @@ sealed class HierarchyBuilder
         return builder;
     }
 
-    IEnumerable<FileObject> Of(string className) => _file.Objects.Where(o => o.ClassName == className);
+    IEnumerable<FileObject> GameObjects => _file.Objects.Where(o => o.ClassName == "GameObject");
+
+    IEnumerable<FileObject> Transforms => _file.Objects.Where(o => o.IsTransform);
 
     void MakeObjects()
     {
-        foreach (var described in Of("GameObject"))
+        foreach (var described in GameObjects)
         {
             var made = GameObject.Detached("");
             Add(described, EngineClasses.Find(described.ClassId, described.ClassName), made);
@@ -82,7 +84,7 @@ sealed class HierarchyBuilder
     void MakeComponent(FileObject described, GameObject owner, bool isFirst)
     {
         if (_objects.ContainsKey(described.FileId)) throw described.Place.Error("is listed twice as a component");
-        if (isFirst != (described.ClassName == "Transform")) throw described.Place.Error("a GameObject has one Transform, its first component");
+        if (isFirst != described.IsTransform) throw described.Place.Error("a GameObject has one Transform, its first component");
         var known = described.ClassName == ScriptClass.ClassName
             ? ScriptClass.Of(_assets.ScriptAt(described, typeof(MonoBehaviour)))
             : EngineClasses.Find(described.ClassId, described.ClassName)
@@ -112,7 +114,7 @@ sealed class HierarchyBuilder
     void MakeHierarchy()
     {
         var roots = new List<(int Order, GameObject Root)>();
-        foreach (var described in Of("Transform"))
+        foreach (var described in Transforms)
         {
             var father = described.Reference("m_Father").FileId;
             if (father == 0) roots.Add((RootOrder(described), ((Transform)_objects[described.FileId]).gameObject));
@@ -122,7 +124,7 @@ sealed class HierarchyBuilder
         }
         Roots = roots.OrderBy(r => r.Order).Select(r => r.Root).ToList();
         var reached = Roots.Sum(r => r.GetComponentsInChildren<Transform>(true).Length);
-        if (reached != Of("Transform").Count()) throw new AssetException(_file.Name + ": some objects are their own ancestors");
+        if (reached != Transforms.Count()) throw new AssetException(_file.Name + ": some objects are their own ancestors");
     }
 
     void Adopt(FileObject father, FileObject child)
@@ -141,7 +143,7 @@ sealed class HierarchyBuilder
 
     FileObject TransformAt(long fileId, FileObject from)
     {
-        return _file.Find(fileId) is { ClassName: "Transform" } found
+        return _file.Find(fileId) is { IsTransform: true } found
             ? found
             : throw from.Place.Error("&" + Numbers.Write(fileId) + " is no Transform of this file");
     }

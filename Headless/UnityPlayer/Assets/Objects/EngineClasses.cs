@@ -24,7 +24,10 @@ static class EngineClasses
         Component<MeshFilter>(33, "m_Mesh"),
         Component<TextMesh>(102, ("serializedVersion", "3"), "m_Text", "m_OffsetZ", "m_CharacterSize", "m_LineSpacing", "m_Anchor", "m_Alignment",
             "m_TabSize", "m_FontSize", ("m_FontStyle", "0"), "m_RichText", Slot.Constant("m_Font", BuiltInAssets.Font.Write()), "m_Color"),
+        new OpaqueClass(65, "BoxCollider"),
         new OpaqueClass(108, "Light"),
+        new OpaqueClass(223, "Canvas"),
+        new ObjectClass(224, "RectTransform", typeof(RectTransform), Headers.Component.Concat(TransformSlots()).Concat(RectSlots()).ToArray()),
     };
 
     static readonly Dictionary<Type, ObjectClass> ByType = All.Where(c => !(c is OpaqueClass)).ToDictionary(c => c.Type);
@@ -70,6 +73,15 @@ static class EngineClasses
         yield return Slot.Checked("m_RootOrder", (Transform t, IReferences references, Place place) => Nodes.Number(references.SiblingIndex(t)));
         yield return Slot.Hint("m_LocalEulerAnglesHint", (Transform t, IReferences references, Place place) =>
             ValueFormats.For(typeof(Vector3)).Write(EulerHint(t), references, place));
+    }
+
+    static IEnumerable<Slot> RectSlots()
+    {
+        yield return Slot.Field(typeof(RectTransform), "m_AnchorMin");
+        yield return Slot.Field(typeof(RectTransform), "m_AnchorMax");
+        yield return Slot.Field(typeof(RectTransform), "m_AnchoredPosition");
+        yield return Slot.Field(typeof(RectTransform), "m_SizeDelta");
+        yield return Slot.Field(typeof(RectTransform), "m_Pivot");
     }
 
     /// <summary>What the editor shows; to a thousandth of a degree, in which the last digits of different machines' sines do not show.</summary>

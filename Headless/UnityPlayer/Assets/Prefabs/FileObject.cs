@@ -26,6 +26,10 @@ sealed class FileObject
 
     public int ClassId { get; }
     public string ClassName { get; }
+
+    /// <summary>Of a canvas, too.</summary>
+    public bool IsTransform => ClassName is "Transform" or "RectTransform";
+
     public long FileId { get; }
     public YamlMappingNode Fields { get; }
 

@@ -59,7 +59,7 @@ sealed class InstanceDocument
         {
             throw new AssetException(_place.In("m_SourcePrefab") + ": " + exception.Message, exception);
         }
-        RootTransform = source.Objects.Single(o => o.ClassName == "Transform" && o.Reference("m_Father").IsNone);
+        RootTransform = source.Objects.Single(o => o.IsTransform && o.Reference("m_Father").IsNone);
         return source;
     }
 
@@ -75,7 +75,7 @@ sealed class InstanceDocument
 
     void SetParent(PrefabInstance instance, Dictionary<long, FileObject> objects, long parent)
     {
-        if (parent != 0 && !(objects.TryGetValue(parent, out var found) && found.ClassName == "Transform"))
+        if (parent != 0 && !(objects.TryGetValue(parent, out var found) && found.IsTransform))
             throw _place.In("m_TransformParent").Error("the file has no Transform " + Numbers.Write(parent));
         objects[instance.Map(RootTransform.FileId)].Fields.Children[Nodes.Text("m_Father")] = new AssetReference(parent).Write();
     }

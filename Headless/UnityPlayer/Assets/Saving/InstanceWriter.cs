@@ -64,7 +64,7 @@ sealed class InstanceWriter
 
     YamlNode Removed(FileObject source)
     {
-        if (source.ClassName is "GameObject" or "Transform")
+        if (source.IsTransform || source.ClassName == "GameObject")
             throw source.Place.Error("is missing in an instance; only components can be removed there");
         return new AssetReference(source.FileId, _instance.SourceGuid, AssetReference.Imported).Write();
     }

@@ -1,0 +1,3 @@
+namespace UnityEngine.Events;
+
+public delegate void UnityAction<T0>(T0 arg0);
