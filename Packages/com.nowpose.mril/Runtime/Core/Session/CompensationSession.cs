@@ -204,8 +204,12 @@ namespace Nowpose.Session
 
         /// <summary>Computes what a frame displays. Allocates nothing once warm.</summary>
         /// <param name="start">Headset time at which the frame begins.</param>
+        /// <param name="isLast">
+        /// False where the frame is computed once more before it is rendered, as with <see cref="SessionSettings.RewriteBeforeRender"/>.
+        /// L_visu is calibrated from the last one, so only there are predicted display times compared with it.
+        /// </param>
         /// <returns>The session's own frame, overwritten by the next tick.</returns>
-        public DisplayFrame Tick(HeadsetTime start)
+        public DisplayFrame Tick(HeadsetTime start, bool isLast = true)
         {
             lock (_gate)
             {
@@ -214,7 +218,7 @@ namespace Nowpose.Session
                 TakeArrivals(clock);
                 // Their stamps can be judged, and mean anything, only with the clock; a source may not send them again for long.
                 while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
-                var seen = _light.LightOf(start, isConstant: _monitor.State != RangeState.Outside);
+                var seen = _light.LightOf(start, isComparable: isLast && _monitor.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
                 _frame.Update(start, light, IsTrusted(clock), _monitor.State, _light.IsDoubted);
                 _hindcast.Shown(_frame, clock.ErrorBound);

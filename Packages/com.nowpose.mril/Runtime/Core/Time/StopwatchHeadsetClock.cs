@@ -4,20 +4,18 @@ using System.Diagnostics;
 namespace Nowpose
 {
     /// <summary>The device's monotonic high-resolution counter as headset clock; its epoch is the device's own.</summary>
-    public sealed class StopwatchHeadsetClock : IHeadsetClock
+    public sealed class StopwatchHeadsetClock : IPerformanceCounterClock
     {
         static readonly double TicksPerCount = TimeSpan.TicksPerSecond / (double)Stopwatch.Frequency;
 
-        public HeadsetTime Now
+        public HeadsetTime Now => At(Stopwatch.GetTimestamp());
+
+        public HeadsetTime At(long count)
         {
-            get
-            {
-                var count = Stopwatch.GetTimestamp();
-                // Whole seconds apart: the product of a large count and a fraction would lose the last digits.
-                var seconds = count / Stopwatch.Frequency;
-                var rest = count % Stopwatch.Frequency;
-                return new HeadsetTime(new TimeSpan(seconds * TimeSpan.TicksPerSecond + (long)(rest * TicksPerCount)));
-            }
+            // Whole seconds apart: the product of a large count and a fraction would lose the last digits.
+            var seconds = count / Stopwatch.Frequency;
+            var rest = count % Stopwatch.Frequency;
+            return new HeadsetTime(new TimeSpan(seconds * TimeSpan.TicksPerSecond + (long)(rest * TicksPerCount)));
         }
     }
 }

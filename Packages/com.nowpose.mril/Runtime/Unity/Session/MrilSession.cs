@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Latency;
 using Nowpose.Session;
 using UnityEngine;
 using UnityEngine.Events;
@@ -61,6 +62,7 @@ namespace Nowpose.Unity
         SessionSettings _given, _used;
         IHeadsetClock _nextClock = new StopwatchHeadsetClock();
         IHeadsetClock _clock;
+        IDisplayTimeSource _displayTimes;
         ApplicationPresence _presence;
         DescriptionWatch _description;
         bool _isRunning, _isWanted, _isFilled;
@@ -137,6 +139,26 @@ namespace Nowpose.Unity
         /// <summary>Whether it is to be connected: since <see cref="Connect"/>, until <see cref="Disconnect"/>. Its statistics tell whether it is.</summary>
         public bool IsConnecting => _isWanted;
 
+        /// <summary>
+        /// Tells when light appears, frame by frame, and is believed before the calibrated L_visu; null for none. Set once, it serves every
+        /// session from now on.
+        /// </summary>
+        public IDisplayTimeSource DisplayTimeSource
+        {
+            get => _displayTimes;
+            set
+            {
+                _displayTimes = value;
+                if (Session != null) Session.DisplayTimeSource = value;
+            }
+        }
+
+        /// <summary>
+        /// Whether the pose is being computed right before rendering, for the second time in its frame: a runtime knows the frame's display
+        /// time better then.
+        /// </summary>
+        public bool IsBeforeRender { get; private set; }
+
         /// <summary>Connects to the gateway, now and after each pause. Returns at once; comes back by itself when the connection is lost.</summary>
         public void Connect()
         {
@@ -187,7 +209,7 @@ namespace Nowpose.Unity
         {
             if (Session == null) return;
             if (_description.Follow(Session, Robot, _robot, _log)) Restart();
-            var frame = Show();
+            var frame = Show(isLast: !_used.RewriteBeforeRender);
             if (frame == null) return;
             _log.Follow(Session);
             Tell(_watch.Changed(frame));
@@ -196,14 +218,19 @@ namespace Nowpose.Unity
         void ShowAgain()
         {
             if (Session == null || !_used.RewriteBeforeRender) return;
+            IsBeforeRender = true;
             try
             {
-                Show();
+                Show(isLast: true);
             }
             catch (Exception fault)
             {
                 // The engine calls all that wait for this moment in one go: a listener's fault would cost the others their frame.
                 Debug.LogException(fault, this);
+            }
+            finally
+            {
+                IsBeforeRender = false;
             }
         }
 
@@ -239,7 +266,10 @@ namespace Nowpose.Unity
             }
             Problem = null;
             _clock = _nextClock;
-            Session = new CompensationSession(_used, robot ?? NoRobot, _clock, Transport.Create);
+            Session = new CompensationSession(_used, robot ?? NoRobot, _clock, Transport.Create)
+            {
+                DisplayTimeSource = _displayTimes,
+            };
             if (_isWanted) Session.Connect();
             if (robot == Robot) return;
             Robot = robot;
@@ -296,10 +326,10 @@ namespace Nowpose.Unity
         }
 
         /// <returns>Null when a listener ended the session.</returns>
-        DisplayFrame Show()
+        DisplayFrame Show(bool isLast)
         {
             if (Session == null) return null;
-            var frame = Session.Tick(_clock.Now);
+            var frame = Session.Tick(_clock.Now, isLast);
             _isFilled = false;
             if (Robot == null) return frame;
             Frame = frame;

@@ -55,13 +55,16 @@ namespace Nowpose.Latency
         /// <inheritdoc cref="Difference"/>
         public bool IsDoubted => _check.IsDoubted;
 
-        /// <param name="isConstant">False where the render time says that L_visu is not the calibrated one: nothing to compare with.</param>
-        public HeadsetTime LightOf(HeadsetTime frameStart, bool isConstant)
+        /// <param name="isComparable">
+        /// False where the render time says that L_visu is not the calibrated one, or where the frame is computed once more: nothing to
+        /// compare with.
+        /// </param>
+        public HeadsetTime LightOf(HeadsetTime frameStart, bool isComparable)
         {
             var ahead = _source?.LightOf(frameStart) - frameStart;
             IsPredicted = ahead >= TimeSpan.Zero && ahead <= Furthest;
             Used = IsPredicted ? ahead.Value : _calibrated.Length;
-            if (IsPredicted && isConstant) _check.Add(frameStart, ahead.Value - _calibrated.Length);
+            if (IsPredicted && isComparable) _check.Add(frameStart, ahead.Value - _calibrated.Length);
             return frameStart + Used;
         }
 

@@ -89,6 +89,26 @@ namespace Nowpose.Tests
             Assert.That(statistics.VisualisationLatency, Is.EqualTo(Lengths.Ms(ms)), "the runtime is believed");
         }
 
+        [TestCase(46.5, 40, true)]
+        [TestCase(40, 46.5, false)]
+        public void DisplayTimeSource_FrameComputedTwice_OnlyTheLastOneIsCompared(double lastMs, double firstMs, bool isDoubted)
+        {
+            var simulated = Running(null);
+            var ms = lastMs;
+            simulated.Session.DisplayTimeSource = new Runtime { Ms = _ => ms };
+
+            simulated.Run(5, (frame, _) =>
+            {
+                ms = firstMs;
+                simulated.Session.Tick(frame.Start + Lengths.Ms(1), isLast: false);
+                ms = lastMs;
+            });
+
+            var statistics = simulated.Session.Statistics(default);
+            Assert.That(statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(lastMs - 40).Within(1e-3));
+            Assert.That(statistics.IsDisplayTimeDoubted, Is.EqualTo(isDoubted));
+        }
+
         [Test]
         public void DisplayTimeSource_OutsideTheRange_IsNotComparedWithWhatNoLongerHolds()
         {
