@@ -1,0 +1,37 @@
+using UnityEngine.XR.ARSubsystems;
+
+namespace UnityEngine.XR.ARFoundation;
+
+[DefaultExecutionOrder(int.MinValue + 1)]
+public sealed class ARAnchorManager : ARTrackableManager<
+    XRAnchorSubsystem, XRAnchorSubsystemDescriptor, XRAnchorSubsystem.Provider, XRAnchor, ARAnchor>
+{
+    /// <summary>The one that was enabled last.</summary>
+    internal static ARAnchorManager Instance { get; private set; }
+
+    protected override void OnEnable()
+    {
+        base.OnEnable();
+        Instance = this;
+    }
+
+    internal bool TryAdd(ARAnchor anchor)
+    {
+        if (anchor.trackableId != TrackableId.invalidId) return false;
+        if (!enabled || subsystem == null)
+        {
+            anchor.pending = true;
+            return false;
+        }
+        if (!subsystem.TryAddAnchor(SessionPoseOf(anchor.transform), out var data)) return false;
+
+        Adopt(anchor, data);
+        return true;
+    }
+
+    internal void Remove(ARAnchor anchor)
+    {
+        subsystem?.TryRemoveAnchor(anchor.trackableId);
+        anchor.pending = false;
+    }
+}

@@ -1,0 +1,9 @@
+using UnityEngine.XR.ARSubsystems;
+
+namespace UnityEngine.XR.ARFoundation;
+
+[DisallowMultipleComponent]
+public sealed class ARSession : MonoBehaviour
+{
+    public static ARSessionState state => (ARSessionState)(ArDevice.Current?.SessionState ?? 0);
+}

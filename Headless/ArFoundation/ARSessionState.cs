@@ -1,0 +1,13 @@
+namespace UnityEngine.XR.ARFoundation;
+
+public enum ARSessionState
+{
+    None,
+    Unsupported,
+    CheckingAvailability,
+    NeedsInstall,
+    Installing,
+    Ready,
+    SessionInitializing,
+    SessionTracking,
+}

@@ -1,0 +1,5 @@
+namespace UnityEngine.XR.ARFoundation;
+
+public abstract class ARTrackable : MonoBehaviour
+{
+}

@@ -1,0 +1,72 @@
+using System.Collections.Generic;
+using Unity.XR.CoreUtils;
+using UnityEngine.SubsystemsImplementation;
+using UnityEngine.XR.ARSubsystems;
+
+namespace UnityEngine.XR.ARFoundation;
+
+[RequireComponent(typeof(XROrigin))]
+[DisallowMultipleComponent]
+public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProvider, TSessionRelativeData, TTrackable>
+    : SubsystemLifecycleManager<TSubsystem, TSubsystemDescriptor, TProvider>
+    where TSubsystem : TrackingSubsystem<TSessionRelativeData, TSubsystem, TSubsystemDescriptor, TProvider>, new()
+    where TSubsystemDescriptor : SubsystemDescriptorWithProvider<TSubsystem, TProvider>
+    where TProvider : SubsystemProvider<TSubsystem>
+    where TSessionRelativeData : struct, ITrackable
+    where TTrackable : ARTrackable<TSessionRelativeData, TTrackable>
+{
+    protected Dictionary<TrackableId, TTrackable> m_Trackables = new();
+
+    public TrackableCollection<TTrackable> trackables => new(m_Trackables);
+
+    protected XROrigin origin { get; private set; }
+
+    protected virtual void Awake() => origin = GetComponent<XROrigin>();
+
+    protected virtual void Update()
+    {
+        if (subsystem == null || !subsystem.running) return;
+
+        ITrackingDevice<TSessionRelativeData> device = subsystem;
+        foreach (var changed in device.Changed) CreateOrUpdate(changed);
+        device.Changed.Clear();
+        foreach (var removed in device.Removed)
+            if (m_Trackables.Remove(removed, out var trackable) && trackable) Destroy(trackable.gameObject);
+        device.Removed.Clear();
+    }
+
+    /// <summary>A component that somebody added becomes the device's.</summary>
+    internal void Adopt(TTrackable trackable, TSessionRelativeData data)
+    {
+        m_Trackables.Add(data.trackableId, trackable);
+        trackable.Set(data, origin.TrackablesParent);
+        trackable.pending = true;
+    }
+
+    internal Pose SessionPoseOf(Transform place)
+    {
+        var parent = origin.TrackablesParent;
+        return new Pose(parent.InverseTransformPoint(place.position), Quaternion.Inverse(parent.rotation) * place.rotation);
+    }
+
+    internal virtual void Told(TTrackable trackable, TSessionRelativeData data)
+    {
+    }
+
+    void CreateOrUpdate(TSessionRelativeData data)
+    {
+        if (!m_Trackables.TryGetValue(data.trackableId, out var trackable))
+        {
+            var place = new GameObject(typeof(TTrackable).Name + " " + data.trackableId);
+            place.SetActive(false);
+            place.transform.SetParent(origin.TrackablesParent, false);
+            trackable = place.AddComponent<TTrackable>();
+            m_Trackables.Add(data.trackableId, trackable);
+            trackable.Set(data, origin.TrackablesParent);
+            place.SetActive(true);
+        }
+        trackable.pending = false;
+        trackable.Set(data, origin.TrackablesParent);
+        Told(trackable, data);
+    }
+}

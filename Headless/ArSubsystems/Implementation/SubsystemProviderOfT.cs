@@ -1,0 +1,5 @@
+namespace UnityEngine.SubsystemsImplementation;
+
+public abstract class SubsystemProvider<TSubsystem> : SubsystemProvider where TSubsystem : SubsystemWithProvider, new()
+{
+}

@@ -1,0 +1,12 @@
+namespace UnityEngine.SubsystemsImplementation;
+
+public abstract class SubsystemWithProvider : ISubsystem
+{
+    public bool running { get; private set; }
+
+    public void Start() => running = true;
+
+    public void Stop() => running = false;
+
+    public void Destroy() => running = false;
+}

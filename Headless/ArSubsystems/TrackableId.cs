@@ -1,0 +1,25 @@
+using System;
+using System.Globalization;
+
+namespace UnityEngine.XR.ARSubsystems;
+
+public struct TrackableId : IEquatable<TrackableId>
+{
+    public TrackableId(ulong subId1, ulong subId2)
+    {
+        this.subId1 = subId1;
+        this.subId2 = subId2;
+    }
+
+    public static TrackableId invalidId => default;
+
+    public ulong subId1 { get; set; }
+    public ulong subId2 { get; set; }
+
+    public override string ToString() => string.Format(CultureInfo.InvariantCulture, "{0}-{1}", subId1.ToString("X16"), subId2.ToString("X16"));
+    public override int GetHashCode() => HashCode.Combine(subId1, subId2);
+    public override bool Equals(object obj) => obj is TrackableId id && Equals(id);
+    public bool Equals(TrackableId other) => subId1 == other.subId1 && subId2 == other.subId2;
+    public static bool operator ==(TrackableId lhs, TrackableId rhs) => lhs.Equals(rhs);
+    public static bool operator !=(TrackableId lhs, TrackableId rhs) => !lhs.Equals(rhs);
+}

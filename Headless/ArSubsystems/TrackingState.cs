@@ -1,0 +1,8 @@
+namespace UnityEngine.XR.ARSubsystems;
+
+public enum TrackingState
+{
+    None,
+    Limited,
+    Tracking,
+}

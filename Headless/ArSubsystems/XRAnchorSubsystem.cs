@@ -1,0 +1,44 @@
+using System.Collections.Generic;
+using UnityEngine.SubsystemsImplementation;
+
+namespace UnityEngine.XR.ARSubsystems;
+
+public class XRAnchorSubsystem : TrackingSubsystem<XRAnchor, XRAnchorSubsystem, XRAnchorSubsystemDescriptor, XRAnchorSubsystem.Provider>
+{
+    readonly Dictionary<TrackableId, XRAnchor> _anchors = new();
+
+    /// <summary>Whether the device takes anchors.</summary>
+    internal bool Accepts { get; set; } = true;
+
+    internal int Count => _anchors.Count;
+
+    public bool TryAddAnchor(Pose pose, out XRAnchor anchor)
+    {
+        anchor = default;
+        if (!Accepts) return false;
+
+        anchor = new XRAnchor(new TrackableId(1, (ulong)_anchors.Count + 1), pose, TrackingState.Tracking);
+        _anchors.Add(anchor.trackableId, anchor);
+        Report(anchor);
+        return true;
+    }
+
+    public bool TryRemoveAnchor(TrackableId anchorId)
+    {
+        if (!_anchors.Remove(anchorId)) return false;
+
+        Remove(anchorId);
+        return true;
+    }
+
+    /// <summary>The device corrects its map, or loses it, or has loaded an anchor that was kept.</summary>
+    internal void Place(TrackableId id, Pose pose, TrackingState state)
+    {
+        _anchors[id] = new XRAnchor(id, pose, state);
+        Report(_anchors[id]);
+    }
+
+    public abstract class Provider : SubsystemProvider<XRAnchorSubsystem>
+    {
+    }
+}

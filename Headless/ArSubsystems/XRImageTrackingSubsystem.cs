@@ -1,0 +1,11 @@
+using UnityEngine.SubsystemsImplementation;
+
+namespace UnityEngine.XR.ARSubsystems;
+
+public class XRImageTrackingSubsystem : TrackingSubsystem<
+    XRTrackedImage, XRImageTrackingSubsystem, XRImageTrackingSubsystemDescriptor, XRImageTrackingSubsystem.Provider>
+{
+    public abstract class Provider : SubsystemProvider<XRImageTrackingSubsystem>
+    {
+    }
+}

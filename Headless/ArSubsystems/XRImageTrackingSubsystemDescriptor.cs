@@ -1,0 +1,7 @@
+using UnityEngine.SubsystemsImplementation;
+
+namespace UnityEngine.XR.ARSubsystems;
+
+public class XRImageTrackingSubsystemDescriptor : SubsystemDescriptorWithProvider<XRImageTrackingSubsystem, XRImageTrackingSubsystem.Provider>
+{
+}

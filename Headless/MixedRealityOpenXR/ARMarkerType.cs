@@ -1,0 +1,6 @@
+namespace Microsoft.MixedReality.OpenXR;
+
+public enum ARMarkerType
+{
+    QRCode = 1,
+}

@@ -1,0 +1,7 @@
+namespace Microsoft.MixedReality.OpenXR;
+
+public enum FrameTime
+{
+    OnUpdate = 0,
+    OnBeforeRender,
+}

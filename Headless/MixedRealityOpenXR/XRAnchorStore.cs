@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using System.Threading.Tasks;
+using UnityEngine;
+using UnityEngine.XR.ARSubsystems;
+
+namespace Microsoft.MixedReality.OpenXR;
+
+public class XRAnchorStore
+{
+    readonly Dictionary<string, TrackableId> _kept = new();
+    readonly List<string> _names = new();
+
+    internal XRAnchorStore()
+    {
+    }
+
+    /// <summary>What the runtime answers whoever loads the store; null: no store.</summary>
+    internal static Func<XRAnchorSubsystem, Task<XRAnchorStore>> Loading { get; set; } = _ => Task.FromResult<XRAnchorStore>(null);
+
+    public IReadOnlyList<string> PersistedAnchorNames => Fault == null ? _names : throw Fault;
+
+    /// <summary>Whether an anchor is taken.</summary>
+    internal bool Accepts { get; set; } = true;
+
+    /// <summary>What each call throws; null for none.</summary>
+    internal Exception Fault { get; set; }
+
+    /// <summary>An anchor of an earlier run.</summary>
+    internal void Put(string name, TrackableId id)
+    {
+        _kept[name] = id;
+        if (!_names.Contains(name)) _names.Add(name);
+    }
+
+    internal TrackableId KeptAs(string name) => _kept.TryGetValue(name, out var id) ? id : TrackableId.invalidId;
+
+    public TrackableId LoadAnchor(string name) => Fault == null ? KeptAs(name) : throw Fault;
+
+    public bool TryPersistAnchor(TrackableId trackableId, string name)
+    {
+        if (Fault != null) throw Fault;
+        if (!Accepts || _kept.ContainsKey(name)) return false;
+
+        Put(name, trackableId);
+        return true;
+    }
+
+    public void UnpersistAnchor(string name)
+    {
+        if (Fault != null) throw Fault;
+
+        _kept.Remove(name);
+        _names.Remove(name);
+    }
+}

@@ -1,0 +1,7 @@
+using UnityEngine.SubsystemsImplementation;
+
+namespace Microsoft.MixedReality.OpenXR.ARSubsystems;
+
+public class XRMarkerSubsystemDescriptor : SubsystemDescriptorWithProvider<XRMarkerSubsystem, XRMarkerSubsystem.Provider>
+{
+}

@@ -1,0 +1,83 @@
+using UnityEngine;
+using UnityEngine.XR.ARSubsystems;
+
+namespace Nowpose.ArFoundation
+{
+    /// <summary>Brings one anchor into the store, as soon as there is one, and tries again when it does not take it.</summary>
+    sealed class AnchorKeeping
+    {
+        const int Tries = 10;
+
+        /// <summary>A store that refuses an anchor may take it once the device has seen more of the place.</summary>
+        const float TryEverySeconds = 1;
+
+        readonly ArSpatialAnchors _owner;
+        readonly ArSpatialAnchor _anchor;
+        string _wanted;
+        float _next;
+        int _tries;
+
+        public AnchorKeeping(ArSpatialAnchors owner, ArSpatialAnchor anchor)
+        {
+            _owner = owner;
+            _anchor = anchor;
+        }
+
+        /// <summary>Null while it is not kept.</summary>
+        public string KeptAs { get; set; }
+
+        /// <summary>Null when nothing is wrong.</summary>
+        public string Problem { get; private set; }
+
+        public void Keep(string name)
+        {
+            Problem = AnchorNames.FaultOf(name);
+            if (Problem != null) return;
+            if (_owner.Store == null)
+            {
+                Problem = "nothing keeps anchors over restarts: no anchor store is beside the spatial anchors";
+                return;
+            }
+            _wanted = name == KeptAs ? null : name;
+            _tries = 0;
+            _next = 0;
+        }
+
+        public void Renounce(string name)
+        {
+            if (KeptAs == name) KeptAs = null;
+            if (_wanted == name) _wanted = null;
+        }
+
+        /// <summary>Once a frame while it is held.</summary>
+        public void Follow(TrackableId id)
+        {
+            if (_wanted == null || Time.unscaledTime < _next) return;
+            var store = _owner.Store;
+            if (store == null || !store.IsReady)
+            {
+                Problem = store?.Problem;
+                return;
+            }
+            _next = Time.unscaledTime + TryEverySeconds;
+            if (store.TryKeep(id, _wanted)) Kept();
+            else if (++_tries < Tries) Problem = "the device's store has not taken it yet";
+            else GiveUp(store);
+        }
+
+        void Kept()
+        {
+            Problem = null;
+            KeptAs = _wanted;
+            _owner.Renounce(_wanted, _anchor);
+            _wanted = null;
+        }
+
+        void GiveUp(IAnchorStore store)
+        {
+            Problem = "the device's store did not take it as '" + _wanted + "'" + (store.Problem == null ? "" : ": " + store.Problem)
+                + "; it is lost with the next start";
+            _wanted = null;
+        }
+    }
+}

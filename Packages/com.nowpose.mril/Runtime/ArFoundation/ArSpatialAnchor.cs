@@ -1,0 +1,134 @@
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using UnityEngine;
+using UnityEngine.XR.ARFoundation;
+using UnityEngine.XR.ARSubsystems;
+
+namespace Nowpose.ArFoundation
+{
+    /// <summary>One anchor of AR Foundation, made or loaded.</summary>
+    sealed class ArSpatialAnchor : ISpatialAnchor
+    {
+        /// <summary>A device that has not taken an anchor by then takes none: scanning a new room lasts some seconds.</summary>
+        const float PatienceSeconds = 10;
+
+        readonly ArSpatialAnchors _owner;
+        readonly Pose _wanted;
+        readonly TrackableId _loaded;
+        readonly bool _isLoaded;
+        readonly AnchorKeeping _keeping;
+        readonly float _since;
+        ARAnchor _anchor;
+        bool _wasThere;
+
+        /// <summary>To be made.</summary>
+        public ArSpatialAnchor(ArSpatialAnchors owner, Pose world, in RigidTransform room)
+            : this(owner)
+        {
+            _wanted = world;
+            Pose = room;
+        }
+
+        /// <summary>Loaded already; the manager has it later.</summary>
+        public ArSpatialAnchor(ArSpatialAnchors owner, TrackableId id, string keptAs)
+            : this(owner)
+        {
+            _loaded = id;
+            _isLoaded = true;
+            _keeping.KeptAs = keptAs;
+        }
+
+        ArSpatialAnchor(ArSpatialAnchors owner)
+        {
+            _owner = owner;
+            _keeping = new AnchorKeeping(owner, this);
+            _since = Time.unscaledTime;
+        }
+
+        public SpatialAnchorState State { get; private set; }
+        public RigidTransform? Pose { get; private set; }
+        public string KeptAs => _keeping.KeptAs;
+        public string Problem { get; private set; }
+
+        public void Keep(string name)
+        {
+            if (State == SpatialAnchorState.Failed) return;
+            _keeping.Keep(name);
+            Problem = _keeping.Problem;
+        }
+
+        public void Dispose()
+        {
+            // One that stands for the same anchor goes on with it.
+            var isLast = _owner.Remove(this);
+            if (State == SpatialAnchorState.Failed) return;
+            if (_anchor != null && isLast) Object.Destroy(_anchor.gameObject);
+            _anchor = null;
+            End("it was let go of");
+        }
+
+        public bool IsOf(ArSpatialAnchor other) => _anchor != null && ReferenceEquals(_anchor, other._anchor);
+
+        public void Renounce(string name) => _keeping.Renounce(name);
+
+        /// <summary>Once a frame.</summary>
+        public void Follow()
+        {
+            if (State == SpatialAnchorState.Failed) return;
+            if (_anchor == null && !_wasThere) Begin();
+            if (_anchor == null)
+            {
+                if (_wasThere) End("the device has dropped it");
+                else if (!_isLoaded && IsLate) End(_owner.Problem ?? "the device holds no anchors");
+                return;
+            }
+            _wasThere = true;
+            if (_anchor.trackableId == TrackableId.invalidId)
+            {
+                // Newer versions of AR Foundation switch one off that was not taken.
+                if (!_anchor.enabled || IsLate) End("the device takes no anchor here");
+                return;
+            }
+            Track();
+        }
+
+        bool IsLate => Time.unscaledTime - _since > PatienceSeconds;
+
+        void Begin()
+        {
+            if (!_owner.IsRunning) return;
+            if (_isLoaded)
+            {
+                _owner.Manager.trackables.TryGetTrackable(_loaded, out _anchor);
+                return;
+            }
+            var place = new GameObject("Nowpose Anchor");
+            place.transform.SetPositionAndRotation(_wanted.position, _wanted.rotation);
+            _anchor = place.AddComponent<ARAnchor>();
+        }
+
+        void Track()
+        {
+            if (_anchor.pending) return;
+            if (_anchor.trackingState != TrackingState.Tracking)
+            {
+                if (State == SpatialAnchorState.Tracking || _isLoaded) State = SpatialAnchorState.Lost;
+                return;
+            }
+            State = SpatialAnchorState.Tracking;
+            var place = _anchor.transform;
+            Pose = UnityPoses.ToRoom(place.position, place.rotation);
+            _keeping.Follow(_anchor.trackableId);
+            Problem = _keeping.Problem;
+        }
+
+        void End(string problem)
+        {
+            if (_anchor != null) Object.Destroy(_anchor.gameObject);
+            _anchor = null;
+            State = SpatialAnchorState.Failed;
+            Problem = problem;
+        }
+    }
+}

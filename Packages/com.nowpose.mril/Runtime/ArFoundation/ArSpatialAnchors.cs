@@ -1,0 +1,101 @@
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using Unity.XR.CoreUtils;
+using UnityEngine;
+using UnityEngine.XR.ARFoundation;
+using UnityEngine.XR.ARSubsystems;
+
+namespace Nowpose.ArFoundation
+{
+    /// <summary>Holds places in the room by AR Foundation's anchors; keeps them over restarts where a store is on the same object.</summary>
+    [AddComponentMenu("Nowpose/Spatial Anchors")]
+    [DisallowMultipleComponent]
+    public sealed class ArSpatialAnchors : MonoBehaviour, ISpatialAnchors
+    {
+        [SerializeField, Tooltip("The XR Origin, which is given an AR Anchor Manager unless it has one. Empty: the one above the main camera.")]
+        XROrigin _origin = null;
+
+        readonly OriginManager<ARAnchorManager> _manager = new OriginManager<ARAnchorManager>(
+            manager => manager.subsystem, isAdded: true, "it needs a device that holds anchors");
+
+        readonly List<ArSpatialAnchor> _anchors = new List<ArSpatialAnchor>();
+        readonly List<string> _unwanted = new List<string>();
+        IAnchorStore _store;
+
+        /// <summary>Why the device holds no anchors, or keeps none, in one line; null when nothing is wrong.</summary>
+        public string Problem => _manager.Problem ?? Store?.Problem;
+
+        public bool IsReady => Store?.IsReady ?? false;
+
+        internal ARAnchorManager Manager => _manager.Manager;
+
+        internal bool IsRunning => _manager.IsRunning;
+
+        /// <summary>Null where there is none, or it was destroyed.</summary>
+        internal IAnchorStore Store => _store is Object store && store != null ? _store : null;
+
+        public ISpatialAnchor Hold(in RigidTransform pose) => Add(new ArSpatialAnchor(this, UnityPoses.ToWorld(pose), pose));
+
+        public ISpatialAnchor Find(string name)
+        {
+            if (!IsReady || AnchorNames.FaultOf(name) != null || !Store.Has(name)) return null;
+            var id = Store.Load(name);
+            return id == TrackableId.invalidId ? null : Add(new ArSpatialAnchor(this, id, name));
+        }
+
+        public void Forget(string name)
+        {
+            if (AnchorNames.FaultOf(name) != null) return;
+            Renounce(name, null);
+            if (IsReady) Store.Forget(name);
+            else _unwanted.Add(name);
+        }
+
+        /// <summary>An anchor is kept under a name no longer, for another one is, or none.</summary>
+        internal void Renounce(string name, ArSpatialAnchor keeper)
+        {
+            // What was to be forgotten before the store was known is wanted again.
+            _unwanted.Remove(name);
+            foreach (var anchor in _anchors)
+                if (anchor != keeper) anchor.Renounce(name);
+        }
+
+        /// <returns>Whether no other one stands for the same anchor of the device.</returns>
+        internal bool Remove(ArSpatialAnchor anchor)
+        {
+            _anchors.Remove(anchor);
+            foreach (var other in _anchors)
+                if (other.IsOf(anchor)) return false;
+            return true;
+        }
+
+        void OnEnable() => _store = GetComponent<IAnchorStore>();
+
+        void OnDestroy()
+        {
+            while (_anchors.Count > 0) _anchors[_anchors.Count - 1].Dispose();
+        }
+
+        void Update()
+        {
+            if (_manager.Follow(_origin) && _manager.Problem != null)
+                ConsoleLog.Warn(this, "spatial anchors '" + name + "': " + _manager.Problem);
+            if (_unwanted.Count > 0 && IsReady) ForgetUnwanted();
+            foreach (var anchor in _anchors) anchor.Follow();
+        }
+
+        void ForgetUnwanted()
+        {
+            foreach (var name in _unwanted) Store.Forget(name);
+            _unwanted.Clear();
+        }
+
+        ArSpatialAnchor Add(ArSpatialAnchor anchor)
+        {
+            _anchors.Add(anchor);
+            return anchor;
+        }
+    }
+}

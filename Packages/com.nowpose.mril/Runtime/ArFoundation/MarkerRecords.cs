@@ -1,0 +1,40 @@
+using System.Collections.Generic;
+using UnityEngine.XR.ARSubsystems;
+
+namespace Nowpose.ArFoundation
+{
+    /// <summary>What a source remembers of its trackables, for as long as the device has them. Allocates only for new ones.</summary>
+    sealed class MarkerRecords
+    {
+        readonly Dictionary<TrackableId, MarkerRecord> _records = new Dictionary<TrackableId, MarkerRecord>();
+        readonly List<TrackableId> _gone = new List<TrackableId>();
+        int _reading;
+
+        public int Count => _records.Count;
+
+        /// <summary>A new reading begins.</summary>
+        public void Begin() => _reading++;
+
+        public MarkerRecord Of(TrackableId id)
+        {
+            if (!_records.TryGetValue(id, out var record))
+            {
+                record = new MarkerRecord(id.ToString());
+                _records.Add(id, record);
+            }
+            record.Reading = _reading;
+            return record;
+        }
+
+        /// <summary>The reading is over: what was not asked for is forgotten, for the device has it no longer.</summary>
+        public void End()
+        {
+            foreach (var pair in _records)
+                if (pair.Value.Reading != _reading) _gone.Add(pair.Key);
+            foreach (var id in _gone) _records.Remove(id);
+            _gone.Clear();
+        }
+
+        public void Clear() => _records.Clear();
+    }
+}

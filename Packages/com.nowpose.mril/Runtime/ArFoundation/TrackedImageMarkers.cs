@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using Unity.XR.CoreUtils;
+using UnityEngine;
+using UnityEngine.XR.ARFoundation;
+using UnityEngine.XR.ARSubsystems;
+
+namespace Nowpose.ArFoundation
+{
+    /// <summary>The images that AR Foundation tracks as markers; an image's name in its library is the payload.</summary>
+    /// <remarks>
+    /// AR Foundation does not say when an image was seen last. Here that is now while it says that it tracks it, and else when it said so
+    /// last; before it ever did, when the image became known.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Tracked Images")]
+    [DisallowMultipleComponent]
+    public sealed class TrackedImageMarkers : MonoBehaviour, IMarkerSource
+    {
+        /// <summary>
+        /// Marker frame in AR Foundation's frame of an image, which has x to the right, z to the upper edge and y out of the print, by
+        /// the URDF's axes of that frame: a quarter turn about the normal.
+        /// </summary>
+        static readonly RigidTransform MarkerInImage = RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, -Math.PI / 2);
+
+        [SerializeField, Tooltip("The session whose clock tells when an image was seen. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("The XR Origin with the AR Tracked Image Manager. Empty: the one above the main camera.")]
+        XROrigin _origin = null;
+
+        readonly OriginManager<ARTrackedImageManager> _images = new OriginManager<ARTrackedImageManager>(
+            manager => manager.subsystem, isAdded: false, "it needs a library with the images, and a device that tracks images");
+
+        readonly MarkerRecords _records = new MarkerRecords();
+        readonly StopwatchHeadsetClock _ownClock = new StopwatchHeadsetClock();
+        MrilSession _source;
+
+        /// <summary>Why no images are tracked, in one line; null when nothing is wrong.</summary>
+        public string Problem => _images.Problem;
+
+        public void Read(List<MarkerSighting> markers)
+        {
+            if (!isActiveAndEnabled || !_images.IsRunning) return;
+            var now = Now;
+            _records.Begin();
+            foreach (var image in _images.Manager.trackables)
+                if (image != null) markers.Add(SightingOf(image, _records.Of(image.trackableId), now));
+            _records.End();
+        }
+
+        void OnEnable() => _source = this.SessionOr(_session);
+
+        void OnDisable() => _records.Clear();
+
+        void Update()
+        {
+            if (_images.Follow(_origin) && Problem != null) ConsoleLog.Warn(this, "tracked images '" + name + "': " + Problem);
+        }
+
+        HeadsetTime Now => _source != null ? _source.HeadsetClock.Now : _ownClock.Now;
+
+        static MarkerSighting SightingOf(ARTrackedImage image, MarkerRecord record, HeadsetTime now)
+        {
+            if (image.trackingState == TrackingState.Tracking || record.Payload == null) record.LastSeen = now;
+            record.Payload = image.referenceImage.name;
+            var place = image.transform;
+            return new MarkerSighting(
+                record.Id, record.Payload, UnityPoses.ToRoom(place.position, place.rotation) * MarkerInImage, image.size.x, record.LastSeen,
+                image.trackingState.OfMarker());
+        }
+    }
+}

@@ -1,0 +1,147 @@
+using System;
+using System.Collections.Generic;
+using System.Threading.Tasks;
+using Microsoft.MixedReality.OpenXR;
+using Microsoft.MixedReality.OpenXR.ARFoundation;
+using Nowpose.ArFoundation;
+using Nowpose.Unity;
+using UnityEngine;
+using UnityEngine.XR.ARSubsystems;
+
+namespace Nowpose.OpenXR
+{
+    /// <summary>Keeps spatial anchors over restarts, in the store of Windows Mixed Reality; needs Microsoft's Mixed Reality OpenXR plugin.</summary>
+    [AddComponentMenu("Nowpose/Anchor Store")]
+    [DisallowMultipleComponent]
+    [RequireComponent(typeof(ArSpatialAnchors))]
+    public sealed class OpenXrAnchorStore : MonoBehaviour, IAnchorStore
+    {
+        /// <summary>The plugin gives no store before its session runs; then it has to be asked again.</summary>
+        const float AskEverySeconds = 1;
+
+        const int AskedInVain = 5;
+
+        const string LoadingAll = "load what was kept";
+
+        ArSpatialAnchors _anchors;
+        Task<XRAnchorStore> _loading;
+        XRAnchorStore _store;
+        XRAnchorSubsystem _of;
+        float _next;
+        int _asked;
+
+        public bool IsReady => _store != null;
+
+        public string Problem { get; private set; }
+
+        public bool Has(string name) => Try("look for '" + name + "'", store => IsAmong(store.PersistedAnchorNames, name));
+
+        public TrackableId Load(string name)
+        {
+            var id = TrackableId.invalidId;
+            Try("load '" + name + "'", store =>
+            {
+                id = store.LoadAnchor(name);
+                return true;
+            });
+            return id;
+        }
+
+        public bool TryKeep(TrackableId anchor, string name) => Try("keep '" + name + "'", store =>
+        {
+            if (store.TryPersistAnchor(anchor, name)) return true;
+            // A name that is taken may be why.
+            if (!IsAmong(store.PersistedAnchorNames, name)) return false;
+            store.UnpersistAnchor(name);
+            return store.TryPersistAnchor(anchor, name);
+        });
+
+        public void Forget(string name) => Try("forget '" + name + "'", store =>
+        {
+            if (IsAmong(store.PersistedAnchorNames, name)) store.UnpersistAnchor(name);
+            return true;
+        });
+
+        void OnEnable() => _anchors = GetComponent<ArSpatialAnchors>();
+
+        void Update()
+        {
+            var manager = _anchors.Manager;
+            var subsystem = manager != null ? manager.subsystem : null;
+            if (subsystem != _of) StartAnew(subsystem);
+            if (_store != null || subsystem == null) return;
+            if (_loading != null) Take();
+            else if (_anchors.IsRunning && Time.unscaledTime >= _next) Ask();
+        }
+
+        // The runtime was started anew: its store is another one.
+        void StartAnew(XRAnchorSubsystem subsystem)
+        {
+            _of = subsystem;
+            _store = null;
+            _loading = null;
+            _asked = 0;
+            _next = 0;
+        }
+
+        void Ask()
+        {
+            _next = Time.unscaledTime + AskEverySeconds;
+            _asked++;
+            try
+            {
+                _loading = _anchors.Manager.LoadAnchorStoreAsync();
+            }
+            catch (Exception fault)
+            {
+                Fail(LoadingAll, fault);
+            }
+        }
+
+        void Take()
+        {
+            if (!_loading.IsCompleted) return;
+            var loading = _loading;
+            _loading = null;
+            if (loading.Status == TaskStatus.RanToCompletion && loading.Result != null)
+            {
+                _store = loading.Result;
+                Problem = null;
+            }
+            // Reading it is also what keeps it from being raised where nobody waits.
+            else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
+            else if (_asked == AskedInVain) Say("the runtime gives no store of anchors; they are lost with the next start");
+        }
+
+        // The plugin's calls go into native code of the system.
+        bool Try(string what, Func<XRAnchorStore, bool> action)
+        {
+            if (_store == null) return false;
+            try
+            {
+                return action(_store);
+            }
+            catch (Exception fault)
+            {
+                Fail(what, fault);
+                return false;
+            }
+        }
+
+        static bool IsAmong(IReadOnlyList<string> names, string name)
+        {
+            for (var i = 0; i < (names?.Count ?? 0); i++)
+                if (names[i] == name) return true;
+            return false;
+        }
+
+        void Fail(string what, Exception fault) => Say("cannot " + what + ": " + fault.Message);
+
+        void Say(string problem)
+        {
+            if (problem == Problem) return;
+            Problem = problem;
+            ConsoleLog.Warn(this, "anchor store '" + name + "': " + problem);
+        }
+    }
+}

@@ -1,0 +1,112 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+using Nowpose.ArFoundation;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using Unity.XR.CoreUtils;
+using UnityEngine;
+// AR Foundation has types of the same names from version 6.4 on.
+using ARMarker = Microsoft.MixedReality.OpenXR.ARMarker;
+using ARMarkerManager = Microsoft.MixedReality.OpenXR.ARMarkerManager;
+using ARMarkerType = Microsoft.MixedReality.OpenXR.ARMarkerType;
+using TransformMode = Microsoft.MixedReality.OpenXR.TransformMode;
+
+namespace Nowpose.OpenXR
+{
+    /// <summary>The QR codes that a HoloLens 2 finds as markers; needs Microsoft's Mixed Reality OpenXR plugin and the capability WebCam.</summary>
+    /// <remarks>
+    /// The plugin's pose of a code is in its upper left corner, x to the right, y down, z out of the print. Its own mode for the centre
+    /// (<see cref="TransformMode.Center"/>) shifts by half the size along the axes of the room, so it is right only for an upright code
+    /// that faces one of them; here the mode for the corner is used, and the shift is along the code's own axes.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/QR Markers")]
+    [DisallowMultipleComponent]
+    public sealed class QrMarkers : MonoBehaviour, IMarkerSource
+    {
+        /// <summary>Marker frame in the code's, by the URDF's axes of that frame.</summary>
+        static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
+
+        [SerializeField, Tooltip("The session whose clock tells when a code was seen. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("The XR Origin, which is given an AR Marker Manager unless it has one. Empty: the one above the main camera.")]
+        XROrigin _origin = null;
+
+        readonly OriginManager<ARMarkerManager> _codes = new OriginManager<ARMarkerManager>(
+            manager => manager.subsystem, isAdded: true,
+            "QR codes need a HoloLens 2, the capability WebCam, the user's consent to the camera, and OpenXR for Windows Mixed Reality 113.2403 or newer");
+
+        readonly MarkerRecords _records = new MarkerRecords();
+        readonly StopwatchHeadsetClock _ownClock = new StopwatchHeadsetClock();
+        MrilSession _source;
+        ARMarkerManager _setUp;
+
+        /// <summary>Why no codes are found, in one line; null when nothing is wrong.</summary>
+        public string Problem => _codes.Problem;
+
+        public void Read(List<MarkerSighting> markers)
+        {
+            if (!isActiveAndEnabled || !_codes.IsRunning) return;
+            var now = Now;
+            var seconds = Time.realtimeSinceStartup;
+            _records.Begin();
+            foreach (var code in _codes.Manager.trackables)
+                if (code != null && code.markerType == ARMarkerType.QRCode) markers.Add(SightingOf(code, _records.Of(code.trackableId), now, seconds));
+            _records.End();
+        }
+
+        void OnEnable() => _source = this.SessionOr(_session);
+
+        void OnDisable() => _records.Clear();
+
+        void Update()
+        {
+            if (_codes.Follow(_origin) && Problem != null) ConsoleLog.Warn(this, "QR markers '" + name + "': " + Problem);
+            if (_codes.Manager != null && _codes.Manager != _setUp) SetUp(_codes.Manager);
+        }
+
+        HeadsetTime Now => _source != null ? _source.HeadsetClock.Now : _ownClock.Now;
+
+        void SetUp(ARMarkerManager manager)
+        {
+            _setUp = manager;
+            if (manager.defaultTransformMode != TransformMode.MostStable)
+                ConsoleLog.Warn(this, "QR markers '" + name + "': the marker manager's mode was " + manager.defaultTransformMode
+                    + ", which shifts codes along the room's axes; it is " + TransformMode.MostStable + " from now on");
+            manager.defaultTransformMode = TransformMode.MostStable;
+            if (Array.IndexOf(manager.enabledMarkerTypes, ARMarkerType.QRCode) >= 0) return;
+            var types = manager.enabledMarkerTypes;
+            Array.Resize(ref types, types.Length + 1);
+            types[types.Length - 1] = ARMarkerType.QRCode;
+            manager.enabledMarkerTypes = types;
+        }
+
+        static MarkerSighting SightingOf(ARMarker code, MarkerRecord record, HeadsetTime now, float seconds)
+        {
+            Follow(code, record, now, seconds);
+            var corner = code.transform;
+            var rotation = corner.rotation;
+            var centre = code.transformMode == TransformMode.Center
+                ? corner.position
+                : corner.position + rotation * new Vector3(code.center.x, code.center.y, 0);
+            return new MarkerSighting(
+                record.Id, record.Payload, UnityPoses.ToRoom(centre, rotation) * MarkerInCode, code.size.x, record.LastSeen,
+                code.trackingState.OfMarker());
+        }
+
+        // Brought to the headset clock once for each time it was seen: else the same sighting would have another time in each frame.
+        static void Follow(ARMarker code, MarkerRecord record, HeadsetTime now, float seconds)
+        {
+            if (code.lastSeenTime == record.LastSeenSeconds) return;
+            record.LastSeenSeconds = code.lastSeenTime;
+            var ago = (double)seconds - code.lastSeenTime;
+            // The plugin's time is rounded more coarsely than a frame is long once the device has run for days.
+            record.LastSeen = now - new TimeSpan((long)(Math.Max(0, ago) * TimeSpan.TicksPerSecond));
+            if (string.IsNullOrEmpty(record.Payload)) record.Payload = Text(code.GetDecodedString());
+        }
+
+        // A code that is found but not read yet has none.
+        static string Text(string decoded) => string.IsNullOrEmpty(decoded) ? null : decoded;
+    }
+}
