@@ -28,6 +28,8 @@ public static class AssetPlan
         (PackagePaths.ConnectSceneAnyRobot, w => Scenes.Connect(w, PackagePaths.CellAnyRobot)),
         (PackagePaths.CalibrationSettings, w => RobotAssets.Settings(w, PackagePaths.CalibrationSettings)),
         (PackagePaths.CalibrationScene, Scenes.DisplayCalibration),
+        (PackagePaths.AnyHeadsetSettings, w => RobotAssets.Settings(w, PackagePaths.AnyHeadsetSettings)),
+        (PackagePaths.AnyHeadsetScene, AnyHeadsetScene.Make),
     };
 
     public static IEnumerable<string> Paths => Assets.Select(a => a.Path);

@@ -8,6 +8,8 @@ static class PackagePaths
     const string Connect = "Packages/com.nowpose.mril/Samples~/Connect to a Gateway/";
     const string Calibration = "Packages/com.nowpose.mril/Samples~/Display Calibration/";
 
+    const string AnyHeadset = "Packages/com.nowpose.mril/Samples~/Any OpenXR headset/";
+
     public const string HologramShader = Runtime + "Shaders/Hologram.shader";
     public const string OccluderShader = Runtime + "Shaders/Occluder.shader";
     public const string Hologram = Runtime + "Materials/Hologram.mat";
@@ -32,5 +34,7 @@ static class PackagePaths
     public const string ConnectSceneAnyRobot = Connect + "Connect to a Gateway (Any Robot).unity";
     public const string CalibrationSettings = Calibration + "Calibration Settings.asset";
     public const string CalibrationScene = Calibration + "Display Calibration.unity";
+    public const string AnyHeadsetSettings = AnyHeadset + "Headset Settings.asset";
+    public const string AnyHeadsetScene = AnyHeadset + "Any OpenXR headset.unity";
     public const string DemoScene = "Assets/Scenes/Demo.unity";
 }

@@ -26,6 +26,18 @@ static class Props
         return camera;
     }
 
+    /// <summary>For a headset, which moves it: black is transparent on a see-through display, and hands come close.</summary>
+    public static GameObject HeadsetCamera()
+    {
+        var camera = new GameObject("Main Camera") { tag = "MainCamera" };
+        var settings = camera.AddComponent<Camera>();
+        settings.backgroundColor = new Color(0, 0, 0, 0);
+        settings.nearClipPlane = 0.1f;
+        settings.farClipPlane = 100;
+        settings.depth = -1;
+        return camera;
+    }
+
     public static GameObject Light()
     {
         var light = new GameObject("Directional Light");

@@ -51,7 +51,7 @@ static class Scenes
     }
 
     /// <param name="settingsPath">Its own, for those of an installed package cannot be changed.</param>
-    static GameObject Cell(Workshop workshop, string cellPath, string settingsPath)
+    internal static GameObject Cell(Workshop workshop, string cellPath, string settingsPath)
     {
         var cell = workshop.Instantiate(cellPath, null);
         Fields.Set(cell.GetComponent<MrilSession>(), "_settings", workshop.Load<SessionSettingsAsset>(settingsPath));

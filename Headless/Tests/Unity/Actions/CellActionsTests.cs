@@ -165,6 +165,20 @@ public sealed class CellActionsTests
         Assert.That(_actions.NudgeMs, Is.EqualTo(12));
     }
 
+    [Test]
+    public void Change_ByAButton_AddsUpWithinTheLimits()
+    {
+        for (var press = 0; press < 3; press++) _actions.ChangeNudgeMs(-2);
+        _actions.ChangeOpacity(-0.25f);
+        Assert.That(_actions.NudgeMs, Is.EqualTo(-6));
+        Assert.That(_actions.Opacity, Is.EqualTo(0.75f));
+
+        for (var press = 0; press < 100; press++) _actions.ChangeNudgeMs(-2);
+        for (var press = 0; press < 9; press++) _actions.ChangeOpacity(0.25f);
+        Assert.That(_actions.NudgeMs, Is.EqualTo(-40), "no light before its frame");
+        Assert.That(_actions.Opacity, Is.EqualTo(1));
+    }
+
     // The control clock stands still against the headset's here.
     TimeSpan Light() => _session.Frame.DisplayTime.Value.SinceEpoch - _session.Frame.Start.SinceEpoch;
 

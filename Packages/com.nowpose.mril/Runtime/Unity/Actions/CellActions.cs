@@ -102,8 +102,14 @@ namespace Nowpose.Unity
             if (Has(_appearance, "pose appearance")) _appearance.Opacity = opacity;
         }
 
+        /// <summary>For a button: fainter (negative) or stronger by that.</summary>
+        public void ChangeOpacity(float by) => SetOpacity(Opacity + by);
+
         /// <summary>For a slider: predicts further ahead (positive) or less far, at most 50 ms; another calibration ends it.</summary>
         public void SetNudgeMs(float ms) => _nudge.Ms = ms;
+
+        /// <summary>For a button: <see cref="SetNudgeMs"/> that much more or less.</summary>
+        public void ChangeNudgeMs(float by) => SetNudgeMs(NudgeMs + by);
 
         void OnEnable()
         {

@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine.InputSystem;
+
+[Serializable]
+public sealed class InputAction : ICloneable, IDisposable
+{
+    readonly List<string> _paths = new List<string>();
+
+    public InputAction() { }
+
+    public InputAction(
+        string name = null, InputActionType type = default, string binding = null, string interactions = null, string processors = null,
+        string expectedControlType = null)
+    {
+        this.type = type;
+        if (!string.IsNullOrEmpty(binding)) _paths.Add(binding);
+    }
+
+    public InputActionType type { get; }
+    public bool enabled { get; private set; }
+
+    internal void Bind(string path) => _paths.Add(path);
+
+    public void Enable() => enabled = true;
+
+    public void Disable() => enabled = false;
+
+    public void Dispose() => Disable();
+
+    public InputAction Clone() => throw new NotSupportedException("nobody clones an action yet");
+
+    object ICloneable.Clone() => Clone();
+
+    public bool IsPressed() => Find<bool>(out _);
+
+    public bool WasPressedThisFrame() => Find<bool>(out var since) && since == Time.frameCount;
+
+    public TValue ReadValue<TValue>() where TValue : struct => Find<TValue>(out _);
+
+    TValue Find<TValue>(out int since) where TValue : struct
+    {
+        since = -1;
+        if (!enabled) return default;
+        foreach (var path in _paths)
+            if (Controls.TryGet(path, out var value, out since) && value is TValue found && !found.Equals(default(TValue))) return found;
+        return default;
+    }
+}

@@ -1,0 +1,8 @@
+namespace UnityEngine.InputSystem;
+
+public enum InputActionType
+{
+    Value,
+    Button,
+    PassThrough,
+}

@@ -1,0 +1,81 @@
+using Nowpose.Samples;
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>A robot cell for a headset with controllers: the base is carried into place, and buttons do what a menu would.</summary>
+static class AnyHeadsetScene
+{
+    const string Right = "<XRController>{RightHand}/", Left = "<XRController>{LeftHand}/";
+
+    const float NudgeMs = 1, OpacityStep = 0.1f;
+
+    /// <summary>Where the base is before anybody has carried it: in front of the viewer, at the height of a table when he stands.</summary>
+    static readonly Vector3 BasePlace = new(0, -0.6f, 1.2f);
+
+    public static string Make(Workshop workshop)
+    {
+        var cell = Scenes.Cell(workshop, PackagePaths.Cell, PackagePaths.AnyHeadsetSettings);
+        var session = cell.GetComponent<MrilSession>();
+        cell.transform.Find("Base Anchor").localPosition = BasePlace;
+        var rig = new GameObject("Tracking Origin");
+        var camera = Props.HeadsetCamera();
+        camera.transform.SetParent(rig.transform, worldPositionStays: false);
+        camera.AddComponent<HeadTracking>();
+        AddHandle(workshop, cell.transform, rig.transform);
+        AddButtons(workshop, session);
+        return workshop.Scene(rig, Props.Light(), cell);
+    }
+
+    /// <summary>Its place is the robot's base frame: six centimetres that a hand can see, with a nose along the robot's x.</summary>
+    static void AddHandle(Workshop workshop, Transform cell, Transform rig)
+    {
+        var handle = new GameObject("Base Handle");
+        handle.transform.SetParent(cell, worldPositionStays: false);
+        handle.transform.localPosition = BasePlace;
+        var look = workshop.Load<Material>(PackagePaths.Ghost);
+        AddBlock("Block", handle.transform, look, Vector3.zero, new Vector3(0.06f, 0.06f, 0.06f));
+        AddBlock("Nose", handle.transform, look, new Vector3(0, 0, 0.09f), new Vector3(0.015f, 0.015f, 0.12f));
+        handle.AddComponent<HandPlacedMarker>();
+        Fields.Set(handle.AddComponent<CarriedMarker>(), "_trackingOrigin", rig);
+    }
+
+    static void AddBlock(string name, Transform parent, Material look, Vector3 place, Vector3 size)
+    {
+        var block = GameObject.CreatePrimitive(PrimitiveType.Cube);
+        block.name = name;
+        block.transform.SetParent(parent, worldPositionStays: false);
+        block.transform.localPosition = place;
+        block.transform.localScale = size;
+        block.GetComponent<MeshRenderer>().sharedMaterial = look;
+    }
+
+    static void AddButtons(Workshop workshop, MrilSession session)
+    {
+        var actions = CellObjects.AddActions(workshop, session);
+        var buttons = new GameObject("Buttons");
+        buttons.transform.SetParent(session.transform, worldPositionStays: false);
+        Button(actions, buttons, nameof(CellActions.ToggleConnected), Right + "{PrimaryButton}", "<Keyboard>/c");
+        Button(actions, buttons, nameof(CellActions.TogglePanel), Right + "{SecondaryButton}", "<Keyboard>/p");
+        Button(actions, buttons, nameof(CellActions.ToggleGhost), Left + "{PrimaryButton}", "<Keyboard>/g");
+        Button(actions, buttons, nameof(CellActions.ToggleOcclusion), Left + "{SecondaryButton}", "<Keyboard>/o");
+        Step(actions, buttons, nameof(CellActions.ChangeNudgeMs), NudgeMs, Right + "{Primary2DAxis}/right", "<Keyboard>/rightArrow");
+        Step(actions, buttons, nameof(CellActions.ChangeNudgeMs), -NudgeMs, Right + "{Primary2DAxis}/left", "<Keyboard>/leftArrow");
+        Step(actions, buttons, nameof(CellActions.ChangeOpacity), OpacityStep, Right + "{Primary2DAxis}/up", "<Keyboard>/upArrow");
+        Step(actions, buttons, nameof(CellActions.ChangeOpacity), -OpacityStep, Right + "{Primary2DAxis}/down", "<Keyboard>/downArrow");
+    }
+
+    static void Button(CellActions actions, GameObject buttons, string method, params string[] paths) =>
+        Calls.Add(Pressed(buttons, paths), "_onPressed", actions, method);
+
+    static void Step(CellActions actions, GameObject buttons, string method, float by, params string[] paths) =>
+        Calls.Add(Pressed(buttons, paths), "_onPressed", actions, method, by);
+
+    static PressedAction Pressed(GameObject buttons, string[] paths)
+    {
+        var pressed = buttons.AddComponent<PressedAction>();
+        Fields.Set(pressed, "_bindings", paths);
+        return pressed;
+    }
+}

@@ -1,0 +1,21 @@
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>What a scene adds to a cell of the package.</summary>
+static class CellObjects
+{
+    /// <summary>Acts on the parts of the cell.</summary>
+    public static CellActions AddActions(Workshop workshop, MrilSession session)
+    {
+        var actions = session.gameObject.AddComponent<CellActions>();
+        var displayed = session.transform.Find("Base Anchor/Robot");
+        Fields.Set(actions, "_session", session);
+        Fields.Set(actions, "_ghost", session.GetComponentInChildren<Ghost>(includeInactive: true));
+        Fields.Set(actions, "_appearance", displayed.GetComponent<PoseAppearance>());
+        Fields.Set(actions, "_panel", session.GetComponentInChildren<StatusPanel>(includeInactive: true));
+        Fields.Set(actions, "_occluder", workshop.Load<Material>(PackagePaths.Occluder));
+        return actions;
+    }
+}

@@ -1,0 +1,38 @@
+using System;
+using UnityEngine;
+using UnityEngine.Events;
+using UnityEngine.InputSystem;
+
+namespace Nowpose.Samples
+{
+    /// <summary>Calls something when a button of a controller, or a key, is pressed.</summary>
+    [AddComponentMenu("Nowpose/Samples/Pressed Action")]
+    public sealed class PressedAction : MonoBehaviour
+    {
+        [SerializeField, Tooltip("Paths of the Input System, each of them will do: <XRController>{RightHand}/{PrimaryButton}, <Keyboard>/g.")]
+        string[] _bindings = Array.Empty<string>();
+
+        [SerializeField, Tooltip("What it calls, once a press.")]
+        UnityEvent _onPressed = new UnityEvent();
+
+        InputAction _action;
+
+        void OnEnable()
+        {
+            _action = new InputAction(type: InputActionType.Button);
+            foreach (var binding in _bindings) _action.AddBinding(binding);
+            _action.Enable();
+        }
+
+        void OnDisable()
+        {
+            _action.Dispose();
+            _action = null;
+        }
+
+        void Update()
+        {
+            if (_action.WasPressedThisFrame()) _onPressed.Invoke();
+        }
+    }
+}
