@@ -29,7 +29,7 @@ namespace Nowpose.Network
             _stream.Write(bytes, 0, bytes.Length);
             _stream.Flush();
             if (!Receive(SyncFrameKind.TokenReply).IsAccepted)
-                throw new GatewayRefusalException("the gateway does not accept this headset's token");
+                throw GatewayRefusalException.OfToken("the gateway does not accept this headset's token");
         }
 
         /// <summary>Sends a request and waits for its reply.</summary>

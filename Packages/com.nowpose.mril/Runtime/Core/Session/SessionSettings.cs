@@ -66,6 +66,11 @@ namespace Nowpose.Session
         /// <summary>Null when none is known.</summary>
         public ConstantLatencyRange Range { get; }
 
+        /// <summary>The same for another gateway.</summary>
+        public SessionSettings With(ConnectionSettings connection) => new SessionSettings(
+            connection, Visualisation, Prediction, Clock, Ransac, SyncInterval.TotalMilliseconds, Range, RewriteBeforeRender, ClockEstimator,
+            Profile, OutsideRange);
+
         /// <summary>A fresh estimator of the chosen kind.</summary>
         public IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
 

@@ -1,0 +1,26 @@
+namespace Nowpose.Pairing
+{
+    /// <summary>What came of an exchange: the headset's own token, or why there is none.</summary>
+    public sealed class PairingAnswer
+    {
+        PairingAnswer(string token, string problem, bool isWorthRetrying)
+        {
+            Token = token;
+            Problem = problem;
+            IsWorthRetrying = isWorthRetrying;
+        }
+
+        /// <summary>Null when there is a problem. Secret.</summary>
+        public string Token { get; }
+
+        /// <summary>One line for the wearer; null when there is a token.</summary>
+        public string Problem { get; }
+
+        /// <summary>Whether the same code may still be worth something: the gateway has not judged it.</summary>
+        public bool IsWorthRetrying { get; }
+
+        public static PairingAnswer Accepted(string token) => new PairingAnswer(token, null, false);
+        public static PairingAnswer Refused(string problem) => new PairingAnswer(null, problem, false);
+        public static PairingAnswer Failed(string problem) => new PairingAnswer(null, problem, true);
+    }
+}

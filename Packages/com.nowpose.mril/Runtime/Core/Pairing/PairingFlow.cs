@@ -1,0 +1,279 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using System.Threading.Tasks;
+using Nowpose.Network;
+
+namespace Nowpose.Pairing
+{
+    /// <summary>
+    /// Decides what codes in view lead to: asks before a gateway is contacted that the wearer did not agree to, exchanges the gateway's code
+    /// for the headset's own token, and says which cell to connect to.
+    /// </summary>
+    /// <remarks>Belongs to the frame's thread. A frame shows it all texts in view, then ticks it; neither allocates where nothing is new.</remarks>
+    public sealed class PairingFlow : IDisposable
+    {
+        /// <summary>Different codes of ours in one run; whoever hangs up more is not listened to.</summary>
+        const int GreatestSeen = 256;
+
+        readonly string _headsetName;
+        readonly Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> _send;
+        readonly Dictionary<string, SeenCode> _seen = new Dictionary<string, SeenCode>(StringComparer.Ordinal);
+        readonly HashSet<string> _refused = new HashSet<string>(StringComparer.Ordinal);
+        readonly HashSet<string> _tried = new HashSet<string>(StringComparer.Ordinal);
+        SeenCode _asked;
+        PairedCell _otherInView;
+        TokenCode _waiting;
+        HeadsetTime _waitingUntil;
+        TokenExchange _exchange;
+        bool _isUsedInView, _isOversizedTold;
+        PairingChange _changes;
+
+        /// <param name="cells">Agreed to in earlier runs.</param>
+        /// <param name="headsetName">The gateway lists this headset under it.</param>
+        /// <param name="send">Exchanges a token without blocking: <see cref="PairingRequest.SendAsync"/> on another thread.</param>
+        public PairingFlow(
+            PairedCells cells, string headsetName, Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)
+        {
+            Cells = cells;
+            _headsetName = headsetName;
+            _send = send;
+            if (cells.Used != null) _changes = PairingChange.Applied;
+            Words = CalmWords;
+        }
+
+        public PairedCells Cells { get; private set; }
+
+        /// <summary>What the wearer has to answer; null when nothing is asked.</summary>
+        public string Question { get; private set; }
+
+        /// <summary>What went wrong, in one line; null when nothing did.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>Where things stand, in one line for a panel.</summary>
+        public string Words { get; private set; }
+
+        /// <summary>Set while the gateway does not accept the token of the cell in use: a code may bring another one.</summary>
+        public bool IsTokenRefused { get; set; }
+
+        /// <summary>A text that a marker in view holds, whoever hung it up.</summary>
+        public void See(string text, HeadsetTime now)
+        {
+            var kind = PairingCode.KindOf(text);
+            if (kind == PairingCodeKind.Foreign) return;
+            if (text.Length > PairingCode.GreatestLength)
+            {
+                // Not remembered: it would be the room that somebody else decides on.
+                if (!_isOversizedTold) Fail("pairing code: " + text.Length + " characters; allowed are up to " + PairingCode.GreatestLength);
+                _isOversizedTold = true;
+                return;
+            }
+            if (!_seen.TryGetValue(text, out var seen))
+            {
+                if (_seen.Count >= GreatestSeen) return;
+                _seen.Add(text, seen = SeenCode.Read(text, kind));
+                if (seen.Fault != null) Fail(seen.Fault);
+            }
+            if (seen.Cell != null) SeeCell(seen);
+            else if (seen.Token != null) SeeToken(seen.Token, now);
+        }
+
+        /// <summary>Goes on with what was seen; once a frame.</summary>
+        /// <returns>What has happened since it was asked last.</returns>
+        public PairingChange Tick(HeadsetTime now)
+        {
+            // Of several robots in view the one in use stays.
+            if (!_isUsedInView && _otherInView != null) Use(_otherInView);
+            _isUsedInView = false;
+            _otherInView = null;
+            Offer(now);
+            FollowExchange(now);
+            var changes = _changes;
+            _changes = PairingChange.None;
+            return changes;
+        }
+
+        /// <summary>Agrees to the question. Does nothing when nothing is asked.</summary>
+        public void Accept()
+        {
+            if (_asked == null) return;
+            var code = _asked.Cell;
+            var known = Cells.Find(code.Cell);
+            Answer();
+            // The same key is the same gateway: what it gave this headset still counts.
+            var token = known != null && Equals(known.Newest.Pin, code.Pin) ? known.Token : null;
+            Use(new PairedCell(new[] { code }, token));
+        }
+
+        /// <summary>Declines the question, for this run. Does nothing when nothing is asked.</summary>
+        public void Refuse()
+        {
+            if (_asked == null) return;
+            _refused.Add(_asked.Gateway);
+            Answer();
+        }
+
+        /// <summary>Forgets the cell in use, with its token, and what was refused: the next look at a marker asks anew.</summary>
+        public void Forget()
+        {
+            _refused.Clear();
+            Answer();
+            EndExchange();
+            if (Cells.Used == null) return;
+            Cells = Cells.Without(Cells.Used.Cell);
+            Change(PairingChange.Applied | PairingChange.Kept);
+        }
+
+        public void Dispose() => EndExchange();
+
+        void SeeCell(SeenCode seen)
+        {
+            var known = Cells.Find(seen.Cell.Cell);
+            if (known != null && known.Newest.HasSameGateway(seen.Cell))
+            {
+                if (!known.Holds(seen.Cell)) Learn(known = known.With(seen.Cell));
+                if (known.Cell == Cells.Used?.Cell) _isUsedInView = true;
+                else _otherInView = known;
+            }
+            else if (_asked == null && !_refused.Contains(seen.Gateway)) Ask(seen, known);
+        }
+
+        void Learn(PairedCell cell)
+        {
+            var used = Cells.Used;
+            Cells = Cells.Use(cell);
+            // Another marker of another robot's does not make it the one in use.
+            if (used != null && used.Cell != cell.Cell) Cells = Cells.Use(used);
+            Change(PairingChange.Applied | PairingChange.Kept);
+        }
+
+        void Ask(SeenCode seen, PairedCell known)
+        {
+            _asked = seen;
+            Question = PairingWords.Question(seen.Cell, known?.Newest);
+            Change(PairingChange.Asked);
+        }
+
+        void Answer()
+        {
+            _asked = null;
+            Question = null;
+            Problem = null;
+            Change(PairingChange.Words);
+        }
+
+        void Use(PairedCell cell)
+        {
+            Cells = Cells.Use(cell);
+            Change(PairingChange.Applied | PairingChange.Kept);
+        }
+
+        void SeeToken(TokenCode code, HeadsetTime now)
+        {
+            if (_exchange != null || _tried.Contains(code.Token)) return;
+            _waiting = code;
+            _waitingUntil = now + PairingLimits.CodeValidity;
+            if (TakerOf(code) != null || IsPaired(code)) return;
+            if (Words != PairingWords.MarkerFirst && Question == null) Say(PairingWords.MarkerFirst);
+        }
+
+        // The order in which the wearer looks at the two does not matter.
+        void Offer(HeadsetTime now)
+        {
+            if (_waiting == null || _exchange != null) return;
+            var taker = TakerOf(_waiting);
+            if (taker != null)
+            {
+                _tried.Add(_waiting.Token);
+                _exchange = new TokenExchange(taker, _waiting, _headsetName, now, _send);
+                _waiting = null;
+                Problem = null;
+                Change(PairingChange.Words);
+            }
+            else if (now > _waitingUntil) _waiting = null;
+        }
+
+        // The one in use before others: several cells may share a gateway, and a code serves one headset once.
+        PairedCell TakerOf(TokenCode code)
+        {
+            if (NeedsToken(Cells.Used, code)) return Cells.Used;
+            foreach (var cell in Cells.All)
+                if (NeedsToken(cell, code)) return cell;
+            return null;
+        }
+
+        bool NeedsToken(PairedCell cell, TokenCode code) =>
+            cell != null && code.IsFor(cell.Newest) && (cell.Token == null || (IsTokenRefused && cell.Cell == Cells.Used?.Cell));
+
+        bool IsPaired(TokenCode code)
+        {
+            foreach (var cell in Cells.All)
+                if (code.IsFor(cell.Newest)) return true;
+            return false;
+        }
+
+        void FollowExchange(HeadsetTime now)
+        {
+            if (_exchange == null) return;
+            var before = _exchange.Trouble;
+            var answer = _exchange.Follow(now);
+            if (answer == null)
+            {
+                if (_exchange.Trouble != before) Fail(_exchange.Trouble);
+                return;
+            }
+            var cell = Cells.Find(_exchange.Cell);
+            EndExchange();
+            if (answer.Token == null) Fail(answer.Problem);
+            else if (cell != null) Take(cell, answer.Token);
+        }
+
+        void Take(PairedCell cell, string token)
+        {
+            Problem = null;
+            IsTokenRefused = false;
+            Use(cell.WithToken(token));
+            _changes |= PairingChange.Paired;
+            // One token of a gateway's serves all its cells.
+            foreach (var other in Cells.All)
+                if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Learn(other.WithToken(token));
+            Say(PairingWords.Paired(cell.Cell));
+        }
+
+        void EndExchange()
+        {
+            _exchange?.Dispose();
+            _exchange = null;
+        }
+
+        void Fail(string problem)
+        {
+            Problem = problem;
+            Change(PairingChange.Problem);
+        }
+
+        void Change(PairingChange change)
+        {
+            _changes |= change;
+            Say(Question ?? Problem ?? CalmWords);
+        }
+
+        void Say(string words)
+        {
+            if (words == Words) return;
+            Words = words;
+            _changes |= PairingChange.Words;
+        }
+
+        string CalmWords
+        {
+            get
+            {
+                if (_exchange != null) return PairingWords.Exchanging(_exchange.Cell);
+                var used = Cells.Used;
+                if (used == null) return PairingWords.LookAtMarker;
+                return used.IsReady ? PairingWords.Known(used.Cell) : PairingWords.LookAtCode(used.Cell);
+            }
+        }
+    }
+}

@@ -1,0 +1,129 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Text;
+using System.Threading;
+using System.Threading.Tasks;
+using Newtonsoft.Json;
+using Nowpose.Network;
+using Nowpose.Protocol;
+
+namespace Nowpose.Pairing
+{
+    /// <summary>Exchanges a code's token for the headset's own: one HTTP/1.1 request over the stream that the pin is checked on.</summary>
+    /// <remarks>Unity's HTTP clients do not ask reliably about certificates, so a token would travel to whoever answers.</remarks>
+    public static class PairingRequest
+    {
+        const int Nesting = 2;
+
+        static readonly string[] AnswerFields = { "token" };
+
+        /// <param name="gateway">Pinned, or on this machine; its own token is not used.</param>
+        /// <param name="codeToken">Of the gateway's code.</param>
+        /// <returns>Never fails otherwise than by an answer that says so.</returns>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        /// <exception cref="InputException">The connection would be plain to another machine.</exception>
+        public static async Task<PairingAnswer> SendAsync(ConnectionSettings gateway, string codeToken, CancellationToken cancel)
+        {
+            if (gateway.Security == TransportSecurity.Plain && !gateway.IsLoopback)
+                throw new InputException("pairing: the code's token would travel in plain text to " + gateway.Host + "; use a pin");
+            using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
+            {
+                inTime.CancelAfter(PairingLimits.ExchangeTimeout);
+                try
+                {
+                    return await TalkAsync(gateway, codeToken, inTime.Token).OrCancelled(inTime.Token).ConfigureAwait(false);
+                }
+                catch (Exception failure)
+                {
+                    cancel.ThrowIfCancellationRequested();
+                    var why = inTime.IsCancellationRequested
+                        ? "no answer within " + PairingLimits.ExchangeTimeout.TotalSeconds + " s"
+                        : (failure is AggregateException ? failure.GetBaseException() : failure).Message;
+                    return PairingAnswer.Failed("pairing with " + gateway.Host + ": " + why);
+                }
+            }
+        }
+
+        static async Task<PairingAnswer> TalkAsync(ConnectionSettings gateway, string codeToken, CancellationToken cancel)
+        {
+            using (var stream = await new GatewayDialer(gateway).OpenAsync(gateway.WebSocketPort, cancel).ConfigureAwait(false))
+            using (cancel.Register(stream.Dispose))
+            {
+                var request = Request(gateway, codeToken);
+                await stream.WriteAsync(request, cancel).ConfigureAwait(false);
+                await stream.FlushAsync(cancel).ConfigureAwait(false);
+                var head = await HttpHead.ReadAsync(stream).ConfigureAwait(false);
+                return head.Status == 200
+                    ? await ReadAsync(stream, head, cancel).ConfigureAwait(false) : RefusalOf(head.Status);
+            }
+        }
+
+        static byte[] Request(ConnectionSettings gateway, string codeToken)
+        {
+            var text = new StringWriter(CultureInfo.InvariantCulture);
+            using (var json = new JsonTextWriter(text) { StringEscapeHandling = StringEscapeHandling.EscapeNonAscii })
+            {
+                json.WriteStartObject();
+                json.WritePropertyName("token");
+                json.WriteValue(codeToken);
+                json.WritePropertyName("name");
+                json.WriteValue(gateway.HeadsetName);
+                json.WriteEndObject();
+            }
+            var body = text.ToString();
+            return Encoding.ASCII.GetBytes(
+                "POST " + PairingLimits.Path + " HTTP/1.1\r\n"
+                + "Host: " + gateway.WebSocketUri.Authority + "\r\n"
+                + "Content-Type: application/json\r\n"
+                + "Content-Length: " + body.Length.ToString(CultureInfo.InvariantCulture) + "\r\n"
+                + "Connection: close\r\n\r\n" + body);
+        }
+
+        static PairingAnswer RefusalOf(int status)
+        {
+            switch (status)
+            {
+                case 401: return PairingAnswer.Refused("the gateway does not know this code: it was used, or is too old; look at the one that it shows now");
+                case 404:
+                case 426: return PairingAnswer.Refused("the gateway pairs no headsets; start it with --pairing");
+                case 429: return PairingAnswer.Failed("the gateway has seen too many wrong codes; it answers again in a minute");
+                case 503: return PairingAnswer.Failed("the gateway cannot keep this headset's token; see what it says");
+                default: return PairingAnswer.Refused("the gateway answered the code with status " + status.ToString(CultureInfo.InvariantCulture));
+            }
+        }
+
+        static async Task<PairingAnswer> ReadAsync(Stream stream, HttpHead head, CancellationToken cancel)
+        {
+            if (head.Field("Transfer-Encoding") != null || !int.TryParse(
+                    head.Field("Content-Length"), NumberStyles.None, CultureInfo.InvariantCulture, out var length) || length > PairingLimits.BodyBytes)
+                return PairingAnswer.Refused("the gateway's answer to the code is of unknown length or longer than " + PairingLimits.BodyBytes + " bytes");
+            var body = new byte[length];
+            for (var got = 0; got < length;)
+            {
+                var read = await stream.ReadAsync(body.AsMemory(got), cancel).ConfigureAwait(false);
+                if (read == 0) throw new EndOfStreamException("the gateway closed the connection before it had answered");
+                got += read;
+            }
+            return TokenOf(Encoding.UTF8.GetString(body)) is string token
+                ? PairingAnswer.Accepted(token) : PairingAnswer.Refused("the gateway's answer to the code holds no token that can be used");
+        }
+
+        static string TokenOf(string json)
+        {
+            if (JsonSyntax.Check(json, Nesting) != DropReason.None) return null;
+            string token = null;
+            try
+            {
+                using (var cursor = new JsonCursor(json))
+                    if (!cursor.Object(AnswerFields, 1, _ => cursor.Text(out token))) return null;
+                // What could not be sent is no token.
+                return new ConnectionSettings("127.0.0.1", token: token).Token;
+            }
+            catch (Exception fault) when (fault is JsonException || fault is InputException)
+            {
+                return null;
+            }
+        }
+    }
+}

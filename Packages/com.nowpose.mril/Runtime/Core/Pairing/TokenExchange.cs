@@ -1,0 +1,57 @@
+using System;
+using System.Threading;
+using System.Threading.Tasks;
+using Nowpose.Network;
+
+namespace Nowpose.Pairing
+{
+    /// <summary>Sends one code's token until the gateway has judged it, the code is too old, or nobody wants it any more.</summary>
+    sealed class TokenExchange : IDisposable
+    {
+        readonly ConnectionSettings _gateway;
+        readonly string _token;
+        readonly Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> _send;
+        readonly CancellationTokenSource _cancel = new CancellationTokenSource();
+        readonly HeadsetTime _lastStart;
+        HeadsetTime _nextStart;
+        Task<PairingAnswer> _running;
+
+        /// <param name="send">Must not block.</param>
+        public TokenExchange(
+            PairedCell cell, TokenCode code, string headsetName, HeadsetTime now,
+            Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)
+        {
+            Cell = cell.Cell;
+            _gateway = cell.Newest.ToConnection(null, headsetName);
+            _token = code.Token;
+            _send = send;
+            _nextStart = now;
+            _lastStart = now + PairingLimits.CodeValidity;
+        }
+
+        public string Cell { get; }
+
+        /// <summary>Why it did not work so far, and that it goes on; null for nothing.</summary>
+        public string Trouble { get; private set; }
+
+        /// <returns>The last answer; null while it goes on.</returns>
+        public PairingAnswer Follow(HeadsetTime now)
+        {
+            if (_running == null && now >= _nextStart) _running = _send(_gateway, _token, _cancel.Token);
+            if (_running == null || !_running.IsCompleted) return null;
+            var answer = _running.IsFaulted || _running.IsCanceled
+                ? PairingAnswer.Refused(_running.Exception?.GetBaseException().Message ?? "pairing was cancelled") : _running.Result;
+            _running = null;
+            _nextStart = now + PairingLimits.RetryInterval;
+            if (!answer.IsWorthRetrying || _nextStart > _lastStart) return answer;
+            Trouble = answer.Problem + "; trying again";
+            return null;
+        }
+
+        public void Dispose()
+        {
+            _cancel.Cancel();
+            _cancel.Dispose();
+        }
+    }
+}

@@ -1,0 +1,98 @@
+using System;
+using System.IO;
+using Nowpose.Pairing;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class PairedCellsFileTests
+    {
+        static readonly CertificatePin Pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
+
+        string _folder, _path;
+
+        static CellCode CodeOf(string cell, double x) => new CellCode(cell, "10.0.0.7", Pin, new MarkerOffset(x, 0, 0));
+
+        [SetUp]
+        public void Create()
+        {
+            _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+            _path = Path.Combine(_folder, "paired-cells.json");
+        }
+
+        [TearDown]
+        public void Remove()
+        {
+            if (Directory.Exists(_folder)) Directory.Delete(_folder, true);
+        }
+
+        [Test]
+        public void Load_NoFile_IsNone()
+        {
+            Assert.That(PairedCellsFile.Load(_path, out var problem), Is.SameAs(PairedCells.None));
+            Assert.That(problem, Is.Null);
+        }
+
+        [Test]
+        public void Save_SeveralCells_AreLoadedAsTheyWere()
+        {
+            var first = new PairedCell(new[] { CodeOf("Prüfzelle 3", 0), CodeOf("Prüfzelle 3", 1) }, "to\"ken");
+            var cells = PairedCells.None.Use(first).Use(new PairedCell(new[] { CodeOf("b", 0) }, null)).Use(first);
+
+            PairedCellsFile.Save(_path, cells);
+            PairedCellsFile.Save(_path, cells);
+            var loaded = PairedCellsFile.Load(_path, out var problem);
+
+            Assert.That(problem, Is.Null);
+            Assert.That(loaded.Used.Cell, Is.EqualTo("Prüfzelle 3"));
+            Assert.That(loaded.Used.Token, Is.EqualTo("to\"ken"));
+            Assert.That(loaded.Used.Codes.Count, Is.EqualTo(2));
+            Assert.That(loaded.Find("b").Token, Is.Null);
+            Assert.That(Directory.GetFiles(_folder).Length, Is.EqualTo(1), "nothing temporary stays");
+        }
+
+        [TestCase("")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a&h=localhost\"")]
+        [TestCase("{\"format\":\"other\",\"version\":1,\"cells\":[]}")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":2,\"cells\":[]}")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"cells\":[]}")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"used\":\"a\",\"cells\":[]}")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[]}]}")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a\"]}]}")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a&h=localhost\"],\"token\":\"a b\"}]}")]
+        public void Load_Unusable_IsSaidAndKeptAside(string text)
+        {
+            Directory.CreateDirectory(_folder);
+            File.WriteAllText(_path, text);
+
+            Assert.That(PairedCellsFile.Load(_path, out var problem), Is.SameAs(PairedCells.None));
+
+            Assert.That(problem, Does.StartWith(_path + ": ").And.Contain(_path + ".bad").And.Not.Contain("\n"));
+            Assert.That(File.ReadAllText(_path + ".bad"), Is.EqualTo(text));
+            Assert.That(File.Exists(_path), Is.False);
+        }
+
+        [Test]
+        public void Use_MoreThanAreKept_DropsTheOldest()
+        {
+            var cells = PairedCells.None;
+            for (var i = 0; i <= PairedCells.GreatestCount; i++) cells = cells.Use(new PairedCell(new[] { CodeOf("c" + i, 0) }, null));
+
+            Assert.That(cells.All.Count, Is.EqualTo(PairedCells.GreatestCount));
+            Assert.That(cells.Find("c0"), Is.Null);
+            Assert.That(cells.Used.Cell, Is.EqualTo("c" + PairedCells.GreatestCount));
+        }
+
+        [Test]
+        public void With_MoreMarkersThanAreKept_DropsTheOldest()
+        {
+            var cell = new PairedCell(new[] { CodeOf("a", 0) }, null);
+            for (var i = 1; i <= PairedCell.GreatestCodes; i++) cell = cell.With(CodeOf("a", i));
+
+            Assert.That(cell.Codes.Count, Is.EqualTo(PairedCell.GreatestCodes));
+            Assert.That(cell.Holds(CodeOf("a", 0)), Is.False);
+            Assert.That(cell.Newest.Text, Is.EqualTo(CodeOf("a", PairedCell.GreatestCodes).Text));
+        }
+    }
+}

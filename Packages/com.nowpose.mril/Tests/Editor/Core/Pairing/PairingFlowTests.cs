@@ -1,0 +1,355 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using System.Threading.Tasks;
+using Nowpose.Network;
+using Nowpose.Pairing;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class PairingFlowTests
+    {
+        const string OwnToken = "own-token";
+
+        static readonly CertificatePin Pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
+        static readonly CertificatePin OtherPin = CertificatePin.Parse("sha256/AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8=");
+        static readonly string Cell = CodeOf("Press 3", "10.0.0.7", Pin);
+        static readonly string Token = TokenOf(1, Pin);
+
+        readonly List<ConnectionSettings> _sentTo = new List<ConnectionSettings>();
+        readonly List<string> _sent = new List<string>();
+        TaskCompletionSource<PairingAnswer> _answer;
+        PairingFlow _flow;
+        HeadsetTime _now;
+
+        static string CodeOf(string cell, string host, CertificatePin pin, double x = 0) =>
+            new CellCode(cell, host, pin, new MarkerOffset(x, 0, 0)).Text;
+
+        static string TokenOf(byte number, CertificatePin pin) =>
+            new TokenCode(pin, Convert.ToBase64String(new byte[] { number, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }).TrimEnd('=')).Text;
+
+        [SetUp]
+        public void Start()
+        {
+            _sentTo.Clear();
+            _sent.Clear();
+            _now = HeadsetTime.FromSeconds(100);
+            Begin(PairedCells.None);
+        }
+
+        [TearDown]
+        public void Stop() => _flow.Dispose();
+
+        void Begin(PairedCells cells)
+        {
+            _flow?.Dispose();
+            _flow = new PairingFlow(cells, "headset 7", Send);
+        }
+
+        Task<PairingAnswer> Send(ConnectionSettings gateway, string token, CancellationToken cancel)
+        {
+            _sentTo.Add(gateway);
+            _sent.Add(token);
+            _answer = new TaskCompletionSource<PairingAnswer>();
+            return _answer.Task;
+        }
+
+        PairingChange Frame(params string[] inView)
+        {
+            _now += TimeSpan.FromSeconds(1 / 60.0);
+            foreach (var text in inView) _flow.See(text, _now);
+            return _flow.Tick(_now);
+        }
+
+        void Agree(string code)
+        {
+            Frame(code);
+            _flow.Accept();
+            Frame();
+        }
+
+        void Pair(string code, string token)
+        {
+            Agree(code);
+            Frame(token);
+            _answer.SetResult(PairingAnswer.Accepted(OwnToken));
+            Frame();
+        }
+
+        [Test]
+        public void Both_SeenOnce_PairTheHeadset()
+        {
+            Assert.That(Frame(Cell) & PairingChange.Asked, Is.EqualTo(PairingChange.Asked));
+            Assert.That(_flow.Question, Does.Contain("'Press 3'").And.Contain("10.0.0.7").And.Contain("47010").And.Contain("47011").And.Contain("AAAAAAAAAAAA…"));
+            _flow.Accept();
+            Assert.That(_flow.Question, Is.Null);
+            Frame();
+            Assert.That(_flow.Words, Does.Contain("look at the code"));
+            Frame(Token);
+            _answer.SetResult(PairingAnswer.Accepted(OwnToken));
+
+            var changes = Frame();
+
+            Assert.That(changes & (PairingChange.Applied | PairingChange.Paired | PairingChange.Kept), Is.EqualTo(
+                PairingChange.Applied | PairingChange.Paired | PairingChange.Kept));
+            Assert.That(_sent, Is.EqualTo(new[] { TokenCode.Parse(Token).Token }));
+            Assert.That(_sentTo[0].Pin, Is.EqualTo(Pin));
+            Assert.That(_sentTo[0].HeadsetName, Is.EqualTo("headset 7"));
+            Assert.That(_flow.Cells.Used.Token, Is.EqualTo(OwnToken));
+            Assert.That(_flow.Words, Does.Contain("paired"));
+        }
+
+        [Test]
+        public void TokenSeenFirst_IsUsedAfterConsent()
+        {
+            Frame(Token);
+            Assert.That(_flow.Words, Does.Contain("now look at the robot's marker"));
+            Frame(Cell);
+            Assert.That(_sent, Is.Empty, "nobody has agreed yet");
+
+            _flow.Accept();
+            Frame();
+
+            Assert.That(_sent.Count, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void TokenSeenFirst_LongAgo_IsNotUsed()
+        {
+            Frame(Token);
+            _now += PairingLimits.CodeValidity;
+            Frame();
+
+            Agree(Cell);
+
+            Assert.That(_sent, Is.Empty);
+        }
+
+        [Test]
+        public void NoConsent_NothingIsSentOrApplied()
+        {
+            for (var i = 0; i < 100; i++) Frame(Cell, Token);
+
+            Assert.That(_sent, Is.Empty);
+            Assert.That(_flow.Cells.Used, Is.Null);
+        }
+
+        [Test]
+        public void Refused_IsNotAskedAgainInThisRun_ForAnyMarkerOfThatGateway()
+        {
+            Frame(Cell);
+            _flow.Refuse();
+
+            Frame(Cell, CodeOf("Press 3", "10.0.0.7", Pin, 1), Token);
+
+            Assert.That(_flow.Question, Is.Null);
+            Assert.That(_sent, Is.Empty);
+            Frame(CodeOf("Press 3", "10.0.0.8", Pin));
+            Assert.That(_flow.Question, Is.Not.Null, "another gateway is another question");
+        }
+
+        [Test]
+        public void KnownCell_NeedsNoQuestion()
+        {
+            Pair(Cell, Token);
+            Begin(_flow.Cells);
+
+            Assert.That(Frame() & PairingChange.Applied, Is.EqualTo(PairingChange.Applied), "at once, before anything is seen");
+            Frame(Cell, Token);
+
+            Assert.That(_flow.Question, Is.Null);
+            Assert.That(_sent.Count, Is.EqualTo(1), "it has its token");
+        }
+
+        [TestCase("10.0.0.8", false, "10.0.0.8 instead of 10.0.0.7")]
+        [TestCase("10.0.0.7", true, "AAECAwQFBgcI… instead of key AAAAAAAAAAAA…")]
+        public void KnownCell_OfAnotherGateway_IsAskedWithWhatChanged(string host, bool isOtherPin, string part)
+        {
+            Pair(Cell, Token);
+
+            Frame(CodeOf("Press 3", host, isOtherPin ? OtherPin : Pin));
+
+            Assert.That(_flow.Question, Does.Contain(part));
+            Assert.That(_flow.Cells.Used.Newest.Text, Is.EqualTo(Cell), "until it is answered");
+        }
+
+        [TestCase(false, OwnToken)]
+        [TestCase(true, null)]
+        public void KnownCell_OfAnotherGateway_KeepsTheTokenOfTheSameKeyOnly(bool isOtherPin, string token)
+        {
+            Pair(Cell, Token);
+
+            Agree(CodeOf("Press 3", "10.0.0.8", isOtherPin ? OtherPin : Pin));
+
+            Assert.That(_flow.Cells.Used.Newest.Host, Is.EqualTo("10.0.0.8"));
+            Assert.That(_flow.Cells.Used.Token, Is.EqualTo(token));
+        }
+
+        [Test]
+        public void AnotherMarkerOfTheCell_IsTakenTo()
+        {
+            Pair(Cell, Token);
+            var second = CodeOf("Press 3", "10.0.0.7", Pin, 0.3);
+
+            var changes = Frame(second);
+
+            Assert.That(changes & PairingChange.Applied, Is.EqualTo(PairingChange.Applied));
+            Assert.That(_flow.Cells.Used.Codes.Count, Is.EqualTo(2));
+            Assert.That(_flow.Cells.Used.Token, Is.EqualTo(OwnToken));
+            Assert.That(Frame(Cell, second), Is.EqualTo(PairingChange.None));
+        }
+
+        [Test]
+        public void OtherKnownCell_IsUsedOnceTheOneInUseIsOutOfView()
+        {
+            var other = CodeOf("Press 4", "10.0.0.9", OtherPin);
+            Pair(Cell, Token);
+            Pair(other, TokenOf(2, OtherPin));
+            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 4"));
+
+            Frame(Cell, other);
+            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 4"));
+            Frame(Cell);
+
+            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 3"));
+        }
+
+        [Test]
+        public void Token_OfAnotherGateway_IsSentNowhere()
+        {
+            Agree(Cell);
+
+            Frame(TokenOf(1, OtherPin));
+
+            Assert.That(_sent, Is.Empty);
+        }
+
+        [Test]
+        public void Token_GatewayRefusesIt_IsSaidOnceAndTheNextOneIsTried()
+        {
+            Agree(Cell);
+            Frame(Token);
+            _answer.SetResult(PairingAnswer.Refused("used"));
+
+            Assert.That(Frame(Token) & PairingChange.Problem, Is.EqualTo(PairingChange.Problem));
+            Assert.That(_flow.Words, Is.EqualTo("used"));
+            for (var i = 0; i < 10; i++) Frame(Token);
+            Assert.That(_sent.Count, Is.EqualTo(1));
+            Frame(TokenOf(2, Pin));
+            Assert.That(_sent.Count, Is.EqualTo(2));
+            Assert.That(_flow.Problem, Is.Null);
+        }
+
+        [Test]
+        public void Token_NobodyAnswers_IsTriedAgainUntilItIsTooOld()
+        {
+            Agree(Cell);
+            Frame(Token);
+            var end = _now + PairingLimits.CodeValidity + PairingLimits.RetryInterval;
+            var said = 0;
+
+            while (_now < end)
+            {
+                _answer.TrySetResult(PairingAnswer.Failed("no answer"));
+                if ((Frame() & PairingChange.Problem) != 0) said++;
+                _now += TimeSpan.FromSeconds(1);
+            }
+
+            Assert.That(_sent.Count, Is.InRange(70, 100), "every three seconds");
+            Assert.That(said, Is.EqualTo(2), "that it goes on, and that it does not");
+            Assert.That(_flow.Problem, Is.EqualTo("no answer"));
+        }
+
+        [Test]
+        public void Token_RefusedLater_IsReplacedByAnotherCode()
+        {
+            Pair(Cell, Token);
+            _flow.IsTokenRefused = true;
+
+            Frame(Token);
+            Assert.That(_sent.Count, Is.EqualTo(1), "that one is used up");
+            Frame(TokenOf(2, Pin));
+            _answer.SetResult(PairingAnswer.Accepted("newer"));
+            Frame();
+
+            Assert.That(_flow.Cells.Used.Token, Is.EqualTo("newer"));
+        }
+
+        [Test]
+        public void Forget_LeavesTheCellAndAsksAnew()
+        {
+            Pair(Cell, Token);
+
+            _flow.Forget();
+
+            Assert.That(Frame() & (PairingChange.Applied | PairingChange.Kept), Is.EqualTo(PairingChange.Applied | PairingChange.Kept));
+            Assert.That(_flow.Cells.All, Is.Empty);
+            Frame(Cell);
+            Assert.That(_flow.Question, Is.Not.Null);
+        }
+
+        [Test]
+        public void Forget_WhileItIsPairing_TakesNoToken()
+        {
+            Agree(Cell);
+            Frame(Token);
+
+            _flow.Forget();
+            _answer.SetResult(PairingAnswer.Accepted(OwnToken));
+            Frame();
+
+            Assert.That(_flow.Cells.All, Is.Empty);
+        }
+
+        [Test]
+        public void GatewayOfThisMachine_NeedsNoToken()
+        {
+            Agree(new CellCode("desk", "localhost", null).Text);
+
+            Assert.That(_flow.Cells.Used.IsReady, Is.True);
+        }
+
+        [TestCase("https://example.org/")]
+        [TestCase("WIFI:S:plant;T:WPA;P:secret;;")]
+        [TestCase("")]
+        [TestCase(null)]
+        public void Foreign_IsIgnored(string text) => Assert.That(Frame(text) & ~PairingChange.Words, Is.EqualTo(PairingChange.None));
+
+        [TestCase("nowpose:cell/1?n=a")]
+        [TestCase("nowpose:cell/9?n=a")]
+        [TestCase("nowpose:elephant/1?n=a")]
+        [TestCase("NOWPOSE:CELL/1?n=a")]
+        public void Malformed_IsSaidOnce(string text)
+        {
+            Assert.That(Frame(text) & PairingChange.Problem, Is.EqualTo(PairingChange.Problem));
+            Assert.That(_flow.Problem, Is.Not.Null);
+
+            for (var i = 0; i < 10; i++) Assert.That(Frame(text), Is.EqualTo(PairingChange.None));
+        }
+
+        [Test]
+        public void Oversized_IsSaidOnceAndNotKept()
+        {
+            var said = 0;
+
+            for (var i = 0; i < 10; i++)
+                if ((Frame("nowpose:cell/1?n=" + new string('a', 4000 + i)) & PairingChange.Problem) != 0) said++;
+
+            Assert.That(said, Is.EqualTo(1));
+            Assert.That(_flow.Problem, Does.Contain("213"));
+        }
+
+        [Test]
+        public void ManyCodes_TheFirstGoOnWorking()
+        {
+            Pair(Cell, Token);
+            for (var i = 0; i < 2000; i++) Frame("nowpose:cell/1?n=a" + i);
+
+            Frame(Cell);
+
+            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 3"));
+        }
+    }
+}
