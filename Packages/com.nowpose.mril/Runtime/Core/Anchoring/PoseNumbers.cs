@@ -29,6 +29,45 @@ namespace Nowpose.Anchoring
             return Math.Atan2(Length(x, y, z) / 2, (Trace(a, b) - 1) / 2);
         }
 
+        /// <summary>The axis it turns about, as long as the angle, radians, up to π.</summary>
+        public static (double X, double Y, double Z) RotationVector(this in RigidTransform pose)
+        {
+            var (x, y, z) = TwiceSine(RigidTransform.Identity, pose);
+            var sine = Length(x, y, z) / 2;
+            var angle = Math.Atan2(sine, (pose.R00 + pose.R11 + pose.R22 - 1) / 2);
+            // About half a turn the sine says nothing of the axis; which one it is does not matter where one asks how far.
+            if (sine < 1e-12) return (angle, 0, 0);
+            var scale = angle / (2 * sine);
+            return (x * scale, y * scale, z * scale);
+        }
+
+        /// <summary>The rotation about an axis as long as the angle, radians.</summary>
+        public static RigidTransform Turn(double x, double y, double z)
+        {
+            var angle = Length(x, y, z);
+            if (angle == 0) return RigidTransform.Identity;
+            (x, y, z) = (x / angle, y / angle, z / angle);
+            double c = Math.Cos(angle), s = Math.Sin(angle), t = 1 - c;
+            return new RigidTransform(
+                t * x * x + c, t * x * y - s * z, t * x * z + s * y,
+                t * x * y + s * z, t * y * y + c, t * y * z - s * x,
+                t * x * z - s * y, t * y * z + s * x, t * z * z + c,
+                0, 0, 0);
+        }
+
+        /// <summary>A part of the way from one pose to another: in a straight line, turning evenly.</summary>
+        /// <param name="part">0 to 1.</param>
+        public static RigidTransform Between(in RigidTransform from, in RigidTransform to, double part)
+        {
+            var (x, y, z) = (from.Inverse * to).RotationVector();
+            return (from * Turn(x * part, y * part, z * part)).MovedTo(
+                from.X + (to.X - from.X) * part, from.Y + (to.Y - from.Y) * part, from.Z + (to.Z - from.Z) * part);
+        }
+
+        /// <summary>The same rotation elsewhere.</summary>
+        public static RigidTransform MovedTo(this in RigidTransform pose, double x, double y, double z) => new RigidTransform(
+            pose.R00, pose.R01, pose.R02, pose.R10, pose.R11, pose.R12, pose.R20, pose.R21, pose.R22, x, y, z);
+
         public static double Length(double x, double y, double z) => Math.Sqrt(x * x + y * y + z * z);
 
         static (double X, double Y, double Z) TwiceSine(in RigidTransform a, in RigidTransform b) => (

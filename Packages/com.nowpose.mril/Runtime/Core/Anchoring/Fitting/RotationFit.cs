@@ -1,0 +1,66 @@
+using MathNet.Numerics.LinearAlgebra;
+using MathNet.Numerics.LinearAlgebra.Double;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Anchoring
+{
+    /// <summary>
+    /// The rotation nearest to rotations and to pairs of directions, by weight: the eigenvector of the largest eigenvalue of a
+    /// symmetric 4×4 matrix of quaternions (Davenport; of rotations alone Markley's mean, of positions alone Horn's best fit). Never a
+    /// reflection.
+    /// </summary>
+    /// <remarks>Solving allocates about 1 kB: not for each frame.</remarks>
+    struct RotationFit
+    {
+        // What the rotation is to be aligned with: the trace of its transpose times this is to be as large as possible.
+        double _b00, _b01, _b02, _b10, _b11, _b12, _b20, _b21, _b22;
+
+        /// <summary>A rotation that it is to be near to; of a pose its translation does not count.</summary>
+        /// <param name="weight">One over the square of the angle, rad, by which it is probably wrong about an axis.</param>
+        public void Add(in RigidTransform rotation, double weight)
+        {
+            _b00 += weight * rotation.R00; _b01 += weight * rotation.R01; _b02 += weight * rotation.R02;
+            _b10 += weight * rotation.R10; _b11 += weight * rotation.R11; _b12 += weight * rotation.R12;
+            _b20 += weight * rotation.R20; _b21 += weight * rotation.R21; _b22 += weight * rotation.R22;
+        }
+
+        /// <summary>A vector that is to become another one.</summary>
+        /// <param name="weight">One over the square of what the distance of the two is probably off by along an axis.</param>
+        public void Add((double X, double Y, double Z) from, (double X, double Y, double Z) to, double weight)
+        {
+            // An angle squared is 3 less a trace, a distance squared is less twice one.
+            weight *= 2;
+            _b00 += weight * to.X * from.X; _b01 += weight * to.X * from.Y; _b02 += weight * to.X * from.Z;
+            _b10 += weight * to.Y * from.X; _b11 += weight * to.Y * from.Y; _b12 += weight * to.Y * from.Z;
+            _b20 += weight * to.Z * from.X; _b21 += weight * to.Z * from.Y; _b22 += weight * to.Z * from.Z;
+        }
+
+        /// <returns>With the translation 0.</returns>
+        public RigidTransform Solve()
+        {
+            var matrix = new DenseMatrix(4, 4, new[]
+            {
+                _b00 + _b11 + _b22, _b21 - _b12, _b02 - _b20, _b10 - _b01,
+                _b21 - _b12, _b00 - _b11 - _b22, _b01 + _b10, _b02 + _b20,
+                _b02 - _b20, _b01 + _b10, _b11 - _b00 - _b22, _b12 + _b21,
+                _b10 - _b01, _b02 + _b20, _b12 + _b21, _b22 - _b00 - _b11,
+            });
+            var solved = matrix.Evd(Symmetricity.Symmetric);
+            var largest = 0;
+            for (var i = 1; i < 4; i++)
+                if (solved.EigenValues[i].Real > solved.EigenValues[largest].Real) largest = i;
+            var q = solved.EigenVectors;
+            return Rotation(q[0, largest], q[1, largest], q[2, largest], q[3, largest]);
+        }
+
+        static RigidTransform Rotation(double w, double x, double y, double z)
+        {
+            var s = 2 / (w * w + x * x + y * y + z * z);
+            return new RigidTransform(
+                1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w),
+                s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w),
+                s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y),
+                0, 0, 0);
+        }
+    }
+}
