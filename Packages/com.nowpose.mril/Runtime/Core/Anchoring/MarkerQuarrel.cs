@@ -1,0 +1,25 @@
+namespace Nowpose.Anchoring
+{
+    /// <summary>Markers that are not in relation to each other as they were measured at the base.</summary>
+    public sealed class MarkerQuarrel
+    {
+        internal MarkerQuarrel(BaseMarker marker, BaseMarker other, double metres, double radians)
+        {
+            Marker = marker;
+            Other = other;
+            Metres = metres;
+            Radians = radians;
+        }
+
+        /// <summary>The one that the others contradict.</summary>
+        public BaseMarker Marker { get; }
+
+        /// <summary>Null where it is clear which one is wrong; else it is one of the two.</summary>
+        public BaseMarker Other { get; }
+
+        /// <summary>By how much it is off.</summary>
+        public double Metres { get; }
+
+        public double Radians { get; }
+    }
+}

@@ -1,0 +1,44 @@
+using System;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Anchoring
+{
+    /// <summary>Follows a pose that may jump without jumping itself: it nears it by the same part in each span of time.</summary>
+    sealed class EasedPose
+    {
+        /// <summary>Time constants in the time that is given to it: 2 % are left then.</summary>
+        const double Constants = 4;
+
+        /// <summary>Less cannot be seen.</summary>
+        const double NearMetres = 1e-6, NearRadians = 1e-6;
+
+        readonly TimeSpan _ease;
+        HeadsetTime? _last;
+
+        public EasedPose(TimeSpan ease) => _ease = ease;
+
+        /// <summary>Null before it followed anything.</summary>
+        public RigidTransform? Pose { get; private set; }
+
+        /// <summary>Is there from now on, without a way to it; null to begin anew.</summary>
+        public void Jump(in RigidTransform? pose) => Pose = pose;
+
+        public void Follow(in RigidTransform target, HeadsetTime now)
+        {
+            var passed = _last is HeadsetTime last ? now - last : TimeSpan.Zero;
+            _last = now;
+            if (!(Pose is RigidTransform pose)) Pose = target;
+            else if (pose.DistanceTo(target) < NearMetres && pose.AngleTo(target) < NearRadians) Pose = target;
+            else Pose = PoseNumbers.Between(pose, target, PartOf(passed));
+        }
+
+        /// <summary>Time passes without anything to follow.</summary>
+        public void Rest(HeadsetTime now) => _last = now;
+
+        double PartOf(TimeSpan passed)
+        {
+            if (passed >= _ease + _ease) return 1;
+            return passed > TimeSpan.Zero ? 1 - Math.Exp(-Constants * passed.Ticks / _ease.Ticks) : 0;
+        }
+    }
+}

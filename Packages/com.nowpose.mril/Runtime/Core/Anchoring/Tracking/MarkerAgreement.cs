@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Anchoring
+{
+    /// <summary>Whether markers are where they were measured to be in relation to each other, and if not, which one is not.</summary>
+    readonly struct MarkerAgreement
+    {
+        /// <summary>A fit shares what one marker is off among all: with two, half each.</summary>
+        const double Shared = 0.5;
+
+        /// <summary>The angle of a print is known less well than that of a base.</summary>
+        public const double AngleFactor = 2;
+
+        MarkerAgreement(bool isGood, int wrong, in RigidTransform fitted, double metres, double radians)
+        {
+            IsGood = isGood;
+            Wrong = wrong;
+            Fitted = fitted;
+            Metres = metres;
+            Radians = radians;
+        }
+
+        public bool IsGood { get; }
+
+        /// <summary>Index of the one that the others contradict; −1 where there is none, or where it cannot be told.</summary>
+        public int Wrong { get; }
+
+        /// <summary>The base by all of them, without the wrong one.</summary>
+        public RigidTransform Fitted { get; }
+
+        /// <summary>By how much the wrong one is off, or where it cannot be told by how much two are apart.</summary>
+        public double Metres { get; }
+
+        public double Radians { get; }
+
+        /// <param name="markers">At least one.</param>
+        public static MarkerAgreement Of(IReadOnlyList<MarkerEstimate> markers, AnchoringSettings settings)
+        {
+            var all = BaseFit.Of(markers);
+            var worst = Worst(markers, all, -1, settings);
+            if (worst <= 1) return new MarkerAgreement(true, -1, all, 0, 0);
+            if (markers.Count > 2)
+            {
+                int wrong = -1;
+                var (least, fitted) = (double.PositiveInfinity, all);
+                for (var i = 0; i < markers.Count; i++)
+                {
+                    var others = BaseFit.Of(markers, without: i);
+                    var rest = Worst(markers, others, i, settings);
+                    if (rest < least) (least, wrong, fitted) = (rest, i, others);
+                }
+                if (least <= 1)
+                {
+                    var (off, turned) = BaseFit.Misfit(fitted, markers[wrong]);
+                    return new MarkerAgreement(false, wrong, fitted, off, turned);
+                }
+            }
+            double metres = 0, radians = 0;
+            foreach (var marker in markers)
+            {
+                var misfit = BaseFit.Misfit(all, marker);
+                metres = Math.Max(metres, misfit.Metres / Shared);
+                radians = Math.Max(radians, misfit.Radians);
+            }
+            return new MarkerAgreement(false, -1, all, metres, radians);
+        }
+
+        /// <summary>Of what is allowed.</summary>
+        static double Worst(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
+        {
+            double worst = 0;
+            for (var i = 0; i < markers.Count; i++)
+            {
+                if (i == without) continue;
+                var (metres, radians) = BaseFit.Misfit(fitted, markers[i]);
+                worst = Math.Max(worst, metres / (Shared * settings.ToleranceMetres));
+                worst = Math.Max(worst, radians / (AngleFactor * settings.ToleranceRadians));
+            }
+            return worst;
+        }
+    }
+}

@@ -1,0 +1,183 @@
+using System;
+using System.Linq;
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Anchoring
+{
+    /// <summary>A lock that a device holds: handed over, corrected, lost, and found again in another run.</summary>
+    public class HeldBaseTests
+    {
+        FakeAnchors _anchors;
+        SimulatedMarkers _cell;
+
+        [SetUp]
+        public void Begin()
+        {
+            _anchors = new FakeAnchors();
+            _cell = SimulatedMarkers.Three(1);
+            _cell.Anchors = _anchors;
+        }
+
+        BaseTracker Tracker => _cell.Tracker;
+
+        void Lock() => Assert.That(_cell.RunUntilLocked(3), Is.Not.Null);
+
+        static RigidTransform Shift(double metres, double radians = 0) => RigidTransform.FromXyzRpy(metres, 0, 0, 0, 0, radians);
+
+        [Test]
+        public void Lock_DeviceHoldsPlaces_IsHeldAndKeptUnderTheNameOfTheCell()
+        {
+            Lock();
+
+            Assert.That(_anchors.Held.Single().Pose.Value.DistanceTo(_cell.Base), Is.LessThan(1e-9));
+            Assert.That(Tracker.KeptAs, Is.EqualTo("cell"));
+            Assert.That(Tracker.IsHeld, Is.True);
+        }
+
+        [Test]
+        public void Lock_MadeAnew_LeavesOneAnchorAtTheNewPlace()
+        {
+            Lock();
+            _cell.Base = Shift(0.2) * _cell.Base;
+            Tracker.Relock();
+            Lock();
+            _cell.Run(0.1);
+
+            Assert.That(_anchors.Held.Single().Pose.Value.DistanceTo(_cell.Base), Is.LessThan(1e-9));
+            Assert.That(_anchors.Kept["cell"].DistanceTo(_cell.Base), Is.LessThan(1e-9));
+        }
+
+        [Test]
+        public void Tick_DeviceCorrectsItsMap_EasesOverAndSaysByHowMuch()
+        {
+            Lock();
+            _cell.Run(1);
+            // All that it sees is seen in the corrected map as well.
+            _cell.Base = Shift(0.05, 0.02) * _cell.Base;
+            _anchors.Held[0].Pose = _cell.Base;
+            RigidTransform last = Tracker.Shown.Value, before = last;
+            double fastest = 0;
+
+            _cell.Run(2, () =>
+            {
+                fastest = Math.Max(fastest, Tracker.Shown.Value.DistanceTo(last));
+                last = Tracker.Shown.Value;
+            });
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked), "no marker has moved");
+            Assert.That(last.DistanceTo(_cell.Base), Is.LessThan(1e-4));
+            Assert.That(fastest, Is.LessThan(0.1 * before.DistanceTo(_cell.Base)));
+            Assert.That(Tracker.CorrectedMetres, Is.EqualTo(before.DistanceTo(_cell.Base)).Within(1e-6));
+            Assert.That(Tracker.CorrectedRadians, Is.EqualTo(0.02).Within(1e-6));
+        }
+
+        [Test]
+        public void Tick_AnchorLost_StaysWhereItWasAndSaysSo()
+        {
+            Lock();
+            var before = Tracker.Base.Value;
+            _anchors.Held[0].State = SpatialAnchorState.Lost;
+            // In another map everything seems to be elsewhere.
+            _cell.Base = Shift(2) * _cell.Base;
+
+            _cell.Run(3);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
+            Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
+            _cell.Base = Shift(-2) * _cell.Base;
+            _anchors.Held[0].State = SpatialAnchorState.Tracking;
+            _cell.Run(1);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+        }
+
+        [Test]
+        public void Tick_AnchorAtTheOriginOrNowhere_DoesNotMoveTheBase()
+        {
+            Lock();
+            var before = Tracker.Base.Value;
+            foreach (var pose in new RigidTransform?[] { RigidTransform.Identity, default(RigidTransform), null })
+            {
+                _anchors.Held[0].Pose = pose;
+
+                _cell.Run(1);
+
+                Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
+            }
+        }
+
+        [Test]
+        public void Tick_DeviceCannotHold_StaysLockedAndSaysWhy()
+        {
+            _anchors.StateAtFirst = SpatialAnchorState.Failed;
+            Lock();
+            _anchors.Held[0].Problem = "no room for more";
+
+            _cell.Run(1);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            Assert.That(Tracker.Problem, Is.EqualTo("no room for more"));
+            Assert.That(Tracker.Base.Value.DistanceTo(_cell.Base), Is.LessThan(1e-9));
+        }
+
+        [Test]
+        public void Tick_KeptInAnEarlierRun_IsRestoredAndConfirmedByMarkers()
+        {
+            _anchors.Kept["cell"] = Shift(0.004) * _cell.Base;
+            _cell.IsInView = _ => false;
+            _anchors.IsReady = false;
+            _cell.Run(1);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Searching));
+
+            _anchors.IsReady = true;
+            _cell.Run(1);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Restored));
+            Assert.That(Tracker.Shown.Value.DistanceTo(_cell.Base), Is.EqualTo(0.004).Within(1e-9));
+            _cell.IsInView = _ => true;
+            _cell.Run(4);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            Assert.That(Tracker.Lock.ChangeMetres, Is.EqualTo(0.004).Within(1e-6));
+            Assert.That(Tracker.Shown.Value.DistanceTo(_cell.Base), Is.LessThan(1e-5));
+        }
+
+        [Test]
+        public void Tick_RestoredElsewhere_IsSaidToHaveMovedAndNotFollowed()
+        {
+            _anchors.Kept["cell"] = Shift(0.05) * _cell.Base;
+
+            _cell.Run(5);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Moved));
+            Assert.That(Tracker.Base.Value.DistanceTo(_cell.Base), Is.EqualTo(0.05).Within(1e-9));
+            Tracker.Relock();
+            Lock();
+            Assert.That(_anchors.Kept["cell"].DistanceTo(_cell.Base), Is.LessThan(1e-6), "kept for the next run");
+        }
+
+        [Test]
+        public void Tick_NothingKept_SearchesForMarkers()
+        {
+            _anchors.Kept["another cell"] = Shift(1);
+            _cell.IsInView = _ => false;
+
+            _cell.Run(1);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Searching));
+            Assert.That(_anchors.Held, Is.Empty);
+        }
+
+        [Test]
+        public void Place_Held_LetsGoAndIsNotRestored()
+        {
+            Lock();
+
+            Tracker.Place();
+            _cell.Run(1);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Placed));
+            Assert.That(_anchors.Held, Is.Empty);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Anchoring
+{
+    /// <summary>A marker that somebody puts where it is to be.</summary>
+    public class PlacedMarkerTests
+    {
+        static readonly RigidTransform Place = RigidTransform.FromXyzRpy(1, 2, 0.5, 0, 0.1, 2);
+        static readonly RigidTransform InBase = RigidTransform.FromXyzRpy(0.3, 0, 0, 0, 0, 1);
+
+        readonly List<MarkerSighting> _sightings = new List<MarkerSighting>();
+        BaseTracker _tracker;
+        FakeAnchors _anchors;
+        double _now;
+
+        [SetUp]
+        public void Begin()
+        {
+            _tracker = new BaseTracker(new AnchoringSettings());
+            _anchors = new FakeAnchors();
+            _now = 10;
+        }
+
+        HeadsetTime Now => HeadsetTime.FromSeconds(_now);
+
+        void Tick(in RigidTransform pose, HeadsetTime seen, string payload = null)
+        {
+            _now += 1 / 60.0;
+            _sightings.Clear();
+            _sightings.Add(new MarkerSighting("hand", payload, pose, 0, seen, MarkerTracking.Placed));
+            _tracker.Tick(Now, _sightings, null, _anchors);
+        }
+
+        HeadsetTime Move(int frames, string payload = null)
+        {
+            for (var i = frames; i >= 0; i--) Tick(Place * RigidTransform.FromXyzRpy(0.01 * i, 0, 0, 0, 0, 0), Now, payload);
+            return Now - System.TimeSpan.FromSeconds(1 / 60.0);
+        }
+
+        [Test]
+        public void Tick_WhileMoved_TheBaseGoesAlong()
+        {
+            Tick(Place, Now);
+            Assert.That(_tracker.IsBeingPlaced, Is.True);
+            var elsewhere = Place * RigidTransform.FromXyzRpy(0, 0.4, 0, 0, 0, 1);
+
+            Tick(elsewhere, Now);
+
+            Assert.That(_tracker.Shown.Value.DistanceTo(elsewhere), Is.EqualTo(0), "at once: a hand must see what it does");
+            Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Searching));
+        }
+
+        [TestCase(null)]
+        [TestCase("a")]
+        public void Tick_PutDown_LocksThereAndTheDeviceHoldsIt(string payload)
+        {
+            if (payload != null) _tracker.Use("cell", new[] { new BaseMarker("a", InBase) });
+            var put = Move(20, payload);
+
+            for (var i = 0; i < 10; i++) Tick(Place, put, payload);
+
+            var expected = payload == null ? Place : Place * InBase.Inverse;
+            Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            Assert.That(_tracker.Shown.Value.DistanceTo(expected), Is.LessThan(1e-9));
+            Assert.That(_anchors.Held, Has.Count.EqualTo(1));
+            Assert.That(_tracker.KeptAs, Is.EqualTo(payload == null ? null : "cell"), "without a cell's name nothing is kept");
+        }
+
+        [Test]
+        public void Tick_CodesSeenElsewhereAfterwards_DoNotArgueWithTheHand()
+        {
+            var cell = SimulatedMarkers.One(1, 0.3);
+            cell.Run(1);
+            _tracker = cell.Tracker;
+            _now = cell.Now.SinceEpoch.TotalSeconds;
+            var put = Move(5);
+            Tick(Place, put);
+
+            cell.Run(5);
+
+            Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            Assert.That(_tracker.Base.Value.DistanceTo(Place), Is.LessThan(1e-9));
+            _tracker.Relock();
+            Assert.That(cell.RunUntilLocked(3), Is.Not.Null, "until they are asked");
+            Assert.That(_tracker.Base.Value.DistanceTo(cell.Base), Is.LessThan(1e-9));
+        }
+
+        [Test]
+        public void Tick_NoPoseOrAnUnknownPayload_IsPassedOver()
+        {
+            Tick(default, Now);
+            Tick(Place, Now, "somebody else's");
+
+            Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Placed));
+            Assert.That(_tracker.Base, Is.Null);
+        }
+    }
+}

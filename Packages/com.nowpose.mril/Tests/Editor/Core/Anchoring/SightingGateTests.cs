@@ -1,0 +1,80 @@
+using System;
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Anchoring
+{
+    public class SightingGateTests
+    {
+        const double Degree = Math.PI / 180;
+
+        static readonly HeadsetTime Now = HeadsetTime.FromSeconds(50);
+        static readonly BaseMarker Marker = new BaseMarker("a", RigidTransform.Identity, 0.1);
+
+        // Half a metre ahead of the head and a metre below it, face up: seen at 26.6° from straight above.
+        static readonly RigidTransform Head = RigidTransform.FromXyzRpy(0, 0, 2, 0, 60 * Degree, 0);
+        static readonly RigidTransform Pose = RigidTransform.FromXyzRpy(0.5, 0, 1, 0, 0, 1);
+
+        static SightingFault Judge(
+            RigidTransform? pose = null, double size = 0.1, double age = 0.1, MarkerTracking tracking = MarkerTracking.Tracking,
+            RigidTransform? head = null) => SightingGate.Judge(
+            new MarkerSighting("1", "a", pose ?? Pose, size, HeadsetTime.FromSeconds(50 - age), tracking),
+            Marker, Now, head ?? Head, new AnchoringSettings());
+
+        [Test]
+        public void Judge_SeenNowFromNear_Counts()
+        {
+            Assert.That(Judge(), Is.EqualTo(SightingFault.None));
+            Assert.That(Judge(size: 0), Is.EqualTo(SightingFault.None), "a size that is not known");
+            Assert.That(Judge(size: 0.105), Is.EqualTo(SightingFault.None));
+            Assert.That(Judge(age: -0.01), Is.EqualTo(SightingFault.None), "two clocks");
+        }
+
+        [Test]
+        public void Judge_WhatOnlySeemsToTell_SaysWhy()
+        {
+            Assert.That(Judge(tracking: MarkerTracking.None), Is.EqualTo(SightingFault.NotTracked));
+            Assert.That(Judge(tracking: MarkerTracking.Limited), Is.EqualTo(SightingFault.NotTracked));
+            Assert.That(Judge(pose: default(RigidTransform)), Is.EqualTo(SightingFault.NoPose));
+            Assert.That(Judge(pose: RigidTransform.Identity), Is.EqualTo(SightingFault.AtOrigin));
+            Assert.That(Judge(age: 0.5), Is.EqualTo(SightingFault.Old));
+            Assert.That(Judge(age: -1), Is.EqualTo(SightingFault.Old), "in the future");
+            Assert.That(Judge(size: 0.12), Is.EqualTo(SightingFault.OtherSize));
+            Assert.That(Judge(size: 0.08), Is.EqualTo(SightingFault.OtherSize));
+        }
+
+        [Test]
+        public void Judge_ByWhereTheHeadIs_SaysWhy()
+        {
+            Assert.That(Judge(head: RigidTransform.FromXyzRpy(0.5, 0, 3.6, 0, 90 * Degree, 0)), Is.EqualTo(SightingFault.TooFar));
+            Assert.That(Judge(head: RigidTransform.FromXyzRpy(-0.6, 0, 1.5, 0, 0, 0)), Is.EqualTo(SightingFault.TooOblique));
+            Assert.That(Judge(head: RigidTransform.FromXyzRpy(0.3, 0, 0, 0, -90 * Degree, 0)), Is.EqualTo(SightingFault.TooOblique), "from below");
+            Assert.That(Judge(head: RigidTransform.FromXyzRpy(1, 0, 2, 0, -20 * Degree, 0)), Is.EqualTo(SightingFault.Behind));
+        }
+
+        [Test]
+        public void Judge_PlacedByHand_CountsFromWherever()
+        {
+            var placed = MarkerTracking.Placed;
+
+            Assert.That(Judge(tracking: placed, age: 1000), Is.EqualTo(SightingFault.None));
+            Assert.That(Judge(tracking: placed, head: RigidTransform.FromXyzRpy(50, 0, 0, 0, 0, 0)), Is.EqualTo(SightingFault.None));
+            Assert.That(Judge(tracking: placed, pose: default(RigidTransform)), Is.EqualTo(SightingFault.NoPose));
+        }
+
+        [TestCase("settle: 0 ms is out of range; allowed are 100 to 60000 ms", 0, 400, 2.5, 60, 10)]
+        [TestCase("oldest: NaN ms is out of range; allowed are 20 to 10000 ms", 1850, double.NaN, 2.5, 60, 10)]
+        [TestCase("farthest: -1 m is out of range; allowed are 0.1 to 20 m", 1850, 400, -1, 60, 10)]
+        [TestCase("most oblique: 90 ° is out of range; allowed are 10 to 89 °", 1850, 400, 2.5, 90, 10)]
+        [TestCase("tolerance: 2 m is out of range; allowed are 0.001 to 1 m", 1850, 400, 2.5, 60, 2000)]
+        public void Settings_OutOfRange_AreRefusedByName(
+            string message, double settle, double oldest, double farthest, double oblique, double toleranceMm)
+        {
+            var fault = Assert.Throws<InputException>(() => new AnchoringSettings(
+                settle, oldest, farthest, oblique, toleranceMetres: toleranceMm / 1000));
+
+            Assert.That(fault.Message, Is.EqualTo(message));
+        }
+    }
+}

@@ -1,0 +1,143 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Tests.Anchoring
+{
+    /// <summary>A robot's base with markers, and a device that sees them at 30 Hz with noise and outliers while frames run at 60 Hz.</summary>
+    sealed class SimulatedMarkers
+    {
+        const double FrameSeconds = 1 / 60.0;
+
+        readonly Random _random;
+        readonly List<BaseMarker> _markers = new List<BaseMarker>();
+        readonly List<MarkerSighting> _sightings = new List<MarkerSighting>();
+        readonly Dictionary<string, RigidTransform> _seen = new Dictionary<string, RigidTransform>();
+        readonly Dictionary<string, HeadsetTime> _times = new Dictionary<string, HeadsetTime>();
+        readonly Dictionary<string, RigidTransform> _turned = new Dictionary<string, RigidTransform>();
+        int _frame;
+
+        public SimulatedMarkers(int seed, AnchoringSettings settings = null)
+        {
+            _random = new Random(seed);
+            Tracker = new BaseTracker(settings ?? new AnchoringSettings());
+            Base = RigidTransform.FromXyzRpy(1.2, -0.4, -0.7, 0.02, -0.03, 2.1);
+        }
+
+        public BaseTracker Tracker { get; }
+
+        /// <summary>Where the base really is.</summary>
+        public RigidTransform Base { get; set; }
+
+        /// <summary>Root mean square of the distances, and of the angles.</summary>
+        public double NoiseMetres { get; set; }
+
+        public double NoiseDegrees { get; set; }
+        public double OutlierShare { get; set; }
+
+        /// <summary>Of each marker's own print, constant; root mean square.</summary>
+        public double PrintDegrees { get; set; }
+
+        public FakeAnchors Anchors { get; set; }
+        public RigidTransform? Head { get; set; } = RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, Math.PI / 2, 0);
+        public double Seconds => _frame * FrameSeconds;
+        public HeadsetTime Now => HeadsetTime.FromSeconds(100 + Seconds);
+
+        /// <summary>Codes that are seen at the moment; all unless set.</summary>
+        public Func<string, bool> IsInView { get; set; } = _ => true;
+
+        /// <summary>What becomes of a sighting before it is told; as it is unless set.</summary>
+        public Func<MarkerSighting, MarkerSighting> Told { get; set; } = sighting => sighting;
+
+        /// <summary>Where a marker really is in the base frame, if not where it was measured.</summary>
+        public Dictionary<string, RigidTransform> Shifted { get; } = new Dictionary<string, RigidTransform>();
+
+        /// <summary>At one place.</summary>
+        public static SimulatedMarkers One(int seed, double offsetMetres, AnchoringSettings settings = null)
+        {
+            var cell = new SimulatedMarkers(seed, settings);
+            cell.Use(("a", RigidTransform.FromXyzRpy(offsetMetres, 0, 0, 0, 0, 0.4)));
+            return cell;
+        }
+
+        /// <summary>Three at the corners of a triangle with edges of 0.3 m about a point of the base frame.</summary>
+        public static SimulatedMarkers Three(int seed, double offsetMetres = 0, AnchoringSettings settings = null)
+        {
+            var cell = new SimulatedMarkers(seed, settings);
+            var radius = 0.3 / Math.Sqrt(3);
+            cell.Use(
+                ("a", RigidTransform.FromXyzRpy(offsetMetres + radius, 0, 0, 0, 0, 0.4)),
+                ("b", RigidTransform.FromXyzRpy(offsetMetres - radius / 2, 0.15, 0, 0, 0, 2)),
+                ("c", RigidTransform.FromXyzRpy(offsetMetres - radius / 2, -0.15, 0, 0, 0, -1)));
+            return cell;
+        }
+
+        public void Use(params (string Payload, RigidTransform InBase)[] markers)
+        {
+            foreach (var (payload, inBase) in markers) _markers.Add(new BaseMarker(payload, inBase));
+            Tracker.Use("cell", _markers);
+        }
+
+        public void Noisy()
+        {
+            (NoiseMetres, NoiseDegrees, OutlierShare) = (0.002, 0.5, 0.1);
+        }
+
+        public void Run(double seconds, Action seen = null)
+        {
+            for (var end = Seconds + seconds - 1e-9; Seconds < end; seen?.Invoke()) Frame();
+        }
+
+        /// <returns>Seconds that it took; null when it did not lock.</returns>
+        public double? RunUntilLocked(double atMost)
+        {
+            var start = Seconds;
+            while (Seconds - start < atMost)
+            {
+                Frame();
+                if (Tracker.State == BaseAnchorState.Locked) return Seconds - start;
+            }
+            return null;
+        }
+
+        public void Frame()
+        {
+            _frame++;
+            _sightings.Clear();
+            foreach (var marker in _markers)
+            {
+                if (IsInView(marker.Payload) && (_frame % 2 == 0 || !_seen.ContainsKey(marker.Payload))) See(marker);
+                if (!_seen.TryGetValue(marker.Payload, out var pose)) continue;
+                _sightings.Add(Told(new MarkerSighting(
+                    "id of " + marker.Payload, marker.Payload, pose, 0, _times[marker.Payload], MarkerTracking.Tracking)));
+            }
+            Tracker.Tick(Now, _sightings, Head, Anchors);
+        }
+
+        /// <summary>How far the locked base is off at its origin, and at a point of its frame.</summary>
+        public (double Metres, double Degrees) ErrorAt(double reachMetres = 0)
+        {
+            var reach = RigidTransform.FromXyzRpy(reachMetres, 0, 0, 0, 0, 0);
+            var locked = Tracker.Base.Value;
+            return ((locked * reach).DistanceTo(Base * reach), locked.AngleTo(Base) * 180 / Math.PI);
+        }
+
+        void See(BaseMarker marker)
+        {
+            if (!_turned.TryGetValue(marker.Payload, out var turned)) _turned[marker.Payload] = turned = Noise(0, PrintDegrees);
+            var inBase = Shifted.TryGetValue(marker.Payload, out var shifted) ? shifted : marker.MarkerInBase;
+            var noise = _random.NextDouble() < OutlierShare ? Noise(0.1, 30) : Noise(NoiseMetres, NoiseDegrees);
+            _seen[marker.Payload] = Base * inBase * turned * noise;
+            _times[marker.Payload] = Now;
+        }
+
+        RigidTransform Noise(double metres, double degrees)
+        {
+            double m = metres / Math.Sqrt(3), r = degrees * Math.PI / 180 / Math.Sqrt(3);
+            return PoseNumbers.Turn(r * Normal(), r * Normal(), r * Normal()).MovedTo(m * Normal(), m * Normal(), m * Normal());
+        }
+
+        double Normal() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+    }
+}
