@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Reflection;
 using System.Text.RegularExpressions;
 using Nowpose.Editor;
+using Nowpose.Mrtk3;
 using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
@@ -19,8 +20,9 @@ sealed partial class InspectedType
 
     public InspectedType(Type type) => _type = type;
 
-    /// <summary>Every component and asset of Nowpose.Unity, and what the editor imports files by.</summary>
+    /// <summary>Every component and asset of Nowpose.Unity, those for MRTK3, and what the editor imports files by.</summary>
     public static IEnumerable<Type> All => Concrete(typeof(MrilSession), typeof(MonoBehaviour), typeof(ScriptableObject))
+        .Concat(Concrete(typeof(HeadsetMenu), typeof(MonoBehaviour)))
         .Concat(Concrete(typeof(SetupWindow), typeof(AssetImporter)));
 
     /// <summary>As the menu calls it, such as Robot Rig; null where no menu has it. An importer's is its name.</summary>
@@ -69,7 +71,7 @@ sealed partial class InspectedType
     static IEnumerable<InspectedField> FieldsOfOwn(Type type, string prefix)
     {
         var element = ElementOf(type);
-        var isOwn = element.Assembly == typeof(MrilSession).Assembly && !element.IsEnum && !typeof(Object).IsAssignableFrom(element);
+        var isOwn = element.Assembly.GetName().Name.StartsWith("Nowpose", StringComparison.Ordinal) && !element.IsEnum && !typeof(Object).IsAssignableFrom(element);
         return isOwn ? FieldsOf(element, prefix) : Enumerable.Empty<InspectedField>();
     }
 

@@ -227,6 +227,7 @@ public sealed class CellActionsTests
 
         lone.ToggleConnected();
         lone.ToggleGhost();
+        lone.LockBase();
         lone.SetOpacity(0.5f);
         lone.SetNudgeMs(3);
         Run(0.1);

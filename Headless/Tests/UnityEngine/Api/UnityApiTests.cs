@@ -9,6 +9,7 @@ namespace Nowpose.Headless.Tests.Engine.Api;
 /// </summary>
 [TestFixture("UnityEngine", "UnityEngine/Api/unity-api-used.txt")]
 [TestFixture("UnityEditor", "UnityEngine/Api/unity-editor-api-used.txt")]
+[TestFixture("MixedReality.Toolkit", "UnityEngine/Api/mrtk3-api-used.txt")]
 public sealed class UnityApiTests(string assembly, string list)
 {
     (string Type, string Line)[] _listed = [];

@@ -7,6 +7,8 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.ArFoundation")]
 [assembly: InternalsVisibleTo("Nowpose.OpenXR")]
 [assembly: InternalsVisibleTo("Nowpose.OpenXR.Anchoring")]
+// Its components log and look for their session as those of this assembly do.
+[assembly: InternalsVisibleTo("Nowpose.MRTK3")]
 
 // What a panel says is decided in plain classes; their tests need no scene.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]

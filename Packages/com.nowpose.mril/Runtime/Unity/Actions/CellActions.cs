@@ -20,6 +20,9 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The session of the cell. Empty: the one on this object or above.")]
         MrilSession _session = null;
 
+        [SerializeField, Tooltip("Where the robot's base is. Empty: the first below the session.")]
+        BaseAnchor _anchor = null;
+
         [SerializeField, Tooltip("What shows the uncompensated pose. Empty: the first below the session.")]
         Ghost _ghost = null;
 
@@ -77,6 +80,12 @@ namespace Nowpose.Unity
             else Connect();
         }
 
+        /// <summary>Lets the markers say anew where the base is.</summary>
+        public void LockBase()
+        {
+            if (Has(_anchor, "base anchor")) _anchor.Relock();
+        }
+
         public void ToggleGhost() => SetGhost(!IsGhostShown);
 
         public void SetGhost(bool shown)
@@ -115,6 +124,7 @@ namespace Nowpose.Unity
         {
             _source = this.SessionOr(_session);
             if (!Has(_source, "session")) return;
+            if (_anchor == null) _anchor = _source.GetComponentInChildren<BaseAnchor>(true);
             if (_ghost == null) _ghost = _source.GetComponentInChildren<Ghost>(true);
             if (_panel == null) _panel = _source.GetComponentInChildren<StatusPanel>(true);
             if (_appearance == null) _appearance = DisplayedBelow(_source);

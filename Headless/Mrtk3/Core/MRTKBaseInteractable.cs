@@ -1,0 +1,7 @@
+using UnityEngine.XR.Interaction.Toolkit;
+
+namespace MixedReality.Toolkit;
+
+public class MRTKBaseInteractable : XRBaseInteractable
+{
+}

@@ -1,0 +1,59 @@
+using UnityEngine;
+using UnityEngine.Events;
+using UnityEngine.XR.Interaction.Toolkit;
+
+namespace MixedReality.Toolkit;
+
+/// <summary>Clicks when it is let go of, and toggles where its mode says so.</summary>
+public class StatefulInteractable : MRTKBaseInteractable
+{
+    [SerializeField] bool allowSelectByVoice = true;
+    [SerializeField] string speechRecognitionKeyword = "select";
+
+    [field: SerializeField] public ToggleType ToggleMode { get; set; }
+
+    [field: SerializeField] public bool VoiceRequiresFocus { get; set; } = true;
+
+    [field: SerializeField] public TimedFlag IsToggled { get; private set; } = new();
+
+    [field: SerializeField] public UnityEvent OnClicked { get; private set; } = new();
+
+    public bool AllowSelectByVoice
+    {
+        get => allowSelectByVoice;
+        set => allowSelectByVoice = value;
+    }
+
+    public string SpeechRecognitionKeyword
+    {
+        get => speechRecognitionKeyword;
+        set => speechRecognitionKeyword = value;
+    }
+
+    public void ForceSetToggled(bool active) => IsToggled.Active = active;
+
+    public void ForceSetToggled(bool active, bool fireEvents = true)
+    {
+        if (fireEvents) IsToggled.Active = active;
+        else IsToggled.Initialize(active);
+    }
+
+    protected override void Awake()
+    {
+        base.Awake();
+        lastSelectExited.AddListener(Click);
+    }
+
+    void Click(SelectExitEventArgs args)
+    {
+        if (ToggleMode == ToggleType.Toggle || (ToggleMode == ToggleType.OneWayToggle && !IsToggled.Active)) IsToggled.Active = !IsToggled.Active;
+        OnClicked.Invoke();
+    }
+
+    public enum ToggleType
+    {
+        Button,
+        Toggle,
+        OneWayToggle,
+    }
+}

@@ -1,0 +1,9 @@
+using System;
+using UnityEngine.Events;
+
+namespace MixedReality.Toolkit;
+
+[Serializable]
+public class StatefulTimerEvent : UnityEvent<float>
+{
+}

@@ -1,0 +1,9 @@
+using System;
+using UnityEngine.Events;
+
+namespace UnityEngine.XR.Interaction.Toolkit;
+
+[Serializable]
+public sealed class SelectExitEvent : UnityEvent<SelectExitEventArgs>
+{
+}

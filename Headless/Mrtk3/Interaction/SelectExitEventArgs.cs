@@ -1,0 +1,5 @@
+namespace UnityEngine.XR.Interaction.Toolkit;
+
+public class SelectExitEventArgs
+{
+}

@@ -1,0 +1,7 @@
+using UnityEngine;
+
+namespace MixedReality.Toolkit.SpatialManipulation;
+
+public class ConstraintManager : MonoBehaviour
+{
+}

@@ -1,0 +1,5 @@
+namespace MixedReality.Toolkit.SpatialManipulation;
+
+public class HandConstraintPalmUp : HandConstraint
+{
+}

@@ -1,0 +1,32 @@
+using UnityEngine;
+
+namespace MixedReality.Toolkit.SpatialManipulation;
+
+/// <summary>Moves its object while it is held; here a test does.</summary>
+[RequireComponent(typeof(ConstraintManager))]
+public class ObjectManipulator : StatefulInteractable
+{
+    [SerializeField] Transform hostTransform;
+    [SerializeField] TransformFlags allowedManipulations = TransformFlags.Move | TransformFlags.Rotate | TransformFlags.Scale;
+
+    [SerializeField] InteractionFlags allowedInteractionTypes =
+        InteractionFlags.Near | InteractionFlags.Ray | InteractionFlags.Gaze | InteractionFlags.Generic;
+
+    public Transform HostTransform
+    {
+        get => hostTransform == null ? transform : hostTransform;
+        set => hostTransform = value;
+    }
+
+    public TransformFlags AllowedManipulations
+    {
+        get => allowedManipulations;
+        set => allowedManipulations = value;
+    }
+
+    public InteractionFlags AllowedInteractionTypes
+    {
+        get => allowedInteractionTypes;
+        set => allowedInteractionTypes = value;
+    }
+}

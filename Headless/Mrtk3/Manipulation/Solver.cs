@@ -1,0 +1,8 @@
+using UnityEngine;
+
+namespace MixedReality.Toolkit.SpatialManipulation;
+
+[RequireComponent(typeof(SolverHandler))]
+public abstract class Solver : MonoBehaviour
+{
+}

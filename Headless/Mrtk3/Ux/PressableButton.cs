@@ -1,0 +1,5 @@
+namespace MixedReality.Toolkit.UX;
+
+public class PressableButton : StatefulInteractable
+{
+}

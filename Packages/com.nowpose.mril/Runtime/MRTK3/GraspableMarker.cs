@@ -1,0 +1,68 @@
+using MixedReality.Toolkit.SpatialManipulation;
+using Nowpose.Unity;
+using UnityEngine;
+using UnityEngine.XR.Interaction.Toolkit;
+
+namespace Nowpose.Mrtk3
+{
+    /// <summary>Lets hands, gaze and pinch, or a ray put a marker where it is to be: from the grasp to the release the base follows.</summary>
+    [AddComponentMenu("Nowpose/Graspable Marker")]
+    [DisallowMultipleComponent]
+    public sealed class GraspableMarker : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The marker that is put. Empty: the one on this object.")]
+        HandPlacedMarker _marker = null;
+
+        [SerializeField, Tooltip("What lets it be moved. Empty: the one on this object.")]
+        ObjectManipulator _manipulator = null;
+
+        [SerializeField, Tooltip("What lets it be turned by handles. Empty: the one on this object, or none.")]
+        BoundsControl _bounds = null;
+
+        int _holds;
+
+        void OnEnable()
+        {
+            _holds = 0;
+            if (_marker == null) _marker = GetComponent<HandPlacedMarker>();
+            if (_manipulator == null) _manipulator = GetComponent<ObjectManipulator>();
+            if (_bounds == null) _bounds = GetComponent<BoundsControl>();
+            if (_marker == null) ConsoleLog.Fail(this, "graspable marker '" + name + "' has no hand placed marker to move; assign one");
+            if (_manipulator == null) ConsoleLog.Fail(this, "graspable marker '" + name + "' has no object manipulator that moves it; assign one");
+            if (_manipulator != null)
+            {
+                _manipulator.firstSelectEntered.AddListener(Grasp);
+                _manipulator.lastSelectExited.AddListener(Release);
+            }
+            if (_bounds == null) return;
+            _bounds.ManipulationStarted.AddListener(Grasp);
+            _bounds.ManipulationEnded.AddListener(Release);
+        }
+
+        void OnDisable()
+        {
+            if (_manipulator != null)
+            {
+                _manipulator.firstSelectEntered.RemoveListener(Grasp);
+                _manipulator.lastSelectExited.RemoveListener(Release);
+            }
+            if (_bounds != null)
+            {
+                _bounds.ManipulationStarted.RemoveListener(Grasp);
+                _bounds.ManipulationEnded.RemoveListener(Release);
+            }
+            if (_holds > 0 && _marker != null) _marker.EndMove();
+        }
+
+        void Grasp(SelectEnterEventArgs args)
+        {
+            if (_holds++ == 0 && _marker != null) _marker.BeginMove();
+        }
+
+        // One hand may hold the marker while the other turns a handle.
+        void Release(SelectExitEventArgs args)
+        {
+            if (_holds > 0 && --_holds == 0 && _marker != null) _marker.EndMove();
+        }
+    }
+}

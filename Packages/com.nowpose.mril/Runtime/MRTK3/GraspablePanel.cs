@@ -1,0 +1,54 @@
+using MixedReality.Toolkit;
+using MixedReality.Toolkit.SpatialManipulation;
+using Nowpose.Unity;
+using UnityEngine;
+using UnityEngine.XR.Interaction.Toolkit;
+
+namespace Nowpose.Mrtk3
+{
+    /// <summary>A panel that stays where it is put: once grasped it follows the wearer no longer, until it is told to again.</summary>
+    [AddComponentMenu("Nowpose/Graspable Panel")]
+    [DisallowMultipleComponent]
+    public sealed class GraspablePanel : MonoBehaviour
+    {
+        [SerializeField, Tooltip("What lets the panel follow the wearer. Empty: the one on this object.")]
+        BodyFollow _follow = null;
+
+        [SerializeField, Tooltip("What lets it be moved. Empty: the one on this object.")]
+        ObjectManipulator _manipulator = null;
+
+        [SerializeField, Tooltip("Toggle that is on while the panel stays; its event calls Toggle Pinned. Empty: none.")]
+        StatefulInteractable _pin = null;
+
+        /// <summary>Whether the panel stays where it is.</summary>
+        public bool IsPinned => _follow != null && !_follow.enabled;
+
+        public void TogglePinned() => SetPinned(!IsPinned);
+
+        public void SetPinned(bool pinned)
+        {
+            if (_follow != null) _follow.enabled = !pinned;
+        }
+
+        void OnEnable()
+        {
+            if (_follow == null) _follow = GetComponent<BodyFollow>();
+            if (_manipulator == null) _manipulator = GetComponent<ObjectManipulator>();
+            if (_follow == null) ConsoleLog.Warn(this, "graspable panel '" + name + "' has no body follow to pause; assign one");
+            if (_manipulator == null) ConsoleLog.Warn(this, "graspable panel '" + name + "' has no object manipulator that moves it; assign one");
+            else _manipulator.firstSelectEntered.AddListener(Grasp);
+        }
+
+        void OnDisable()
+        {
+            if (_manipulator != null) _manipulator.firstSelectEntered.RemoveListener(Grasp);
+        }
+
+        void LateUpdate()
+        {
+            if (_pin != null && _pin.IsToggled.Active != IsPinned) _pin.ForceSetToggled(IsPinned);
+        }
+
+        void Grasp(SelectEnterEventArgs args) => SetPinned(true);
+    }
+}

@@ -1,0 +1,116 @@
+using System;
+using System.Globalization;
+using MixedReality.Toolkit;
+using MixedReality.Toolkit.UX;
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Mrtk3
+{
+    /// <summary>Keeps the toggles and sliders of an MRTK3 menu as the cell is, whoever changed it.</summary>
+    /// <remarks>
+    /// What a button does stands in its own events, which call <see cref="CellActions"/>; the events of the sliders call this
+    /// component, which passes their values on.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Headset Menu")]
+    [DisallowMultipleComponent]
+    public sealed class HeadsetMenu : MonoBehaviour
+    {
+        [SerializeField, Tooltip("What the menu acts on. Empty: the actions on this object or above.")]
+        CellActions _actions = null;
+
+        [SerializeField, Tooltip("Toggle: the session is to be connected. Empty: none.")]
+        StatefulInteractable _connect = null;
+
+        [SerializeField, Tooltip("Toggle: the ghost is shown. Empty: none.")]
+        StatefulInteractable _ghost = null;
+
+        [SerializeField, Tooltip("Toggle: what is behind the real arm is hidden. Empty: none.")]
+        StatefulInteractable _occlusion = null;
+
+        [SerializeField, Tooltip("Toggle: the status panel is shown. Empty: none.")]
+        StatefulInteractable _panel = null;
+
+        [SerializeField, Tooltip("Slider of the gripper's opacity, 0 to 1. Empty: none.")]
+        Slider _opacity = null;
+
+        [SerializeField, Tooltip("Says the opacity. Empty: nothing does.")]
+        TextMesh _opacityWords = null;
+
+        [SerializeField, Tooltip("Slider of what is added to L_visu; its values are ms. Empty: none.")]
+        Slider _nudge = null;
+
+        [SerializeField, Tooltip("Says what is added to L_visu. Empty: nothing does.")]
+        TextMesh _nudgeWords = null;
+
+        int _shownOpacity = int.MinValue, _shownNudge = int.MinValue;
+        bool _isShowing;
+
+        /// <summary>For the slider's event.</summary>
+        public void SlideOpacity(SliderEventData data)
+        {
+            if (IsUsers(data)) _actions.SetOpacity(data.NewValue);
+        }
+
+        /// <summary>For the slider's event.</summary>
+        public void SlideNudge(SliderEventData data)
+        {
+            if (IsUsers(data)) _actions.SetNudgeMs(data.NewValue);
+        }
+
+        // A slider also tells its value when it starts, and when it is set here, perhaps to the end of its range.
+        bool IsUsers(SliderEventData data) => _actions != null && !_isShowing && data.NewValue != data.OldValue;
+
+        void OnEnable()
+        {
+            if (_actions == null) _actions = GetComponentInParent<CellActions>();
+            if (_actions == null) ConsoleLog.Warn(this, "headset menu '" + name + "' has no cell actions above it to call; assign them");
+        }
+
+        void LateUpdate()
+        {
+            if (_actions == null) return;
+            Show(_connect, _actions.IsConnecting);
+            Show(_ghost, _actions.IsGhostShown);
+            Show(_occlusion, _actions.IsOcclusionOn);
+            Show(_panel, _actions.IsPanelShown);
+            Show(_opacity, _actions.Opacity);
+            Show(_nudge, _actions.NudgeMs);
+            SayOpacity((int)Math.Round(100 * _actions.Opacity));
+            SayNudge(_actions.IsNudgeIdle ? int.MaxValue : (int)Math.Round(10 * _actions.NudgeMs));
+        }
+
+        // A toggle switches when it is pressed; where the action could not be done it has to go back.
+        static void Show(StatefulInteractable toggle, bool isOn)
+        {
+            if (toggle != null && toggle.IsToggled.Active != isOn) toggle.ForceSetToggled(isOn);
+        }
+
+        void Show(Slider slider, float value)
+        {
+            if (slider == null) return;
+            var shown = Mathf.Clamp(value, slider.MinValue, slider.MaxValue);
+            if (slider.Value == shown) return;
+            _isShowing = true;
+            slider.Value = shown;
+            _isShowing = false;
+        }
+
+        void SayOpacity(int percent)
+        {
+            if (_opacityWords == null || percent == _shownOpacity) return;
+            _shownOpacity = percent;
+            _opacityWords.text = string.Format(CultureInfo.InvariantCulture, "Gripper {0} %", percent);
+        }
+
+        /// <param name="tenths">Of a millisecond; the greatest number where nothing would be seen of it.</param>
+        void SayNudge(int tenths)
+        {
+            if (_nudgeWords == null || tenths == _shownNudge) return;
+            _shownNudge = tenths;
+            _nudgeWords.text = tenths == int.MaxValue
+                ? "L_visu predicted by the runtime"
+                : string.Format(CultureInfo.InvariantCulture, "L_visu {0:+0.0;-0.0;0.0} ms", tenths / 10.0);
+        }
+    }
+}
