@@ -35,7 +35,30 @@ public sealed class LinkerProtectionTests : EditorFixture
 
         var kept = XDocument.Load(path).Root.Elements("assembly").ToList();
         var ours = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef").Select(Path.GetFileNameWithoutExtension);
-        Assert.That(kept.Select(e => (string)e.Attribute("fullname")), Is.EqualTo(new[] { "Nowpose.Unity" }).And.SubsetOf(ours));
+        Assert.That(kept.Select(e => (string)e.Attribute("fullname")), Does.Contain("Nowpose.Unity").And.SubsetOf(ours));
         Assert.That(kept.Select(e => (string)e.Attribute("preserve")), Is.All.EqualTo("all"));
+    }
+
+    [Test]
+    public void Generate_AssemblyWithComponents_IsKeptAndMayBeMissingWhereItIsOptional()
+    {
+        using var folder = new ProjectFolder();
+        folder.Write("Packages/manifest.json", "{}");
+        Project.Open(folder.Root);
+
+        var path = Project.InRoot(() => new LinkerProtection().GenerateAdditionalLinkXmlFile(null, null));
+
+        var kept = XDocument.Load(path).Root.Elements("assembly").ToDictionary(
+            e => (string)e.Attribute("fullname"), e => (string)e.Attribute("ignoreIfMissing") == "1");
+        foreach (var definition in RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef"))
+        {
+            var folderOfIt = definition[..(definition.LastIndexOf('/') + 1)];
+            var hasComponents = RepositoryFiles.Under(folderOfIt.TrimEnd('/'), ".cs").Any(f => RepositoryFiles.Read(f).Contains("[AddComponentMenu("));
+            var isOptional = !RepositoryFiles.Read(definition).Contains("\"defineConstraints\": []");
+            var name = Path.GetFileNameWithoutExtension(definition);
+
+            Assert.That(kept.ContainsKey(name), Is.EqualTo(hasComponents), name);
+            if (hasComponents) Assert.That(kept[name], Is.EqualTo(isOptional), name);
+        }
     }
 }

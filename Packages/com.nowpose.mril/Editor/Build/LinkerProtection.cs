@@ -11,6 +11,7 @@ namespace Nowpose.Editor
     /// <list type="bullet">
     /// <item>Nowpose.Unity is. The linker keeps the components that it finds in the build's scenes, but neither those that only an
     /// asset bundle or an Addressable holds, nor members that only a UnityEvent in one calls by name. The assembly is small.</item>
+    /// <item>Nowpose.ArFoundation, Nowpose.OpenXR, Nowpose.OpenXR.Anchoring and Nowpose.MRTK3 are, where they exist: components, too.</item>
     /// <item>Nowpose is not: no line of it is reached by reflection, all of it from Nowpose.Unity or from the user's own code.</item>
     /// <item>MathNet.Numerics is not: its regression and its distributions are called directly and use no reflection. Keeping all
     /// of it would cost megabytes of code and minutes of each build.</item>
@@ -20,7 +21,15 @@ namespace Nowpose.Editor
     public sealed class LinkerProtection : IUnityLinkerProcessor
     {
         const string Name = "Nowpose.link.xml";
-        const string Content = "<linker>\n  <assembly fullname=\"Nowpose.Unity\" preserve=\"all\"/>\n</linker>\n";
+
+        // Where an optional package is missing, so is the assembly for it.
+        const string Content = "<linker>\n"
+            + "  <assembly fullname=\"Nowpose.Unity\" preserve=\"all\"/>\n"
+            + "  <assembly fullname=\"Nowpose.ArFoundation\" preserve=\"all\" ignoreIfMissing=\"1\"/>\n"
+            + "  <assembly fullname=\"Nowpose.OpenXR\" preserve=\"all\" ignoreIfMissing=\"1\"/>\n"
+            + "  <assembly fullname=\"Nowpose.OpenXR.Anchoring\" preserve=\"all\" ignoreIfMissing=\"1\"/>\n"
+            + "  <assembly fullname=\"Nowpose.MRTK3\" preserve=\"all\" ignoreIfMissing=\"1\"/>\n"
+            + "</linker>\n";
 
         public int callbackOrder => 0;
 
