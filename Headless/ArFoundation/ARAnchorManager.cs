@@ -6,14 +6,7 @@ namespace UnityEngine.XR.ARFoundation;
 public sealed class ARAnchorManager : ARTrackableManager<
     XRAnchorSubsystem, XRAnchorSubsystemDescriptor, XRAnchorSubsystem.Provider, XRAnchor, ARAnchor>
 {
-    /// <summary>The one that was enabled last.</summary>
-    internal static ARAnchorManager Instance { get; private set; }
-
-    protected override void OnEnable()
-    {
-        base.OnEnable();
-        Instance = this;
-    }
+    internal static ARAnchorManager Instance => (ARAnchorManager)Latest;
 
     internal bool TryAdd(ARAnchor anchor)
     {

@@ -21,18 +21,26 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
 
     protected XROrigin origin { get; private set; }
 
+    /// <summary>The one of its kind that was enabled last.</summary>
+    internal static ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProvider, TSessionRelativeData, TTrackable> Latest { get; private set; }
+
     protected virtual void Awake() => origin = GetComponent<XROrigin>();
+
+    protected override void OnEnable()
+    {
+        base.OnEnable();
+        Latest = this;
+    }
 
     protected virtual void Update()
     {
         if (subsystem == null || !subsystem.running) return;
 
-        ITrackingDevice<TSessionRelativeData> device = subsystem;
-        foreach (var changed in device.Changed) CreateOrUpdate(changed);
-        device.Changed.Clear();
-        foreach (var removed in device.Removed)
+        foreach (var changed in subsystem.Changed) CreateOrUpdate(changed);
+        subsystem.Changed.Clear();
+        foreach (var removed in subsystem.Removed)
             if (m_Trackables.Remove(removed, out var trackable) && trackable) Destroy(trackable.gameObject);
-        device.Removed.Clear();
+        subsystem.Removed.Clear();
     }
 
     /// <summary>A component that somebody added becomes the device's.</summary>

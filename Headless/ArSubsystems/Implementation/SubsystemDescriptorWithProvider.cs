@@ -1,5 +1,8 @@
 namespace UnityEngine.SubsystemsImplementation;
 
-public abstract class SubsystemDescriptorWithProvider
+public abstract class SubsystemDescriptorWithProvider : ISubsystemDescriptor
 {
+    public string id { get; set; }
+
+    ISubsystem ISubsystemDescriptor.Create() => null;
 }

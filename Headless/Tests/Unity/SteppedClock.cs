@@ -1,7 +1,7 @@
 namespace Nowpose.Headless.Tests.Unity;
 
 /// <summary>A headset clock that a test sets; whoever reads it finds it a little later, as after some work.</summary>
-sealed class SteppedClock : IHeadsetClock
+sealed class SteppedClock : IPerformanceCounterClock
 {
     long _ticks;
 
@@ -12,6 +12,11 @@ sealed class SteppedClock : IHeadsetClock
 
     /// <summary>What was read last.</summary>
     public HeadsetTime Read => new(new TimeSpan(Interlocked.Read(ref _ticks)));
+
+    /// <summary>Counts in a second of the counter that it plays.</summary>
+    public long CountsPerSecond { get; set; } = 10_000_000;
+
+    public HeadsetTime At(long count) => new(new TimeSpan((long)((Int128)count * TimeSpan.TicksPerSecond / CountsPerSecond)));
 
     public void Set(double seconds) => Interlocked.Exchange(ref _ticks, TimeSpan.FromSeconds(seconds).Ticks);
 }

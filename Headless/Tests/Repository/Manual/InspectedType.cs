@@ -1,8 +1,10 @@
 using System.Globalization;
 using System.Reflection;
 using System.Text.RegularExpressions;
+using Nowpose.ArFoundation;
 using Nowpose.Editor;
 using Nowpose.Mrtk3;
+using Nowpose.OpenXR;
 using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
@@ -20,9 +22,12 @@ sealed partial class InspectedType
 
     public InspectedType(Type type) => _type = type;
 
-    /// <summary>Every component and asset of Nowpose.Unity, those for MRTK3, and what the editor imports files by.</summary>
+    /// <summary>Every component and asset of the package's runtime, those for optional packages too, and what the editor imports files by.</summary>
     public static IEnumerable<Type> All => Concrete(typeof(MrilSession), typeof(MonoBehaviour), typeof(ScriptableObject))
         .Concat(Concrete(typeof(HeadsetMenu), typeof(MonoBehaviour)))
+        .Concat(Concrete(typeof(ArSpatialAnchors), typeof(MonoBehaviour)))
+        .Concat(Concrete(typeof(OpenXrDisplayTime), typeof(MonoBehaviour)))
+        .Concat(Concrete(typeof(QrMarkers), typeof(MonoBehaviour)))
         .Concat(Concrete(typeof(SetupWindow), typeof(AssetImporter)));
 
     /// <summary>As the menu calls it, such as Robot Rig; null where no menu has it. An importer's is its name.</summary>

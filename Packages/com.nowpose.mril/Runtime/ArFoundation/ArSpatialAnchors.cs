@@ -33,8 +33,8 @@ namespace Nowpose.ArFoundation
 
         internal bool IsRunning => _manager.IsRunning;
 
-        /// <summary>Null where there is none, or it was destroyed.</summary>
-        internal IAnchorStore Store => _store is Object store && store != null ? _store : null;
+        /// <summary>Null where there is none, or it was destroyed. It may have been added after this.</summary>
+        internal IAnchorStore Store => IsThere(_store) || TryGetComponent(out _store) ? _store : null;
 
         public ISpatialAnchor Hold(in RigidTransform pose) => Add(new ArSpatialAnchor(this, UnityPoses.ToWorld(pose), pose));
 
@@ -71,8 +71,6 @@ namespace Nowpose.ArFoundation
             return true;
         }
 
-        void OnEnable() => _store = GetComponent<IAnchorStore>();
-
         void OnDestroy()
         {
             while (_anchors.Count > 0) _anchors[_anchors.Count - 1].Dispose();
@@ -91,6 +89,8 @@ namespace Nowpose.ArFoundation
             foreach (var name in _unwanted) Store.Forget(name);
             _unwanted.Clear();
         }
+
+        static bool IsThere(IAnchorStore store) => store is Object component && component != null;
 
         ArSpatialAnchor Add(ArSpatialAnchor anchor)
         {

@@ -91,6 +91,8 @@ namespace Nowpose.OpenXR
             try
             {
                 _loading = _anchors.Manager.LoadAnchorStoreAsync();
+                // Whoever is destroyed meanwhile reads no fault.
+                _loading.ContinueWith(Observe, TaskContinuationOptions.OnlyOnFaulted | TaskContinuationOptions.ExecuteSynchronously);
             }
             catch (Exception fault)
             {
@@ -108,7 +110,6 @@ namespace Nowpose.OpenXR
                 _store = loading.Result;
                 Problem = null;
             }
-            // Reading it is also what keeps it from being raised where nobody waits.
             else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
             else if (_asked == AskedInVain) Say("the runtime gives no store of anchors; they are lost with the next start");
         }
@@ -127,6 +128,8 @@ namespace Nowpose.OpenXR
                 return false;
             }
         }
+
+        static void Observe(Task loading) => _ = loading.Exception;
 
         static bool IsAmong(IReadOnlyList<string> names, string name)
         {
