@@ -10,6 +10,10 @@ namespace Nowpose.Headless.Tests.Engine.Api;
 [TestFixture("UnityEngine", "UnityEngine/Api/unity-api-used.txt")]
 [TestFixture("UnityEditor", "UnityEngine/Api/unity-editor-api-used.txt")]
 [TestFixture("MixedReality.Toolkit", "UnityEngine/Api/mrtk3-api-used.txt")]
+[TestFixture("Unity.XR.CoreUtils", "UnityEngine/Api/core-utils-api-used.txt")]
+[TestFixture("Unity.XR.ARSubsystems", "UnityEngine/Api/ar-subsystems-api-used.txt")]
+[TestFixture("Unity.XR.ARFoundation", "UnityEngine/Api/ar-foundation-api-used.txt")]
+[TestFixture("Microsoft.MixedReality.OpenXR", "UnityEngine/Api/mixed-reality-openxr-api-used.txt")]
 public sealed class UnityApiTests(string assembly, string list)
 {
     (string Type, string Line)[] _listed = [];
