@@ -10,6 +10,7 @@ public static class CommandLine
     public static Task<int> RunAsync(string[] args) => Invocation.RunAsync(
         Invocation.Root(
             "nowpose-gateway", "Clock sync and joint positions for headsets. Ends with Ctrl-C.",
-            PlantVerb.Simulate(), PlantVerb.Replay(), ServeVerb.Create()),
+            PlantVerb.Simulate(), PlantVerb.Replay(), ServeVerb.Create(),
+            CellVerb.Create(), PairVerb.Create(), PairingsVerb.Create()),
         args);
 }

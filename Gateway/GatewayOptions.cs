@@ -1,5 +1,6 @@
 using System.Net;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
@@ -20,6 +21,15 @@ public sealed record GatewayOptions
     public X509Certificate2 Certificate { get; init; }
 
     public TokenList Tokens { get; init; } = TokenList.None;
+
+    /// <summary>The headsets that were paired, and may connect as observers; null for a gateway that pairs none.</summary>
+    public HeadsetList Headsets { get; init; }
+
+    /// <summary>Name of the cell, which the page of pairing begins with; null for none.</summary>
+    public string Cell { get; init; }
+
+    /// <summary>Of how long codes are worth something.</summary>
+    public TimeProvider Time { get; init; } = TimeProvider.System;
 
     /// <summary>Allows plain connections from other machines: on a network that is trusted.</summary>
     public bool AllowInsecureLan { get; init; }
@@ -42,6 +52,12 @@ public sealed record GatewayOptions
     public TimeSpan DrainTimeout { get; init; } = TimeSpan.FromSeconds(5);
     public int DrainBytes { get; init; } = 16 * 1024 * 1024;
 
+    /// <summary>Whether a client without one is refused.</summary>
+    internal bool AsksForTokens => !Tokens.IsEmpty || Headsets != null;
+
+    /// <summary>The role of a token, or null when it is none of those that are accepted.</summary>
+    internal Role? RoleOf(string token) => Tokens.RoleOf(token) ?? (Headsets?.Knows(token) == true ? Role.Observer : null);
+
     internal bool IsLoopback => IPAddress.IsLoopback(Bind);
 
     /// <exception cref="InputException">The combination would send tokens or joint positions openly, or makes no sense.</exception>
@@ -49,6 +65,8 @@ public sealed record GatewayOptions
     {
         if (Certificate == null && !IsLoopback && !Tokens.IsEmpty)
             throw new InputException($"--tokens without --tls on {Bind}: tokens travel over TLS or loopback only; add --tls or bind to loopback");
+        if (Certificate == null && !IsLoopback && Headsets != null)
+            throw new InputException($"--pairing without --certificate on {Bind}: tokens travel over TLS or loopback only; add it or bind to loopback");
         if (Certificate == null && !IsLoopback && !AllowInsecureLan)
             throw new InputException($"--bind {Bind}: plain connections from other machines need --insecure-lan; better add --tls");
         if (Certificate is { HasPrivateKey: false })

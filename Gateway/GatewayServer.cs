@@ -5,10 +5,12 @@ using Microsoft.AspNetCore.Hosting.Server.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Sync;
 using Nowpose.Gateway.VisibleLight;
+using Nowpose.Pairing;
 using Nowpose.Protocol;
 using Nowpose.Web;
 
@@ -22,13 +24,17 @@ public sealed class GatewayServer : IAsyncDisposable
     readonly SyncServer _sync;
     readonly RosbridgeServer _rosbridge;
     readonly CodePage _page;
+    readonly PairingRoutes _pairing;
     readonly WebApplication _web;
     readonly IPAddress _bind;
 
     GatewayServer(
-        GatewayOptions options, SyncServer sync, RosbridgeServer rosbridge, CodePage page, MessageHub hub, WebApplication web)
+        GatewayOptions options, SyncServer sync, RosbridgeServer rosbridge, CodePage page, PairingRoutes pairing, MessageHub hub,
+        WebApplication web)
     {
         _page = page;
+        _pairing = pairing;
+        PairsHeadsets = options.Headsets != null;
         _sync = sync;
         _rosbridge = rosbridge;
         _web = web;
@@ -44,7 +50,13 @@ public sealed class GatewayServer : IAsyncDisposable
     public IPEndPoint WebSocketEndPoint { get; private set; }
 
     /// <summary>Where browsers find the control clock as a code for cameras, under each name; none where the page was not built.</summary>
-    public IReadOnlyList<Uri> CodePageUris => !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_bind).Select(CodePageUri)];
+    public IReadOnlyList<Uri> CodePageUris => !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_bind).Select(host => PageUri(host, CodePage.Path))];
+
+    /// <summary>Whether headsets are given tokens of their own.</summary>
+    public bool PairsHeadsets { get; }
+
+    /// <summary>Where a browser on this machine finds the code that pairs a headset; null where it pairs none, or the page was not built.</summary>
+    public Uri PairingPageUri => PairsHeadsets && _pairing.Page.IsBuilt ? PageUri(LocalHost, PairingLimits.Path) : null;
 
     /// <summary>What headsets pin; null without TLS.</summary>
     public CertificatePin Pin { get; }
@@ -69,8 +81,9 @@ public sealed class GatewayServer : IAsyncDisposable
         var connections = new ConnectionCounters();
         var rosbridge = new RosbridgeServer(options, clock, hub, connections, log);
         var page = new CodePage(options, clock, connections, log, LightCodePage.Html);
+        var pairing = new PairingRoutes(options, connections, log, Web.PairingPage.Html);
         var sync = new SyncServer(options, clock, log);
-        var server = new GatewayServer(options, sync, rosbridge, page, hub, Build(options, rosbridge, page));
+        var server = new GatewayServer(options, sync, rosbridge, page, pairing, hub, Build(options, rosbridge, page, pairing));
         try
         {
             await server.StartWebAsync(options, cancellation);
@@ -93,8 +106,10 @@ public sealed class GatewayServer : IAsyncDisposable
         _rosbridge.Dispose();
     }
 
-    Uri CodePageUri(string host) =>
-        new($"{(Pin == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)}://{host}:{WebSocketEndPoint.Port}{CodePage.Path}");
+    string LocalHost => _bind.Equals(IPAddress.Any) || _bind.Equals(IPAddress.IPv6Any) ? "localhost" : OwnHosts.Reachable(_bind).First();
+
+    Uri PageUri(string host, string path) =>
+        new($"{(Pin == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)}://{host}:{WebSocketEndPoint.Port}{path}");
 
     async Task StartWebAsync(GatewayOptions options, CancellationToken cancellation)
     {
@@ -109,9 +124,11 @@ public sealed class GatewayServer : IAsyncDisposable
 
         var addresses = _web.Services.GetRequiredService<IServer>().Features.Get<IServerAddressesFeature>();
         WebSocketEndPoint = new IPEndPoint(_bind, new Uri(addresses.Addresses.First()).Port);
+        _pairing.Page.SyncPort = SyncEndPoint.Port;
+        _pairing.Page.WebSocketPort = WebSocketEndPoint.Port;
     }
 
-    static WebApplication Build(GatewayOptions options, RosbridgeServer rosbridge, CodePage page)
+    static WebApplication Build(GatewayOptions options, RosbridgeServer rosbridge, CodePage page, PairingRoutes pairing)
     {
         // Empty: neither settings of the folder it is started in nor of the environment change what the gateway does.
         var builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
@@ -120,6 +137,7 @@ public sealed class GatewayServer : IAsyncDisposable
         builder.WebHost.ConfigureKestrel(kestrel => Configure(kestrel, options));
         var web = builder.Build();
         web.Use(next => context => page.ServeAsync(context, next));
+        web.Use(next => context => pairing.ServeAsync(context, next));
         web.Use(next => context => RosbridgeServer.CountFragmentsAsync(context, next));
         web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = options.PingInterval, KeepAliveTimeout = options.PongTimeout });
         web.Run(rosbridge.ServeAsync);

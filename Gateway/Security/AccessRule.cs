@@ -31,11 +31,11 @@ sealed class AccessRule(GatewayOptions options)
     /// <summary>The role of whoever asks, or null when it has none of the tokens asked for.</summary>
     public Role? RoleOf(HttpContext context)
     {
-        if (options.Tokens.IsEmpty)
+        if (!options.AsksForTokens)
             return IsFromHere(context) ? Role.Source : Role.Observer;
         var values = context.Request.Headers[HeaderNames.Authorization];
         var value = values.Count == 1 ? values[0] : "";
-        return value.StartsWith(TokenScheme, StringComparison.OrdinalIgnoreCase) ? options.Tokens.RoleOf(value[TokenScheme.Length..].Trim()) : null;
+        return value.StartsWith(TokenScheme, StringComparison.OrdinalIgnoreCase) ? options.RoleOf(value[TokenScheme.Length..].Trim()) : null;
     }
 
     string Scheme => options.Certificate == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps;

@@ -33,6 +33,13 @@ sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<st
         return context.Response.WriteAsync(text + "\n");
     }
 
+    /// <summary>For requests of another method than those that are allowed there.</summary>
+    public static Task RefuseMethodAsync(HttpContext context, string allowed)
+    {
+        context.Response.Headers.Allow = allowed;
+        return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: allowed is {allowed}");
+    }
+
     Task RefuseAsync(HttpContext context, int status, Closure why, string text)
     {
         counters.Count(why);

@@ -31,7 +31,7 @@ sealed class SyncConnection
         _options = options;
         _clock = clock;
         _ended = ended;
-        _isAccepted = options.Tokens.IsEmpty;
+        _isAccepted = !options.AsksForTokens;
         _rate = new RequestRate(options.SyncRequestsPerSecond);
         _thread = new Thread(Run) { IsBackground = true, Name = "sync connection", Priority = ThreadPriority.AboveNormal };
     }
@@ -131,7 +131,7 @@ sealed class SyncConnection
         var text = new byte[count];
         if (!TryFill(stream, text) || !SyncToken.TryReadText(text, out var token))
             return false;
-        _isAccepted |= _options.Tokens.RoleOf(token) != null;
+        _isAccepted |= _options.RoleOf(token) != null;
         SyncFrame.TokenReply(_isAccepted).Write(_frame);
         stream.Write(_frame);
         return true;

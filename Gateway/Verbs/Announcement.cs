@@ -14,6 +14,8 @@ static class Announcement
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
         foreach (var page in gateway.CodePageUris) Line("vlc", page.ToString());
         if (gateway.CodePageUris.Count == 0) Log("vlc: " + CodePage.MissingPage);
+        Line("pair", gateway.PairingPageUri?.ToString());
+        if (gateway.PairsHeadsets && gateway.PairingPageUri == null) Log("pair: " + CodePage.MissingPage);
         Line("pin", gateway.Pin?.ToString());
         Line("control_time_s", clock.Now.SinceEpoch.TotalSeconds.ToString("0.0000000", CultureInfo.InvariantCulture));
         Line("skew_ppm", skewPpm.ToString(CultureInfo.InvariantCulture));

@@ -5,6 +5,7 @@ using System.Net;
 using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
@@ -46,6 +47,17 @@ sealed class ServerArguments
         HelpName = "FILE",
     };
 
+    readonly Option<string> _pairing = new("--pairing")
+    {
+        Description = "Pair headsets, and keep the list of them there; made when the file does not exist. Clients then need a token",
+        HelpName = "FILE",
+    };
+
+    readonly Option<string> _cell = new("--cell")
+    {
+        Description = "Name of the cell, which the page of pairing begins with", HelpName = "NAME",
+    };
+
     readonly Option<bool> _insecureLan = new("--insecure-lan")
     {
         Description = "Allow plain connections from other machines: on a trusted network only",
@@ -66,7 +78,7 @@ sealed class ServerArguments
     public void AddTo(Command command)
     {
         foreach (var option in new Option[]
-            { _bind, _syncPort, _webSocketPort, _tls, _certificate, _key, _tokens, _insecureLan, _maxConnections, _clockStart, _skew })
+            { _bind, _syncPort, _webSocketPort, _tls, _certificate, _key, _tokens, _pairing, _cell, _insecureLan, _maxConnections, _clockStart, _skew })
             command.Options.Add(option);
     }
 
@@ -81,9 +93,22 @@ sealed class ServerArguments
             WebSocketPort = parsed.GetValue(_webSocketPort),
             Certificate = Certificate(parsed),
             Tokens = tokens == null ? TokenList.None : TokenList.Read(tokens),
+            Headsets = Headsets(parsed),
+            Cell = parsed.GetValue(_cell),
             AllowInsecureLan = parsed.GetValue(_insecureLan),
             MaxConnections = parsed.GetValue(_maxConnections),
         };
+    }
+
+    HeadsetList Headsets(ParseResult parsed)
+    {
+        var path = parsed.GetValue(_pairing);
+        if (path == null && parsed.GetValue(_cell) != null)
+            throw new InputException("--cell: belongs to --pairing, which is missing");
+        // What was paired with the key of one run would take the next one for another gateway.
+        if (path != null && parsed.GetValue(_tls) && parsed.GetValue(_certificate) == null)
+            throw new InputException("--pairing with --tls: headsets trust one key, and each start makes another; add --certificate FILE");
+        return path == null ? null : new HeadsetList(path, log: Announcement.Log);
     }
 
     public StopwatchControlClock Clock(ParseResult parsed)

@@ -39,7 +39,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
     async Task ShowAsync(HttpContext context)
     {
         if (!await _door.AdmitOriginAsync(context)) return;
-        if (!HttpMethods.IsGet(context.Request.Method)) await RefuseMethodAsync(context, "GET");
+        if (!HttpMethods.IsGet(context.Request.Method)) await Door.RefuseMethodAsync(context, "GET");
         else if (!IsBuilt) await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, MissingPage);
         else await SendPageAsync(context);
     }
@@ -63,7 +63,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
         if (await _door.AdmitAsync(context) == null) return;
         if (!HttpMethods.IsPost(context.Request.Method))
         {
-            await RefuseMethodAsync(context, "POST");
+            await Door.RefuseMethodAsync(context, "POST");
             return;
         }
         if (!await _places.AdmitAsync(context)) return;
@@ -83,11 +83,5 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
             {"t2_ns":"{{received.Nanoseconds}}","resolution_ns":{{stepNs}},"is_synchronised":{{isSynchronised}},"t3_ns":"{{clock.Now.Nanoseconds}}"}
             """;
         return Encoding.UTF8.GetBytes(text.ToString(CultureInfo.InvariantCulture));
-    }
-
-    static Task RefuseMethodAsync(HttpContext context, string allowed)
-    {
-        context.Response.Headers.Allow = allowed;
-        return Door.AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: allowed is {allowed}");
     }
 }

@@ -102,7 +102,7 @@ namespace Nowpose.Pairing
             var text = fields.OptionalText('m');
             if (text == null) return 0;
             // Zero is how a caller says "not known"; a code leaves it out.
-            return MarkerOffset.TryRead(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is no number; allowed are "
+            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is no number; allowed are "
                 + MarkerOffset.Write(LeastSizeMetres) + " to " + MarkerOffset.Write(GreatestSizeMetres) + " m");
         }
 

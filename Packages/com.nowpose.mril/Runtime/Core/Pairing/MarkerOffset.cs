@@ -45,7 +45,7 @@ namespace Nowpose.Pairing
                 throw new InputException(what + ": " + words.Length + " numbers; allowed are x,y,z or x,y,z,roll,pitch,yaw in metres and degrees");
             var numbers = new double[Numbers];
             for (var i = 0; i < words.Length; i++)
-                if (!TryRead(words[i], out numbers[i]))
+                if (!TryReadNumber(words[i], out numbers[i]))
                     throw new InputException(what + ": number " + (i + 1) + " is none; allowed are at most three digits, and six after a full stop");
             return new MarkerOffset(numbers, what);
         }
@@ -63,8 +63,9 @@ namespace Nowpose.Pairing
 
         internal static string Write(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 
-        // Neither exponents nor blanks, infinities or other alphabets' digits, which parsers differ in.
-        internal static bool TryRead(string text, out double number)
+        /// <summary>A plain decimal number of at most three digits, and six after a full stop.</summary>
+        /// <remarks>Neither exponents nor blanks, infinities or other alphabets' digits, which parsers differ in.</remarks>
+        public static bool TryReadNumber(string text, out double number)
         {
             number = 0;
             var digits = text.StartsWith('-') ? text.Substring(1) : text;

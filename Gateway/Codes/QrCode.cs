@@ -1,0 +1,80 @@
+using System.Globalization;
+using System.Text;
+using QRCoder;
+
+namespace Nowpose.Gateway.Codes;
+
+/// <summary>A text as a QR code of the smallest version at error correction M, with the white margin of four modules that readers need.</summary>
+sealed class QrCode : IDisposable
+{
+    const int Margin = 4;
+
+    readonly string _text;
+    readonly QRCodeData _data;
+
+    public QrCode(string text)
+    {
+        _text = text;
+        _data = Generate(text);
+    }
+
+    /// <summary>Along an edge, without the margin.</summary>
+    public int Modules => Edge - 2 * Margin;
+
+    /// <summary>Dark squares, with the margin around them.</summary>
+    public bool IsDark(int row, int column) => row < Edge && _data.ModuleMatrix[row][column];
+
+    /// <summary>The same with the margin.</summary>
+    public int Edge => _data.ModuleMatrix.Count;
+
+    /// <summary>For a terminal: two rows of squares a line, light on dark, or black on white where colours are understood.</summary>
+    public string Blocks(bool hasColours)
+    {
+        var text = new StringBuilder();
+        for (var row = 0; row < Edge; row += 2)
+        {
+            // Black on white whatever the terminal's own colours are: not every reader takes a code of which they are reversed.
+            if (hasColours) text.Append("\u001b[30;107m");
+            for (var column = 0; column < Edge; column++)
+                text.Append(Block(IsInk(row, column, hasColours), IsInk(row + 1, column, hasColours)));
+            if (hasColours) text.Append("\u001b[0m");
+            text.Append('\n');
+        }
+
+        return text.ToString();
+    }
+
+    /// <summary>A drawing in millimetres, of which the code without its margin has the given edge.</summary>
+    public string Svg(double edgeMm, string caption)
+    {
+        var squares = new StringBuilder();
+        for (var row = 0; row < Edge; row++)
+            for (var column = 0; column < Edge; column++)
+                if (IsDark(row, column)) squares.Append(CultureInfo.InvariantCulture, $"M{column} {row}h1v1h-1z");
+        var total = edgeMm * Edge / Modules;
+        return string.Create(CultureInfo.InvariantCulture, $"""
+            <svg xmlns="http://www.w3.org/2000/svg" width="{total:0.###}mm" height="{total:0.###}mm" viewBox="0 0 {Edge} {Edge}" shape-rendering="crispEdges">
+            <title>{caption}</title>
+            <rect width="{Edge}" height="{Edge}" fill="#fff"/>
+            <path d="{squares}" fill="#000"/>
+            </svg>
+
+            """).ReplaceLineEndings("\n");
+    }
+
+    /// <summary>A picture with so many pixels a module. It knows no size: print it at the width that the drawing would have.</summary>
+    public byte[] Png(int pixelsPerModule)
+    {
+        // It disposes of what it is given.
+        using var picture = new PngByteQRCode(Generate(_text));
+        return picture.GetGraphic(pixelsPerModule);
+    }
+
+    public void Dispose() => _data.Dispose();
+
+    static QRCodeData Generate(string text) => QRCodeGenerator.GenerateQrCode(text, QRCodeGenerator.ECCLevel.M);
+
+    bool IsInk(int row, int column, bool hasColours) => hasColours ? IsDark(row, column) : row < Edge && !IsDark(row, column);
+
+    static char Block(bool upper, bool lower) => (upper, lower) switch { (true, true) => '█', (true, false) => '▀', (false, true) => '▄', _ => ' ' };
+}

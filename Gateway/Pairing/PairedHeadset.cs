@@ -1,0 +1,37 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+
+namespace Nowpose.Gateway.Pairing;
+
+/// <summary>A headset that was given a token: its name, when, and the token's hash. A line of the list.</summary>
+sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
+{
+    public const int GreatestName = 64;
+
+    const string Role = "observer", HashPrefix = "sha256/", TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'";
+
+    /// <summary>Null for a line that is none.</summary>
+    public static PairedHeadset Read(string line)
+    {
+        var words = line.Split(' ', 4);
+        var hash = new byte[SHA256.HashSizeInBytes + 1];
+        return words.Length == 4 && words[0] == Role && words[1].StartsWith(HashPrefix, StringComparison.Ordinal)
+            && Convert.TryFromBase64String(words[1][HashPrefix.Length..], hash, out var length) && length == SHA256.HashSizeInBytes
+            && DateTime.TryParseExact(
+                words[2], TimeFormat, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal, out var paired)
+            ? new PairedHeadset(words[3], paired, hash[..length]) : null;
+    }
+
+    /// <summary>What a headset calls itself, as a line may hold it: without control characters, and no longer than allowed.</summary>
+    public static string NameOf(string name)
+    {
+        var plain = new string([.. (name ?? "").Where(c => !char.IsControl(c) && !char.IsSurrogate(c))]).Trim();
+        return plain.Length switch { 0 => "headset", > GreatestName => plain[..GreatestName].TrimEnd(), _ => plain };
+    }
+
+    public static byte[] HashOf(string token) => SHA256.HashData(Encoding.UTF8.GetBytes(token));
+
+    public override string ToString() =>
+        $"{Role} {HashPrefix}{Convert.ToBase64String(Hash)} {PairedUtc.ToString(TimeFormat, CultureInfo.InvariantCulture)} {Name}";
+}

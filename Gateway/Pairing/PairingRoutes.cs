@@ -1,0 +1,42 @@
+using Nowpose.Gateway.Security;
+using Nowpose.Pairing;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Pairing;
+
+/// <summary>What the gateway answers below /pair when it pairs headsets.</summary>
+sealed class PairingRoutes
+{
+    const string CodePath = PairingLimits.Path + "/code", CellPath = PairingLimits.Path + "/cell";
+
+    readonly PairingService _service;
+    readonly bool _isOn;
+
+    /// <param name="html">Of the page; null where it was not built.</param>
+    public PairingRoutes(GatewayOptions options, ConnectionCounters counters, Action<string> log, string html)
+    {
+        var shown = new ShownCode(options.Certificate == null ? null : CertificatePin.Of(options.Certificate), options.Time);
+        _isOn = options.Headsets != null;
+        _service = new PairingService(options, shown, counters, log);
+        Page = new PairingPage(options, shown, counters, log, html);
+    }
+
+    public PairingPage Page { get; }
+
+    /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
+    public Task ServeAsync(HttpContext context, RequestDelegate next)
+    {
+        var request = context.Request;
+        if (!_isOn || request.Headers.Upgrade.Count > 0 || !request.Path.StartsWithSegments(PairingLimits.Path, StringComparison.Ordinal)) return next(context);
+        var isPost = HttpMethods.IsPost(request.Method);
+        return request.Path.Value switch
+        {
+            PairingLimits.Path when isPost => _service.ServeAsync(context),
+            PairingLimits.Path when HttpMethods.IsGet(request.Method) => Page.ShowAsync(context),
+            CodePath when isPost => Page.TellCodeAsync(context),
+            CellPath when isPost => Page.TellCellAsync(context),
+            PairingLimits.Path or CodePath or CellPath => Door.RefuseMethodAsync(context, request.Path == PairingLimits.Path ? "GET, POST" : "POST"),
+            _ => Door.AnswerAsync(context, StatusCodes.Status404NotFound, $"{request.Path}: there is no such page"),
+        };
+    }
+}

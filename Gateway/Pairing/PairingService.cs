@@ -1,0 +1,58 @@
+using Nowpose.Gateway.Security;
+using Nowpose.Pairing;
+
+namespace Nowpose.Gateway.Pairing;
+
+/// <summary>Gives a headset a token of its own for the one of the shown code.</summary>
+sealed class PairingService(GatewayOptions options, ShownCode shown, ConnectionCounters counters, Action<string> log)
+{
+    readonly Door _door = new(options, counters, log);
+    readonly WrongCodes _wrong = new(options.Time);
+
+    /// <summary>POST /pair.</summary>
+    public async Task ServeAsync(HttpContext context)
+    {
+        // A headset sends no Origin; a page of somebody else's that tries codes does.
+        if (!await _door.AdmitOriginAsync(context)) return;
+        var address = context.Connection.RemoteIpAddress;
+        if (_wrong.IsBlocked(address))
+        {
+            context.Response.Headers.RetryAfter = "60";
+            await Door.AnswerAsync(context, StatusCodes.Status429TooManyRequests, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
+            return;
+        }
+
+        if (await SmallJson.ReadAsync(context) is not { } request) return;
+        if (!request.TryGetValue("token", out var token) || !request.TryGetValue("name", out var name))
+            await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "token and name are needed");
+        else
+            await ExchangeAsync(context, token, name);
+    }
+
+    Task ExchangeAsync(HttpContext context, string token, string name)
+    {
+        PairedHeadset headset = null;
+        string own;
+        try
+        {
+            own = shown.Take(token, () => options.Headsets.Add(name, out headset));
+        }
+        catch (InputException fault)
+        {
+            // The code stays worth something: it was not the headset's fault.
+            log("pairing: " + fault.Message);
+            return Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, "the headset's token cannot be kept");
+        }
+
+        if (own != null)
+        {
+            log($"pairing: headset '{headset.Name}' was given a token");
+            return SmallJson.AnswerAsync(context, new { token = own });
+        }
+
+        _wrong.Count(context.Connection.RemoteIpAddress);
+        counters.Count(Closure.Token);
+        log("pairing: refused a code that is not the shown one");
+        return Door.AnswerAsync(context, StatusCodes.Status401Unauthorized, "not the code that is shown now");
+    }
+}

@@ -1,0 +1,78 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Net;
+using Nowpose.Gateway.Codes;
+using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Security;
+using Nowpose.Pairing;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Verbs;
+
+/// <summary>cell: makes the code of a robot's marker, to be printed.</summary>
+static class CellVerb
+{
+    const int PixelsPerModule = 20;
+
+    public static Command Create()
+    {
+        var cell = new Option<string>("--cell") { Description = "Name of the cell", HelpName = "NAME", Required = true };
+        var host = new Option<string>("--host") { Description = "Name or address under which headsets reach the gateway", HelpName = "HOST", Required = true };
+        var pin = new PinArguments();
+        var offset = new Option<string>("--offset")
+        {
+            Description = "Marker in the robot's base frame, metres and degrees; without it the code does not say where the base is",
+            HelpName = "X,Y,Z[,ROLL,PITCH,YAW]",
+        };
+        var size = NumberOption.Create(
+            "--size-mm", "Edge of the printed code without its white margin", 120.0, CellCode.LeastSizeMetres * 1000, CellCode.GreatestSizeMetres * 1000, "mm");
+        var sync = NumberOption.Create("--sync-port", "TCP port of the clock sync", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
+        var socket = NumberOption.Create("--ws-port", "Port of the WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
+        var file = new Option<string>("--out") { Description = "Draw it there, .svg in true size or .png [default: on the terminal]", HelpName = "FILE" };
+        var command = new Command("cell", "Makes the code of a robot's marker: cell, gateway and where it is on the base; no secret")
+        {
+            cell, host, offset, size, sync, socket, file,
+        };
+        pin.AddTo(command);
+        command.SetAction(parsed =>
+        {
+            var place = parsed.GetValue(offset);
+            var sizeMm = parsed.GetValue(size);
+            var code = new CellCode(
+                parsed.GetValue(cell), parsed.GetValue(host), pin.Read(parsed), place == null ? null : MarkerOffset.Parse(place, "--offset"),
+                sizeMm / 1000, parsed.GetValue(sync), parsed.GetValue(socket));
+            Draw(code, sizeMm, parsed.GetValue(file));
+        });
+        return command;
+    }
+
+    static void Draw(CellCode code, double sizeMm, string path)
+    {
+        using var drawn = new QrCode(code.Text);
+        if (path == null)
+            Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected));
+        else
+            Save(path, drawn, sizeMm, code.Cell);
+        Console.Out.WriteLine("code " + code.Text);
+        Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"modules {drawn.Modules}"));
+        Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"edge_mm {sizeMm}"));
+        if (path != null)
+            Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"edge_with_margin_mm {sizeMm * drawn.Edge / drawn.Modules:0.###}"));
+    }
+
+    static void Save(string path, QrCode drawn, double sizeMm, string caption)
+    {
+        var isPng = path.EndsWith(".png", StringComparison.OrdinalIgnoreCase);
+        if (!isPng && !path.EndsWith(".svg", StringComparison.OrdinalIgnoreCase))
+            throw new InputException($"--out {path}: allowed are .svg and .png");
+        try
+        {
+            if (isPng) File.WriteAllBytes(path, drawn.Png(PixelsPerModule));
+            else File.WriteAllText(path, drawn.Svg(sizeMm, caption));
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new InputException($"--out {path}: cannot be written ({e.Message})", e);
+        }
+    }
+}

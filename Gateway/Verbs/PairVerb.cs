@@ -1,0 +1,79 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Net;
+using System.Text.Json;
+using Nowpose.Gateway.Codes;
+using Nowpose.Gateway.Options;
+using Nowpose.Network;
+using Nowpose.Pairing;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Verbs;
+
+/// <summary>pair: shows on a terminal the code that a gateway on this machine has at the moment.</summary>
+static class PairVerb
+{
+    static readonly TimeSpan Patience = TimeSpan.FromSeconds(10);
+
+    public static Command Create()
+    {
+        var host = new Option<string>("--host")
+        {
+            Description = "The address that the gateway listens on, which must be this machine's", HelpName = "HOST", DefaultValueFactory = _ => "127.0.0.1",
+        };
+        var socket = NumberOption.Create("--ws-port", "Port of the gateway's WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
+        var pin = new PinArguments();
+        var renew = new Option<bool>("--renew") { Description = "Another code: the one that is shown now is worth nothing then" };
+        var command = new Command("pair", "Shows the code that pairs a headset with the gateway that runs on this machine; valid once, 5 minutes")
+        {
+            host, socket, renew,
+        };
+        pin.AddTo(command);
+        command.SetAction(async (parsed, stop) =>
+        {
+            var key = pin.Read(parsed);
+            var uri = new UriBuilder(
+                key == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps, parsed.GetValue(host), parsed.GetValue(socket), PairingLimits.Path + "/code").Uri;
+            var (code, left) = await AskAsync(uri, key, parsed.GetValue(renew), stop);
+            using var drawn = new QrCode(code.Text);
+            Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected));
+            Console.Out.WriteLine("code " + code.Text);
+            Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"valid_s {left:0}"));
+        });
+        return command;
+    }
+
+    static async Task<(TokenCode Code, double LeftSeconds)> AskAsync(Uri uri, CertificatePin pin, bool isRenewed, CancellationToken stop)
+    {
+        string refusal = null;
+        var trust = new ServerTrust(pin);
+#pragma warning disable CA5399, CA5400 // The pin is the trust; there is no list a self-signed certificate could be revoked on.
+        using var http = new HttpClient(new SocketsHttpHandler
+        {
+            UseProxy = false,
+            AllowAutoRedirect = false,
+            SslOptions =
+            {
+                RemoteCertificateValidationCallback = (_, shown, _, errors) => (refusal = trust.Refusal(shown, errors, DateTime.Now)) == null,
+            },
+        })
+        { Timeout = Patience };
+#pragma warning restore CA5399, CA5400
+        try
+        {
+            using var body = new StringContent(isRenewed ? "{\"renew\":\"\"}" : "{}");
+            using var response = await http.PostAsync(uri, body, stop);
+            var text = await response.Content.ReadAsStringAsync(stop);
+            if (!response.IsSuccessStatusCode)
+                throw new InputException($"{uri}: {(int)response.StatusCode} {text.Trim()}; was the gateway started with --pairing?");
+            using var json = JsonDocument.Parse(text);
+            return (TokenCode.Parse(json.RootElement.GetProperty("text").GetString()), json.RootElement.GetProperty("left_s").GetDouble());
+        }
+        catch (Exception e) when (e is HttpRequestException or JsonException or KeyNotFoundException or InvalidOperationException
+            || (e is TaskCanceledException && !stop.IsCancellationRequested))
+        {
+            throw new InputException(
+                $"{uri}: {refusal ?? (e.InnerException ?? e).Message}; does the gateway run, and is it TLS that needs --certificate or --pin?", e);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+using System.CommandLine;
+using Nowpose.Gateway.Security;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Verbs;
+
+/// <summary>Options that tell a gateway's key: by its certificate, or by what it prints.</summary>
+sealed class PinArguments
+{
+    readonly Option<string> _certificate = new("--certificate") { Description = "The gateway's certificate, as it is started with", HelpName = "FILE" };
+    readonly Option<string> _key = new("--certificate-key") { Description = "The .pem file of the private key, when it is one of its own", HelpName = "FILE" };
+    readonly Option<string> _pin = new("--pin") { Description = "Instead of the certificate: its pin, as the gateway prints it", HelpName = "PIN" };
+
+    public void AddTo(Command command)
+    {
+        command.Options.Add(_certificate);
+        command.Options.Add(_key);
+        command.Options.Add(_pin);
+    }
+
+    /// <summary>Null for a gateway without TLS.</summary>
+    /// <exception cref="InputException">The file or the pin cannot be used, or both are given.</exception>
+    public CertificatePin Read(ParseResult parsed)
+    {
+        var path = parsed.GetValue(_certificate);
+        var pin = parsed.GetValue(_pin);
+        if (path != null && pin != null)
+            throw new InputException("--pin: the certificate tells it already; give one of the two");
+        if (pin != null)
+            return CertificatePin.Parse(pin);
+        if (path == null)
+            return null;
+        // A marker is printed for years: here a missing file is a mistake, not a wish for a new key.
+        if (!File.Exists(path))
+            throw new InputException($"--certificate {path}: there is no such file; the gateway makes it at its first start");
+        using var certificate = CertificateFiles.LoadOrGenerate(path, parsed.GetValue(_key));
+        return CertificatePin.Of(certificate);
+    }
+}

@@ -1,0 +1,83 @@
+using NUnit.Framework;
+using Nowpose.Gateway.Pairing;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public sealed class HeadsetFileTests
+{
+    static readonly PairedHeadset First = new("first", new DateTime(2026, 11, 20, 12, 0, 0, DateTimeKind.Utc), PairedHeadset.HashOf("a"));
+    static readonly PairedHeadset Second = First with { Name = "second  one", Hash = PairedHeadset.HashOf("b") };
+
+    string _folder, _path;
+
+    [SetUp]
+    public void Create()
+    {
+        _folder = Directory.CreateTempSubdirectory("nowpose-headsets-").FullName;
+        _path = Path.Combine(_folder, "headsets.txt");
+    }
+
+    [TearDown]
+    public void Remove() => Directory.Delete(_folder, true);
+
+    [Test]
+    public void Add_Several_AreLoadedInTheirOrder()
+    {
+        HeadsetFile.Open(_path);
+        HeadsetFile.Add(_path, First);
+        HeadsetFile.Add(_path, Second);
+
+        Assert.That(HeadsetFile.Load(_path).Select(headset => headset.ToString()), Is.EqualTo(new[] { First.ToString(), Second.ToString() }));
+        Assert.That(HeadsetFile.Load(_path)[1].Name, Is.EqualTo("second  one"));
+    }
+
+    [Test]
+    public void Add_AfterAnEditorThatLeftTheLineOpen_BeginsALine()
+    {
+        File.WriteAllText(_path, First.ToString());
+
+        HeadsetFile.Add(_path, Second);
+
+        Assert.That(HeadsetFile.Load(_path), Has.Count.EqualTo(2));
+    }
+
+    [Test]
+    public void Remove_One_KeepsCommentsOthersAndTheMode()
+    {
+        HeadsetFile.Open(_path);
+        HeadsetFile.Add(_path, First);
+        File.AppendAllText(_path, "# of the night shift\n");
+        HeadsetFile.Add(_path, Second);
+
+        HeadsetFile.Remove(_path, [First]);
+
+        var left = File.ReadAllLines(_path);
+        Assert.That(left, Has.Length.EqualTo(3));
+        Assert.That(left[1], Is.EqualTo("# of the night shift"));
+        Assert.That(left[2], Is.EqualTo(Second.ToString()));
+        if (!OperatingSystem.IsWindows())
+            Assert.That(File.GetUnixFileMode(_path), Is.EqualTo(UnixFileMode.UserRead | UnixFileMode.UserWrite));
+    }
+
+    [TestCase("observer TOKEN")]
+    [TestCase("source sha256/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA= 2026-11-20T12:00:00Z a")]
+    [TestCase("observer sha256/AAAA 2026-11-20T12:00:00Z a")]
+    [TestCase("observer sha256/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA= yesterday a")]
+    [TestCase("observer sha256/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA= 2026-11-20T12:00:00Z")]
+    public void Load_OtherLine_NamesFileAndLineOnly(string line)
+    {
+        File.WriteAllText(_path, "# head\n" + line + "\n");
+
+        var error = Assert.Throws<InputException>(() => HeadsetFile.Load(_path));
+
+        Assert.That(error.Message, Is.EqualTo(_path + ", line 2: is no paired headset; correct or remove it"));
+    }
+
+    [TestCase(null, "headset")]
+    [TestCase(" \t\n", "headset")]
+    [TestCase(" a\u0000b\n ", "ab")]
+    public void NameOf_AnyText_IsALineOfItsOwn(string name, string expected) => Assert.That(PairedHeadset.NameOf(name), Is.EqualTo(expected));
+
+    [Test]
+    public void NameOf_LongText_IsCut() => Assert.That(PairedHeadset.NameOf(new string('a', 500)), Has.Length.EqualTo(64));
+}

@@ -1,0 +1,96 @@
+using System.Net;
+using System.Text.Json;
+using NUnit.Framework;
+using Nowpose.Pairing;
+using Nowpose.Web;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+/// <summary>Who gets to see the page and its code; what it draws is tested in a browser (Web/test).</summary>
+public sealed class PairingPageTests
+{
+    [Test]
+    public async Task Page_OfThisMachine_HoldsNoSecretItself()
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+        var code = await gateway.ShownAsync();
+
+        var (status, page) = await gateway.SendAsync(HttpMethod.Get, "/pair");
+
+        if (PairingPage.Html == null) Assert.Ignore("built without Node.js");
+        Assert.That(status, Is.EqualTo(HttpStatusCode.OK));
+        Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(code.Token));
+        Assert.That(gateway.Server.PairingPageUri, Is.EqualTo(new Uri($"https://127.0.0.1:{gateway.Server.WebSocketEndPoint.Port}/pair")));
+    }
+
+    [TestCase("GET", "/pair")]
+    [TestCase("POST", "/pair/code")]
+    [TestCase("POST", "/pair/cell")]
+    public async Task Anything_UnderAnotherName_Is403(string method, string path)
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+        using var body = new StringContent("{}");
+
+        // As a page would ask whose name was made to point here.
+        var (status, text) = await gateway.SendAsync(new HttpMethod(method), path, method == "POST" ? body : null, ("Host", "evil.example"));
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
+        Assert.That(text, Does.Contain("own machine"));
+    }
+
+    [Test]
+    public async Task Code_OfAForeignPage_Is403()
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+
+        var (status, _) = await gateway.PostAsync("/pair/code", "{}", ("Origin", "https://evil.example"));
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
+    }
+
+    [TestCase("GET", "/pair/code", HttpStatusCode.MethodNotAllowed)]
+    [TestCase("DELETE", "/pair", HttpStatusCode.MethodNotAllowed)]
+    [TestCase("GET", "/pair/else", HttpStatusCode.NotFound)]
+    [TestCase("GET", "/pairs", HttpStatusCode.Unauthorized)]
+    public async Task Request_OtherMethodOrPath_IsTold(string method, string path, HttpStatusCode expected)
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+
+        var (status, _) = await gateway.SendAsync(new HttpMethod(method), path);
+
+        Assert.That(status, Is.EqualTo(expected));
+    }
+
+    [Test]
+    public async Task Cell_WithOffset_IsACodeThatAHeadsetReads()
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+
+        var (_, begin) = await gateway.PostAsync("/pair/cell", "{}");
+        var (_, made) = await gateway.PostAsync(
+            "/pair/cell", "{\"name\":\"Press 3\",\"host\":\"10.0.0.7\",\"offset\":\"0.25,-0.1,0,0,0,90\",\"size_mm\":\"120\"}");
+
+        Assert.That(JsonDocument.Parse(begin).RootElement.GetProperty("name").GetString(), Is.EqualTo("press"));
+        Assert.That(JsonDocument.Parse(begin).RootElement.GetProperty("hosts")[0].GetString(), Is.EqualTo("127.0.0.1"));
+        var code = CellCode.Parse(JsonDocument.Parse(made).RootElement.GetProperty("text").GetString());
+        Assert.That(code.Pin, Is.EqualTo(gateway.Server.Pin));
+        Assert.That(code.SyncPort, Is.EqualTo(gateway.Server.SyncEndPoint.Port));
+        Assert.That(code.WebSocketPort, Is.EqualTo(gateway.Server.WebSocketEndPoint.Port));
+        Assert.That(code.Marker.ToString(), Is.EqualTo("0.25,-0.1,0,0,0,90"));
+        Assert.That(code.SizeMetres, Is.EqualTo(0.12));
+    }
+
+    [TestCase("{\"name\":\"\",\"host\":\"10.0.0.7\",\"size_mm\":\"120\"}", "name")]
+    [TestCase("{\"name\":\"a\",\"host\":\"10.0.0\",\"size_mm\":\"120\"}", "host")]
+    [TestCase("{\"name\":\"a\",\"host\":\"10.0.0.7\",\"size_mm\":\"x\"}", "size")]
+    [TestCase("{\"name\":\"a\",\"host\":\"10.0.0.7\",\"size_mm\":\"0\"}", "size")]
+    [TestCase("{\"name\":\"a\",\"host\":\"10.0.0.7\",\"size_mm\":\"120\",\"offset\":\"1,2\"}", "offset")]
+    public async Task Cell_BadInput_IsOneLine(string body, string part)
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+
+        var (_, text) = await gateway.PostAsync("/pair/cell", body);
+
+        Assert.That(JsonDocument.Parse(text).RootElement.GetProperty("fault").GetString(), Does.Contain(part));
+    }
+}
