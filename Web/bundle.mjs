@@ -1,4 +1,4 @@
-// Makes dist/report.html, figures.html, calibration.html and vlc.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
+// Makes dist/report.html, figures.html, calibration.html, vlc.html and pairing.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -7,9 +7,13 @@ import { build } from 'esbuild';
 const web = dirname(fileURLToPath(import.meta.url));
 const read = path => readFileSync(join(web, path), 'utf8');
 
-const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts', vlc: 'src/vlc/main.ts' };
+const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts', vlc: 'src/vlc/main.ts', pairing: 'src/pairing/main.ts' };
 const withPlots = 'src/page.html';
-const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html' };
+const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html', pairing: 'src/pairing/pairing.html' };
+
+// qrcode-generator says who made it in its source and that it is MIT; the words of that licence are those of our own.
+const mit = read('../LICENSE').replace(/^[^]*?(?=Permission is hereby granted)/, '');
+const maker = /Copyright \(c\) [^\r\n]*/.exec(read('node_modules/qrcode-generator/dist/qrcode.mjs'))[0];
 
 const { outputFiles } = await build({
   absWorkingDir: web,
@@ -32,6 +36,7 @@ for (const [name, template] of Object.entries(templates)) {
       '<!--LICENCE-->': `<!-- Contains uPlot.\n${read('node_modules/uplot/LICENSE').replaceAll('--', '- -')}-->`,
       '<!--NAME-->': name,
     } : {}),
+    ...(name === 'pairing' ? { '<!--LICENCE-->': `<!-- Contains qrcode-generator.\n${maker}\n\n${mit}-->` } : {}),
     '/*STYLE*/': output(`${name}.css`).replaceAll('</style', '<\\/style'),
     '/*SCRIPT*/': output(`${name}.js`).replaceAll('</script', '<\\/script'),
   };

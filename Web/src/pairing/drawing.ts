@@ -1,0 +1,34 @@
+import qrcode from 'qrcode-generator';
+import { svg } from '../dom';
+
+/** White around a code without which readers do not find it. */
+const MARGIN = 4;
+
+/** A drawn code, and its modules along an edge without the margin. */
+export interface Drawing {
+  element: SVGElement;
+  modules: number;
+}
+
+export function draw(text: string): Drawing {
+  const code = qrcode(0, 'M');
+  code.addData(text, 'Byte');
+  code.make();
+  const modules = code.getModuleCount();
+  let path = '';
+  for (let row = 0; row < modules; row++)
+    for (let column = 0; column < modules; column++)
+      if (code.isDark(row, column)) path += `M${column + MARGIN} ${row + MARGIN}h1v1h-1z`;
+  const edge = modules + 2 * MARGIN;
+  const element = svg(
+    'svg', { viewBox: `0 0 ${edge} ${edge}`, 'shape-rendering': 'crispEdges' },
+    svg('rect', { width: edge, height: edge, fill: '#fff' }), svg('path', { d: path, fill: '#000' }));
+  return { element, modules };
+}
+
+/** Gives the code without its margin the edge, in millimetres of paper. */
+export function setEdge({ element, modules }: Drawing, edgeMm: number): void {
+  const total = `${(edgeMm * (modules + 2 * MARGIN)) / modules}mm`;
+  element.setAttribute('width', total);
+  element.setAttribute('height', total);
+}

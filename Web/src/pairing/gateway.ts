@@ -1,0 +1,30 @@
+/** What the gateway answers, or one line of why it does not. */
+export type Answer<T> = { value: T } | { trouble: string };
+
+export interface ShownCode {
+  text: string;
+  left_s: number;
+}
+
+export interface Beginning {
+  name: string;
+  hosts: string[];
+  has_pin: boolean;
+}
+
+export interface Marker {
+  text?: string;
+  fault?: string;
+}
+
+/** Asks below this page's own address. */
+export async function ask<T>(what: 'code' | 'cell', fields: Record<string, string>): Promise<Answer<T>> {
+  try {
+    const response = await fetch(`/pair/${what}`, {
+      method: 'POST', body: JSON.stringify(fields), headers: { 'Content-Type': 'application/json' }, cache: 'no-store',
+    });
+    return response.ok ? { value: (await response.json()) as T } : { trouble: (await response.text()).trim() };
+  } catch {
+    return { trouble: 'the gateway does not answer' };
+  }
+}

@@ -1,0 +1,62 @@
+import { el } from '../dom';
+import { draw, setEdge } from './drawing';
+import { byId } from './elements';
+import { ask, type Beginning, type Marker } from './gateway';
+
+/** After a keystroke, until the code is made anew. */
+const PAUSE_MS = 250;
+
+const field = (id: string) => byId<HTMLInputElement>(id).value;
+const offset = () => [...document.querySelectorAll<HTMLInputElement>('[data-offset]')].map(input => input.value.trim()).join(',');
+
+let newest = 0;
+
+/** Makes the marker's code of what is filled in, and prints it. */
+export async function startMarker(): Promise<void> {
+  const form = byId<HTMLFormElement>('form');
+  let pause = 0;
+  form.addEventListener('input', () => {
+    clearTimeout(pause);
+    pause = window.setTimeout(() => void make(), PAUSE_MS);
+  });
+  form.addEventListener('submit', event => {
+    event.preventDefault();
+    void make().then(isMade => isMade && window.print());
+  });
+  const beginning = await ask<Beginning>('cell', { begin: '' });
+  if ('trouble' in beginning) {
+    fail(beginning.trouble);
+    return;
+  }
+  byId<HTMLInputElement>('name').value = beginning.value.name;
+  byId<HTMLInputElement>('host').value = beginning.value.hosts[0] ?? '';
+  byId('hosts').append(...beginning.value.hosts.map(value => el('option', { value })));
+  await make();
+}
+
+async function make(): Promise<boolean> {
+  const own = ++newest;
+  if (field('name') === '') return fail('');
+  const answer = await ask<Marker>('cell', { name: field('name'), host: field('host'), offset: offset(), size_mm: field('size') });
+  // Overtaken by what was typed since.
+  if (own !== newest) return false;
+  if ('trouble' in answer) return fail(answer.trouble);
+  return answer.value.text ? show(answer.value.text) : fail(answer.value.fault ?? '');
+}
+
+function show(text: string): boolean {
+  const drawing = draw(text);
+  setEdge(drawing, Number(field('size')));
+  byId('cell').replaceChildren(drawing.element);
+  byId('caption').textContent =
+    `${field('name')} · edge of the code ${field('size')} mm · in the base frame ${offset()} (m, °) · ${drawing.modules} modules · ${text}`;
+  byId('print').hidden = false;
+  byId('fault').textContent = '';
+  return true;
+}
+
+function fail(fault: string): false {
+  byId('fault').textContent = fault;
+  byId('print').hidden = true;
+  return false;
+}

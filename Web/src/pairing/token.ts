@@ -1,0 +1,44 @@
+import { byId } from './elements';
+import { draw } from './drawing';
+import { ask, type Answer, type ShownCode } from './gateway';
+
+/** From one question to the next: so soon after a headset has used a code there is another. */
+const POLL_MS = 2000;
+
+let text = '';
+let endsAt = 0;
+let trouble = '';
+
+/** Shows the gateway's code, for how long it is worth something, and the next one when it is used or too old. */
+export function startToken(): void {
+  byId('renew').addEventListener('click', () => void show({ renew: '' }));
+  setInterval(tick, 500);
+  void poll();
+}
+
+async function poll(): Promise<void> {
+  await show({});
+  setTimeout(() => void poll(), POLL_MS);
+}
+
+async function show(fields: Record<string, string>): Promise<void> {
+  const answer: Answer<ShownCode> = await ask('code', fields);
+  if ('trouble' in answer) trouble = answer.trouble;
+  else {
+    trouble = '';
+    endsAt = performance.now() + answer.value.left_s * 1000;
+    if (answer.value.text !== text) {
+      text = answer.value.text;
+      byId('token').replaceChildren(draw(text).element);
+    }
+  }
+  tick();
+}
+
+function tick(): void {
+  const left = Math.max(0, Math.ceil((endsAt - performance.now()) / 1000));
+  // A code that is worth nothing, or may be, must not be taken for one that is.
+  byId('token').classList.toggle('gone', trouble !== '' || left === 0);
+  const clock = `${Math.floor(left / 60)}:${String(left % 60).padStart(2, '0')}`;
+  byId('left').textContent = trouble || `worth something for ${clock}, or until a headset has used it`;
+}

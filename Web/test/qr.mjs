@@ -1,0 +1,35 @@
+// Reads drawn codes with another library than the ones that draw them.
+import jsQR from 'jsqr';
+
+/** Of a picture of 8-bit greys, row by row; null where none is found. */
+export function readGreys(greys, width, height) {
+  const pixels = new Uint8ClampedArray(width * height * 4);
+  greys.forEach((grey, i) => pixels.set([grey, grey, grey, 255], 4 * i));
+  return jsQR(pixels, width, height, { inversionAttempts: 'dontInvert' })?.data ?? null;
+}
+
+/** Of what a terminal shows: two rows of squares a line, light where there is ink. */
+export function readBlocks(text) {
+  const lines = text.split('\n').filter(line => /^[ █▀▄]+$/.test(line));
+  const isLight = (line, x, isUpper) => '█'.includes(line[x]) || line[x] === (isUpper ? '▀' : '▄');
+  const rows = lines.flatMap(line => [true, false].map(isUpper => [...line].map((_, x) => isLight(line, x, isUpper))));
+  const scale = 6;
+  const width = rows[0].length * scale;
+  const greys = rows.flatMap(row => Array.from({ length: scale }, () => row.flatMap(light => Array(scale).fill(light ? 255 : 0))).flat());
+  return readGreys(greys, width, rows.length * scale);
+}
+
+/** Of an element of a page in Chromium, as it is on the screen. */
+export async function readElement(locator) {
+  const png = (await locator.screenshot()).toString('base64');
+  const { greys, width, height } = await locator.page().evaluate(async base64 => {
+    const bytes = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    return { greys: Array.from({ length: data.length / 4 }, (_, i) => data[4 * i]), width: bitmap.width, height: bitmap.height };
+  }, png);
+  return readGreys(greys, width, height);
+}
