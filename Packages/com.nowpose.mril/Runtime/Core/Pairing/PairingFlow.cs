@@ -99,6 +99,8 @@ namespace Nowpose.Pairing
             if (_asked == null) return;
             var code = _asked.Cell;
             var known = Cells.Find(code.Cell);
+            // What another gateway of that name may still give is no token of this one.
+            if (_exchange?.Cell == code.Cell) EndExchange();
             Answer();
             // The same key is the same gateway: what it gave this headset still counts.
             var token = known != null && Equals(known.Newest.Pin, code.Pin) ? known.Token : null;

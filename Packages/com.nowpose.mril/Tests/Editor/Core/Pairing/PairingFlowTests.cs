@@ -58,7 +58,7 @@ namespace Nowpose.Tests
 
         PairingChange Frame(params string[] inView)
         {
-            _now += TimeSpan.FromSeconds(1 / 60.0);
+            _now += TimeSpan.FromTicks(TimeSpan.TicksPerSecond / 60);
             foreach (var text in inView) _flow.See(text, _now);
             return _flow.Tick(_now);
         }
@@ -185,6 +185,20 @@ namespace Nowpose.Tests
 
             Assert.That(_flow.Cells.Used.Newest.Host, Is.EqualTo("10.0.0.8"));
             Assert.That(_flow.Cells.Used.Token, Is.EqualTo(token));
+        }
+
+        [Test]
+        public void KnownCell_OfAnotherGatewayWhileItIsPairing_TakesNoTokenOfTheFormer()
+        {
+            Agree(Cell);
+            Frame(Token);
+
+            Agree(CodeOf("Press 3", "10.0.0.8", OtherPin));
+            _answer.SetResult(PairingAnswer.Accepted(OwnToken));
+            Frame();
+
+            Assert.That(_flow.Cells.Used.Newest.Pin, Is.EqualTo(OtherPin));
+            Assert.That(_flow.Cells.Used.Token, Is.Null);
         }
 
         [Test]
