@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using Nowpose.Anchoring;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
@@ -40,6 +42,19 @@ namespace Nowpose.Tests
             var joints = new double[rig.Model.MovingJoints.Count];
             joints[rig.Model.IndexOfMovingJoint("arm_joint_2")] = 1.2;
             rig.Apply(joints);
+        }
+
+        public sealed class MyMarkers : MonoBehaviour, IMarkerSource
+        {
+            [SerializeField] MrilSession _session = null;
+            [SerializeField] Transform _found = null;
+
+            public void Read(List<MarkerSighting> markers)
+            {
+                // Its z to the right along the print, its x to the lower edge, its y out of the print.
+                var pose = UnityPoses.ToRoom(_found.position, _found.rotation);
+                markers.Add(new MarkerSighting("1", "my robot", pose, 0.12, _session.HeadsetClock.Now, MarkerTracking.Tracking));
+            }
         }
     }
 }
