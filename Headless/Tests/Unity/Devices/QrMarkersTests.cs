@@ -242,6 +242,25 @@ public sealed class QrMarkersTests
     }
 
     [Test]
+    public void Manager_SwitchedOffAndOn_RestsMeanwhileUnlessItIsTheUsers()
+    {
+        var manager = _origin.Origin.GetComponent<ARMarkerManager>();
+        var second = new GameObject("Second").AddComponent<QrMarkers>();
+        _cell.Frame(_session);
+
+        second.enabled = false;
+        var ofAnother = manager.enabled;
+        _markers.enabled = false;
+        var meanwhile = manager.enabled;
+        _markers.enabled = true;
+        Report();
+
+        Assert.That(ofAnother);
+        Assert.That(meanwhile, Is.False);
+        Assert.That(ReadOne().Tracking, Is.EqualTo(MarkerTracking.Tracking));
+    }
+
+    [Test]
     public void Problem_DeviceWithoutCodes_IsSaidOnceAfterAWhile()
     {
         _origin.Device.Dispose();

@@ -88,6 +88,16 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
+    public void Read_ImageNeverTracked_WasSeenWhenItBecameKnown()
+    {
+        var first = Report(TrackingState.Limited);
+
+        var later = Report(TrackingState.Limited);
+
+        Assert.That(later.LastSeen, Is.EqualTo(first.LastSeen));
+    }
+
+    [Test]
     public void Read_ImageInSight_IsSeenInEachFrame()
     {
         var first = Report(TrackingState.Tracking);

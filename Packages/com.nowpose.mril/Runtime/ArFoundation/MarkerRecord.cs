@@ -10,7 +10,8 @@ namespace Nowpose.ArFoundation
         /// <summary>Null while it is not read.</summary>
         public string Payload { get; set; }
 
-        public HeadsetTime LastSeen { get; set; }
+        /// <summary>Null before the first.</summary>
+        public HeadsetTime? LastSeen { get; set; }
 
         /// <summary>The device's own time of <see cref="LastSeen"/>, seconds; null before the first.</summary>
         public float? LastSeenSeconds { get; set; }

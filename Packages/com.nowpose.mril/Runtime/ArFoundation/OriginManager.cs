@@ -21,7 +21,7 @@ namespace Nowpose.ArFoundation
         readonly string _need;
         OriginFault _fault;
         float? _since;
-        bool _wasDisplaying;
+        bool _wasDisplaying, _isOurs;
 
         /// <param name="subsystemOf">What the device's runtime does the manager's work with; null where it offers none.</param>
         /// <param name="isAdded">Whether a missing one is added; false where it needs what only the user can give it.</param>
@@ -60,12 +60,25 @@ namespace Nowpose.ArFoundation
             return true;
         }
 
+        /// <summary>Lets the device rest, unless the manager is the user's; <see cref="Wake"/> undoes it.</summary>
+        public void Sleep()
+        {
+            IsRunning = false;
+            if (_isOurs && Manager != null) Manager.enabled = false;
+        }
+
+        public void Wake()
+        {
+            if (_isOurs && Manager != null) Manager.enabled = true;
+        }
+
         T FindOrAdd(XROrigin assigned)
         {
             var origin = OriginOr(assigned);
             if (origin == null) return null;
             var found = origin.GetComponent<T>();
-            return found != null || !_isAdded ? found : origin.gameObject.AddComponent<T>();
+            _isOurs = found == null && _isAdded;
+            return _isOurs ? origin.gameObject.AddComponent<T>() : found;
         }
 
         // A manager looks for its subsystem only when it is enabled; XR may begin later.

@@ -64,11 +64,11 @@ namespace Nowpose.ArFoundation
 
         static MarkerSighting SightingOf(ARTrackedImage image, MarkerRecord record, HeadsetTime now)
         {
-            if (image.trackingState == TrackingState.Tracking || record.Payload == null) record.LastSeen = now;
+            if (image.trackingState == TrackingState.Tracking || record.LastSeen == null) record.LastSeen = now;
             record.Payload = image.referenceImage.name;
             var place = image.transform;
             return new MarkerSighting(
-                record.Id, record.Payload, UnityPoses.ToRoom(place.position, place.rotation) * MarkerInImage, image.size.x, record.LastSeen,
+                record.Id, record.Payload, UnityPoses.ToRoom(place.position, place.rotation) * MarkerInImage, image.size.x, record.LastSeen.Value,
                 image.trackingState.OfMarker());
         }
     }

@@ -56,9 +56,17 @@ namespace Nowpose.OpenXR
             _records.End();
         }
 
-        void OnEnable() => _source = this.SessionOr(_session);
+        void OnEnable()
+        {
+            _source = this.SessionOr(_session);
+            _codes.Wake();
+        }
 
-        void OnDisable() => _records.Clear();
+        void OnDisable()
+        {
+            _codes.Sleep();
+            _records.Clear();
+        }
 
         void Update()
         {
@@ -91,7 +99,7 @@ namespace Nowpose.OpenXR
                 ? corner.position
                 : corner.position + rotation * new Vector3(code.center.x, code.center.y, 0);
             return new MarkerSighting(
-                record.Id, record.Payload, UnityPoses.ToRoom(centre, rotation) * MarkerInCode, code.size.x, record.LastSeen,
+                record.Id, record.Payload, UnityPoses.ToRoom(centre, rotation) * MarkerInCode, code.size.x, record.LastSeen ?? now,
                 code.trackingState.OfMarker());
         }
 
