@@ -1,3 +1,4 @@
+using System;
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Latency;
 using Nowpose.Unity;
@@ -18,18 +19,32 @@ namespace Nowpose.OpenXR
         MrilSession _session = null;
 
         MrilSession _target;
-        bool _isUnusable;
+        bool _isUnusable, _isMissing;
 
         /// <summary>As the runtime predicts it: for the first computation of a frame from the frame before, right before rendering for this one.</summary>
         public HeadsetTime? LightOf(HeadsetTime frameStart)
         {
             var clock = _target != null ? _target.HeadsetClock as IPerformanceCounterClock : null;
-            if (clock == null) return null;
-            var runtime = OpenXRTime.Current;
-            var predicted = runtime.GetPredictedDisplayTimeInXrTime(_target.IsBeforeRender ? FrameTime.OnBeforeRender : FrameTime.OnUpdate);
-            if (predicted <= 0) return null;
-            var count = runtime.ConvertXrTimeToQpcTime(predicted);
-            return count > 0 ? clock.At(count) : (HeadsetTime?)null;
+            if (clock == null || _isMissing) return null;
+            try
+            {
+                var count = PredictedCount(_target.IsBeforeRender ? FrameTime.OnBeforeRender : FrameTime.OnUpdate);
+                return count > 0 ? clock.At(count) : (HeadsetTime?)null;
+            }
+            catch (TypeLoadException fault)
+            {
+                // A build may lack the plugin's native library; the frame must not.
+                _isMissing = true;
+                ConsoleLog.Warn(this, "display time '" + name + "': " + fault.Message + "; light appears as calibrated");
+                return null;
+            }
+        }
+
+        /// <returns>0 where the runtime tells none.</returns>
+        static long PredictedCount(FrameTime tick)
+        {
+            var predicted = OpenXRTime.Current.GetPredictedDisplayTimeInXrTime(tick);
+            return predicted > 0 ? OpenXRTime.Current.ConvertXrTimeToQpcTime(predicted) : 0;
         }
 
         void OnEnable()
@@ -44,6 +59,7 @@ namespace Nowpose.OpenXR
             if (_target != null && ReferenceEquals(_target.DisplayTimeSource, this)) _target.DisplayTimeSource = null;
             _target = null;
             _isUnusable = false;
+            _isMissing = false;
         }
 
         void Update()
