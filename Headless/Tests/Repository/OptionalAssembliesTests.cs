@@ -66,6 +66,15 @@ public sealed class OptionalAssembliesTests
             Assert.That(definition.IsCompiledWith(definition.Packages.Where(p => p != package).ToHashSet()), Is.False, package);
     }
 
+    // Else nothing would ever define it, and the assembly be compiled nowhere.
+    [TestCaseSource(nameof(OptionalNames))]
+    public void OptionalAssembly_EveryConstraint_IsAVersionDefine(string name)
+    {
+        var definition = Definitions.Single(d => d.Name == name);
+
+        Assert.That(definition.Constraints, Is.SubsetOf(definition.VersionDefines.Select(v => v.Define)));
+    }
+
     [Test]
     public void VersionDefines_OfOnePackage_SayTheSameEverywhere()
     {
@@ -123,7 +132,6 @@ public sealed class OptionalAssembliesTests
     sealed class Definition
     {
         readonly string _path;
-        readonly string[] _constraints;
 
         public Definition(string path)
         {
@@ -132,7 +140,7 @@ public sealed class OptionalAssembliesTests
             Name = json.GetProperty("name").GetString();
             References = Strings(json, "references");
             Platforms = Strings(json, "includePlatforms");
-            _constraints = Strings(json, "defineConstraints");
+            Constraints = Strings(json, "defineConstraints");
             VersionDefines = json.GetProperty("versionDefines").EnumerateArray()
                 .Select(v => (v.GetProperty("define").GetString(), v.GetProperty("name").GetString(), v.GetProperty("expression").GetString())).ToArray();
         }
@@ -140,10 +148,11 @@ public sealed class OptionalAssembliesTests
         public string Name { get; }
         public string[] References { get; }
         public string[] Platforms { get; }
+        public string[] Constraints { get; }
         public (string Define, string Package, string Expression)[] VersionDefines { get; }
 
         /// <summary>Those it is compiled only with.</summary>
-        public HashSet<string> Packages => VersionDefines.Where(v => _constraints.Contains(v.Define)).Select(v => v.Package).ToHashSet();
+        public HashSet<string> Packages => VersionDefines.Where(v => Constraints.Contains(v.Define)).Select(v => v.Package).ToHashSet();
 
         public bool IsOptional => Packages.Count > 0;
 
@@ -155,9 +164,9 @@ public sealed class OptionalAssembliesTests
             var other = Definitions.SingleOrDefault(d => d.Name == reference);
             if (other == null || !other.IsOptional) return false;
 
-            var defines = other._constraints.Where(c => VersionDefines.Any(v => v.Define == c)).ToList();
+            var defines = other.Constraints.Where(c => VersionDefines.Any(v => v.Define == c)).ToList();
             var folder = _path[.._path.LastIndexOf('/')];
-            return defines.Count == other._constraints.Length
+            return defines.Count == other.Constraints.Length
                 && RepositoryFiles.Under(folder, ".cs").Any(f => defines.All(d => RepositoryFiles.Read(f).Contains("#if " + d)));
         }
 
