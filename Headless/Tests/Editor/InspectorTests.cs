@@ -78,6 +78,28 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
+    public void CellPairing_CodeOnTheClipboard_AsksAndIsAnswered()
+    {
+        var session = _cell.NewSession();
+        var file = Path.Combine(Path.GetTempPath(), "none-" + Guid.NewGuid());
+        var pairing = session.gameObject.AddComponent<CellPairing>().With("_fileName", file);
+        session.gameObject.SetActive(true);
+        var editor = Inspect(pairing);
+        Play(session, 1);
+        EditorGUIUtility.systemCopyBuffer = " nowpose:cell/1?n=desk&h=localhost\n";
+
+        GuiRecorder.Click = "Read the code on the clipboard";
+        editor.OnInspectorGUI();
+        GuiRecorder.Click = "Refuse";
+        editor.OnInspectorGUI();
+
+        Assert.That(editor, Is.InstanceOf<CellPairingEditor>());
+        Assert.That(GuiRecorder.Texts, Has.Some.Contains("Connect to cell 'desk'?"));
+        Assert.That(pairing.Question, Is.Null);
+        Assert.That(File.Exists(file), Is.False, "what was refused is not kept");
+    }
+
+    [Test]
     public void Session_Playing_PlotsLinesWithinTheirStrips()
     {
         var session = _cell.Play();

@@ -27,6 +27,9 @@ namespace Nowpose.Editor
                 typeof(LatencyNudge), "_session", typeof(MrilSession),
                 "There is no session on it or above that it would calibrate. Assign one.", Only<MrilSession>),
             new ReferenceRule(
+                typeof(CellPairing), "_session", typeof(MrilSession),
+                "There is no session on it or above that it would set up. Assign one.", Only<MrilSession>),
+            new ReferenceRule(
                 typeof(PoseAppearance), "_session", typeof(MrilSession),
                 "There is no session on it or above whose pose it would show. Assign one.", Only<MrilSession>),
             new ReferenceRule(

@@ -1,0 +1,38 @@
+using Nowpose.Unity;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>What a prompt on the headset would have, and codes without a camera.</summary>
+    [CustomEditor(typeof(CellPairing))]
+    sealed class CellPairingEditor : LiveInspector
+    {
+        CellPairing Target => (CellPairing)target;
+
+        protected override void DrawLive()
+        {
+            if (!Target.isActiveAndEnabled)
+            {
+                EditorGUILayout.LabelField("Pairs", "nothing, it is disabled");
+                return;
+            }
+            // Asked once: a button changes it, and what is drawn must stay the same within one event.
+            var cell = Target.Cell;
+            EditorGUILayout.LabelField("Cell", cell ?? "–");
+            EditorGUILayout.HelpBox(Target.Words, Target.Problem == null ? MessageType.Info : MessageType.Warning);
+            if (Target.Question != null) DrawAnswers();
+            if (GUILayout.Button("Read the code on the clipboard")) Target.ReadCode(EditorGUIUtility.systemCopyBuffer);
+            if (cell != null && GUILayout.Button("Forget the cell")) Target.Forget();
+        }
+
+        void DrawAnswers()
+        {
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                if (GUILayout.Button("Accept")) Target.Accept();
+                if (GUILayout.Button("Refuse")) Target.Refuse();
+            }
+        }
+    }
+}
