@@ -17,6 +17,7 @@ namespace Nowpose.Anchoring
         readonly EasedPose _shown;
         readonly HeldPlace _place = new HeldPlace();
         readonly LockAttempt _attempt;
+        readonly BaseWords _words;
         TrackedMarker[] _markers = Array.Empty<TrackedMarker>();
         BaseAnchorState _state;
         HeadsetTime? _put;
@@ -27,6 +28,7 @@ namespace Nowpose.Anchoring
             _settings = settings ?? throw new ArgumentNullException(nameof(settings));
             _shown = new EasedPose(settings.Ease);
             _attempt = new LockAttempt(settings);
+            _words = new BaseWords(settings);
         }
 
         /// <summary>Name of the cell, under which the place is kept; empty for none.</summary>
@@ -35,6 +37,9 @@ namespace Nowpose.Anchoring
         public IReadOnlyList<TrackedMarker> Markers => _markers;
 
         public BaseAnchorState State => IsLost ? BaseAnchorState.Lost : _state;
+
+        /// <summary>The state in one line, as of the newest frame, with what is to be done about it. The same object while it says the same.</summary>
+        public string Words => _words.Text;
 
         /// <summary>Where the base is, in the room frame; null while it is where somebody has put it.</summary>
         /// <remarks>While searching anew, where it was before.</remarks>
@@ -127,6 +132,7 @@ namespace Nowpose.Anchoring
             if (putDown) LockByHand(anchors);
             if (_isNews && !IsBeingPlaced && !_isHeldByHand && !IsLost) Judge(now, anchors);
             Ease(now);
+            _words.Update(this, now);
         }
 
         void FollowPlace(ISpatialAnchors anchors)

@@ -1,0 +1,166 @@
+using System;
+using System.Globalization;
+
+namespace Nowpose.Anchoring
+{
+    /// <summary>A tracker's state in one line.</summary>
+    /// <remarks>A new text is made only when it says something else, and where only numbers differ once a second.</remarks>
+    sealed class BaseWords
+    {
+        static readonly TimeSpan Refresh = TimeSpan.FromSeconds(1);
+
+        /// <summary>What was told longer ago is not in view.</summary>
+        static readonly TimeSpan InView = TimeSpan.FromSeconds(1);
+
+        readonly AnchoringSettings _settings;
+        Subject _said;
+        HeadsetTime _since;
+
+        public BaseWords(AnchoringSettings settings) => _settings = settings;
+
+        public string Text { get; private set; } = "placed by hand";
+
+        public void Update(BaseTracker tracker, HeadsetTime now)
+        {
+            var subject = SubjectOf(tracker, now);
+            if (subject.Equals(_said) || (subject.HasKindOf(_said) && now - _since < Refresh)) return;
+            (_said, _since) = (subject, now);
+            Text = TextOf(subject, tracker);
+        }
+
+        static Subject SubjectOf(BaseTracker tracker, HeadsetTime now)
+        {
+            switch (tracker.State)
+            {
+                case BaseAnchorState.Searching: return Search(tracker, now);
+                case BaseAnchorState.Moved: return Move(tracker);
+                case BaseAnchorState.Locked: return new Subject(Kind.Locked, tracker.Lock, tracker.Quarrel, tracker.Problem, 0, 0);
+                case BaseAnchorState.Restored: return new Subject(Kind.Restored, tracker.Problem);
+                case BaseAnchorState.Lost: return new Subject(Kind.Lost);
+                default: return new Subject(Kind.Placed);
+            }
+        }
+
+        static Subject Search(BaseTracker tracker, HeadsetTime now)
+        {
+            if (tracker.IsBeingPlaced) return new Subject(Kind.BeingPlaced);
+            if (tracker.Quarrel is MarkerQuarrel quarrel)
+                return new Subject(Kind.Quarrel, quarrel.Marker, quarrel.Other, null, Mm(quarrel.Metres), Tenths(quarrel.Radians));
+            TrackedMarker newest = null;
+            var seen = 0;
+            foreach (var marker in tracker.Markers)
+            {
+                if (marker.IsFresh(now)) seen++;
+                if (!(marker.LastTold is HeadsetTime told) || now - told > InView) continue;
+                if (marker.IsFresh(now) && marker.IsReady && marker.SpreadMetres is double spread && spread > 0)
+                    return new Subject(Kind.Scatters, marker.Marker, null, null, Mm(spread), Tenths(marker.SpreadRadians.Value));
+                if (newest == null || told > newest.LastTold) newest = marker;
+            }
+            if (seen > 0) return new Subject(Kind.Gathers, null, null, null, seen, 0);
+            return newest != null && newest.Fault != SightingFault.None
+                ? new Subject(Kind.Ignored, newest.Marker, count: (int)newest.Fault)
+                : new Subject(Kind.Looking);
+        }
+
+        static Subject Move(BaseTracker tracker)
+        {
+            TrackedMarker worst = null;
+            var count = 0;
+            foreach (var marker in tracker.Markers)
+            {
+                if (!marker.HasMoved) continue;
+                count++;
+                if (worst == null || marker.Watch.Metres > worst.Watch.Metres) worst = marker;
+            }
+            return new Subject(Kind.Moved, worst.Marker, null, null, Mm(worst.Watch.Metres), Tenths(worst.Watch.Radians), count);
+        }
+
+        string TextOf(in Subject subject, BaseTracker tracker)
+        {
+            var off = subject.A + " mm, " + Number(subject.B / 10.0, "0.0") + "°";
+            switch (subject.Kind)
+            {
+                case Kind.BeingPlaced: return "being placed by hand";
+                case Kind.Quarrel: return Name(subject.First) + " and " + Name(subject.Second) + " contradict each other by " + off
+                    + ": measure their places anew";
+                case Kind.Scatters: return Name(subject.First) + " scatters by " + off + ": go nearer, keep still";
+                case Kind.Gathers: return subject.A + " of " + tracker.Markers.Count + " markers in view: keep looking";
+                case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);
+                case Kind.Looking: return "looking for markers";
+                case Kind.Moved: return (subject.Count > 1 ? subject.Count + " markers, the worst " : "") + Name(subject.First) + ", " + off
+                    + " from where it belongs: put it back, or lock anew";
+                case Kind.Locked: return Locked(tracker);
+                case Kind.Restored: return "as in an earlier run: look at a marker to confirm it" + Because(tracker.Problem);
+                case Kind.Lost: return "the headset has lost the place: look around";
+                default: return "placed by hand";
+            }
+        }
+
+        string WhyIgnored(SightingFault fault)
+        {
+            switch (fault)
+            {
+                case SightingFault.TooFar: return "is too far away: go within " + Number(_settings.FarthestMetres, "0.##") + " m";
+                case SightingFault.TooOblique: return "is seen too obliquely: go in front of it";
+                case SightingFault.Behind: return "is behind you: look at it";
+                case SightingFault.OtherSize: return "is not as large as was set";
+                case SightingFault.TwoPlaces: return "is in two places: cover one";
+                case SightingFault.Old: return "is not in view any more: look at it";
+                default: return "is not placed by the headset yet: look at it";
+            }
+        }
+
+        static string Locked(BaseTracker tracker)
+        {
+            var locked = tracker.Lock;
+            var text = locked.Markers == 0 ? "placed by hand" : "locked by " + locked.Markers + (locked.Markers == 1 ? " marker" : " markers");
+            if (locked.ChangeMetres > 0 || locked.ChangeRadians > 0)
+                text += ", moved by " + Number(1000 * locked.ChangeMetres, "0.0") + " mm, " + Number(Degrees(locked.ChangeRadians), "0.00") + "°";
+            if (tracker.Quarrel is MarkerQuarrel quarrel)
+                text += "; " + Name(quarrel.Marker) + " is " + Mm(quarrel.Metres) + " mm, " + Number(Degrees(quarrel.Radians), "0.0")
+                    + "° from where the others say";
+            return text + Because(tracker.Problem);
+        }
+
+        static string Because(string problem) => problem == null ? "" : "; " + problem;
+
+        static string Name(object marker) => MarkerName.Of(((BaseMarker)marker).Payload);
+
+        static int Mm(double metres) => (int)Math.Min(Math.Round(1000 * metres), 1e6);
+
+        static int Tenths(double radians) => (int)Math.Round(10 * Degrees(radians));
+
+        static double Degrees(double radians) => radians * 180 / Math.PI;
+
+        static string Number(double value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
+
+        enum Kind
+        {
+            Placed, BeingPlaced, Looking, Ignored, Gathers, Scatters, Quarrel, Restored, Locked, Moved, Lost,
+        }
+
+        /// <summary>What a text is made of: one that is made of the same is the same.</summary>
+        readonly struct Subject
+        {
+            public readonly Kind Kind;
+            public readonly object First, Second, Third;
+            public readonly int A, B, Count;
+
+            public Subject(Kind kind, object first = null, object second = null, object third = null, int a = 0, int b = 0, int count = 0)
+            {
+                Kind = kind;
+                First = first;
+                Second = second;
+                Third = third;
+                A = a;
+                B = b;
+                Count = count;
+            }
+
+            public bool HasKindOf(in Subject other) => Kind == other.Kind && First == other.First && Second == other.Second
+                && Third == other.Third && Count == other.Count;
+
+            public bool Equals(in Subject other) => HasKindOf(other) && A == other.A && B == other.B;
+        }
+    }
+}

@@ -1,0 +1,117 @@
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Anchoring
+{
+    /// <summary>What a wearer is told of the base.</summary>
+    public class BaseWordsTests
+    {
+        SimulatedMarkers _cell;
+
+        [SetUp]
+        public void Begin()
+        {
+            _cell = SimulatedMarkers.Three(2);
+            _cell.Noisy();
+        }
+
+        string Words(double seconds = 0.1)
+        {
+            _cell.Run(seconds);
+            return _cell.Tracker.Words;
+        }
+
+        void Tell(RigidTransform? head = null, double ageSeconds = 0, double sizeMetres = 0)
+        {
+            _cell.IsInView = payload => payload == "a";
+            _cell.Head = head ?? _cell.Head;
+            _cell.Told = s => new MarkerSighting(
+                s.Id, s.Payload, s.Pose, sizeMetres, HeadsetTime.FromSeconds(s.LastSeen.SinceEpoch.TotalSeconds - ageSeconds), s.Tracking);
+        }
+
+        [Test]
+        public void Words_NoMarkerOfTheBase_SaySo()
+        {
+            Assert.That(new BaseTracker(new AnchoringSettings()).Words, Is.EqualTo("placed by hand"));
+            _cell.IsInView = _ => false;
+            Assert.That(Words(), Is.EqualTo("looking for markers"));
+        }
+
+        [Test]
+        public void Words_FromViewToLock_SayWhatToDo()
+        {
+            _cell.IsInView = payload => payload != "b";
+            Assert.That(Words(1), Is.EqualTo("2 of 3 markers in view: keep looking"));
+            Assert.That(Words(1), Is.EqualTo("locked by 2 markers"));
+        }
+
+        [Test]
+        public void Words_ViewIsBad_SayWhatToDo()
+        {
+            Tell(RigidTransform.FromXyzRpy(1.2, -0.4, 3, 0, 1.5, 0));
+            Assert.That(Words(), Is.EqualTo("marker 'a' is too far away: go within 2.5 m"));
+            Tell(RigidTransform.FromXyzRpy(-0.3, -0.4, -0.5, 0, 0, 0));
+            Assert.That(Words(), Is.EqualTo("marker 'a' is seen too obliquely: go in front of it"));
+            Tell(RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, -1, 0));
+            Assert.That(Words(), Is.EqualTo("marker 'a' is behind you: look at it"));
+            Tell(ageSeconds: 1);
+            Assert.That(Words(), Is.EqualTo("marker 'a' is not in view any more: look at it"));
+        }
+
+        [Test]
+        public void Words_Scattering_SayByHowMuch()
+        {
+            _cell.IsInView = payload => payload == "a";
+            (_cell.NoiseMetres, _cell.OutlierShare) = (0.04, 0);
+
+            Assert.That(Words(3), Does.Match("^marker 'a' scatters by (3|4)\\d mm, 0\\.\\d°: go nearer, keep still$"));
+        }
+
+        [Test]
+        public void Words_Moved_NameTheMarkerAndHowFar()
+        {
+            Words(3);
+            _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
+
+            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from where it belongs: put it back, or lock anew$"));
+            _cell.Tracker.Relock();
+            Assert.That(Words(3), Does.Match("^locked by 2 markers, moved by 0\\.\\d mm, 0\\.\\d\\d°; "
+                + "marker 'b' is (99|100|101) mm, 0\\.\\d° from where the others say$"));
+        }
+
+        [Test]
+        public void Words_BaseMoved_TellOfAllMarkers()
+        {
+            Words(3);
+            _cell.Base = RigidTransform.FromXyzRpy(0, 0, 0.03, 0, 0, 0) * _cell.Base;
+
+            Assert.That(Words(1.5), Does.StartWith("3 markers, the worst marker '"));
+        }
+
+        [Test]
+        public void Words_Contradicting_NameBoth()
+        {
+            _cell.IsInView = payload => payload != "c";
+            _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);
+
+            Assert.That(Words(3), Does.Match("^marker 'a' and marker 'b' contradict each other by (49|50|51) mm, \\d\\.\\d°: measure their places anew$"));
+        }
+
+        [Test]
+        public void Words_WhileTheySayTheSame_AreTheSameText()
+        {
+            Words(3);
+            var texts = new HashSet<string>();
+
+            _cell.Run(5, () => texts.Add(_cell.Tracker.Words));
+            Assert.That(texts, Has.Count.EqualTo(1));
+            _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
+            texts.Clear();
+            _cell.Run(5, () => texts.Add(_cell.Tracker.Words));
+
+            Assert.That(texts, Has.Count.LessThan(8), "numbers change once a second");
+        }
+    }
+}
