@@ -21,6 +21,17 @@ public partial class Transform : Component, IEnumerable
         set => SetParent(value);
     }
 
+    public Transform root
+    {
+        get
+        {
+            ThrowIfDestroyed();
+            var top = this;
+            while (top._parent != null) top = top._parent;
+            return top;
+        }
+    }
+
     public int childCount
     {
         get

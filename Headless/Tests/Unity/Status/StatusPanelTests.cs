@@ -222,7 +222,7 @@ public class StatusPanelTests
 
         var size = Sheet.localScale.x;
         var rows = Texts.Select(t => t.transform.localPosition.y).Distinct().OrderDescending().ToList();
-        Assert.That(rows, Has.Count.EqualTo(12));
+        Assert.That(rows, Has.Count.EqualTo(13));
         Assert.That(rows.Zip(rows.Skip(1), (above, below) => above - below), Is.All.InRange(1.2f, 1.6f), "font sizes");
         Assert.That(Texts.Select(t => t.transform.localPosition.x).Distinct().Count(), Is.EqualTo(3));
         Assert.That(size, Is.EqualTo(Sheet.lossyScale.x).Within(1e-6));

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using UnityEditor;
@@ -35,6 +36,15 @@ namespace Nowpose.Editor
                 if (GUILayout.Button("0.5° to the right")) Nudge(Vector3.zero, StepDegrees);
                 if (GUILayout.Button("0.5° to the left")) Nudge(Vector3.zero, -StepDegrees);
             }
+        }
+
+        protected override void DrawLive()
+        {
+            EditorGUILayout.LabelField("State", Target.State.ToString());
+            EditorGUILayout.LabelField("Says", Target.Words);
+            if (Target.Tracker == null || Target.State == BaseAnchorState.Placed) return;
+            foreach (var (label, value) in BaseRows.Of(Target.Tracker)) EditorGUILayout.LabelField(label, value);
+            if (Target.Tracker.Markers.Count > 0 && GUILayout.Button("Lock anew")) Target.Relock();
         }
 
         void DrawSteps(string axis, string less, string more, (double X, double Y, double Z) direction)

@@ -26,7 +26,7 @@ namespace Nowpose.Editor
         protected override void DrawLive()
         {
             var statistics = Target.Statistics;
-            _texts.Update(statistics, Target.Settings, Target.Robot?.Name, Target.Problem);
+            _texts.Update(statistics, Target.Settings, Target.Robot?.Name, Target.Problem, Target.GetComponentInChildren<BaseAnchor>(true));
             StatusLines.Draw(_texts);
             if (statistics == null) return;
             foreach (var (label, value) in SessionRows.Of(statistics)) EditorGUILayout.LabelField(label, value);

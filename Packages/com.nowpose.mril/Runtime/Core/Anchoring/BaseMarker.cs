@@ -38,5 +38,8 @@ namespace Nowpose.Anchoring
 
         /// <summary>Length of an edge; 0 for unknown.</summary>
         public double SizeMetres { get; }
+
+        internal bool IsSameAs(BaseMarker other) => Payload == other.Payload && SizeMetres == other.SizeMetres
+            && MarkerInBase.DistanceTo(other.MarkerInBase) < 1e-9 && MarkerInBase.AngleTo(other.MarkerInBase) < 1e-9;
     }
 }

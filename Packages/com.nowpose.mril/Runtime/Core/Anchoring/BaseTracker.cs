@@ -20,6 +20,7 @@ namespace Nowpose.Anchoring
         readonly BaseWords _words;
         TrackedMarker[] _markers = Array.Empty<TrackedMarker>();
         BaseAnchorState _state;
+        HeadsetTime _now;
         HeadsetTime? _put;
         bool _isNews, _isHeldByHand, _wasLost;
 
@@ -80,7 +81,8 @@ namespace Nowpose.Anchoring
         bool IsKnown => Base.HasValue
             && (_state == BaseAnchorState.Locked || _state == BaseAnchorState.Restored || _state == BaseAnchorState.Moved);
 
-        /// <summary>Takes other markers from now on, and another cell; what was locked is let go of.</summary>
+        /// <summary>Takes these markers from now on.</summary>
+        /// <remarks>A lock stays while the cell is the same and the markers that it was made with are among them.</remarks>
         /// <param name="cell">Empty or null not to keep the place.</param>
         /// <param name="markers">Empty for a base that is placed by hand.</param>
         /// <exception cref="InputException">Two of them have the same payload, or there are too many.</exception>
@@ -95,19 +97,27 @@ namespace Nowpose.Anchoring
                 for (var j = 0; j < i; j++)
                     if (markers[j].Payload == marker.Payload)
                         throw new InputException(MarkerName.Of(marker.Payload) + " is given twice; each marker of a base needs a payload of its own");
-                tracked[i] = new TrackedMarker(marker, _settings);
+                tracked[i] = Array.Find(_markers, known => known.Marker.IsSameAs(marker)) ?? new TrackedMarker(marker, _settings);
             }
+            var isSameCell = Cell == (cell ?? "") && _markers.Length > 0;
+            var hasAllParts = Array.TrueForAll(_markers, known => !known.IsPart || Array.IndexOf(tracked, known) >= 0);
             _markers = tracked;
             Cell = cell ?? "";
-            _place.Release(seekAgain: true);
-            LetGo();
+            if (isSameCell && hasAllParts && tracked.Length > 0) return;
+            if (!isSameCell)
+            {
+                _place.Release(seekAgain: true);
+                LetGo();
+            }
             Begin();
+            _words.Update(this, _now);
         }
 
         /// <summary>Lets the markers say anew where the base is; until they have, it stays where it is.</summary>
         public void Relock()
         {
             if (_markers.Length > 0) Begin();
+            _words.Update(this, _now);
         }
 
         /// <summary>Somebody has put the base elsewhere: a lock is let go of. A search goes on.</summary>
@@ -117,6 +127,15 @@ namespace Nowpose.Anchoring
             _place.Release(seekAgain: false);
             LetGo();
             if (_state != BaseAnchorState.Searching) _state = BaseAnchorState.Placed;
+            _words.Update(this, _now);
+        }
+
+        /// <summary>Lets go of what the device holds; what it keeps stays kept.</summary>
+        public void Release()
+        {
+            _place.Release(seekAgain: true);
+            LetGo();
+            Begin();
         }
 
         /// <summary>One frame.</summary>
@@ -126,6 +145,7 @@ namespace Nowpose.Anchoring
         public void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
         {
             if (sightings == null) throw new ArgumentNullException(nameof(sightings));
+            _now = now;
             FollowPlace(anchors);
             var putDown = IsBeingPlaced;
             for (var i = 0; i < sightings.Count; i++) putDown &= !Take(sightings[i], now, head);

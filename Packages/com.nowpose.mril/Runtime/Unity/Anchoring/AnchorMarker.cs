@@ -34,12 +34,14 @@ namespace Nowpose.Unity
             _sizeMetres = sizeMetres;
         }
 
+        internal float SizeMetres => _sizeMetres;
+
+        /// <summary>In the robot's base frame.</summary>
+        internal RigidTransform Place => RigidTransform.FromXyzRpy(
+            _positionMetres.x, _positionMetres.y, _positionMetres.z,
+            _turnedDegrees.x * Mathf.Deg2Rad, _turnedDegrees.y * Mathf.Deg2Rad, _turnedDegrees.z * Mathf.Deg2Rad);
+
         /// <exception cref="InputException">It lacks a payload, or a number is out of range.</exception>
-        public BaseMarker Read() => new BaseMarker(
-            _payload,
-            RigidTransform.FromXyzRpy(
-                _positionMetres.x, _positionMetres.y, _positionMetres.z,
-                _turnedDegrees.x * Mathf.Deg2Rad, _turnedDegrees.y * Mathf.Deg2Rad, _turnedDegrees.z * Mathf.Deg2Rad),
-            _sizeMetres);
+        public BaseMarker Read() => new BaseMarker(_payload, Place, _sizeMetres);
     }
 }

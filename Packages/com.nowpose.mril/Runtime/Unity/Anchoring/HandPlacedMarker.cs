@@ -51,6 +51,21 @@ namespace Nowpose.Unity
             markers.Add(new MarkerSighting(_id, _payload.Length == 0 ? null : _payload, pose, 0, placed, MarkerTracking.Placed));
         }
 
+        /// <summary>Goes along with the base unless somebody moves it.</summary>
+        /// <param name="place">Of the base.</param>
+        /// <param name="markers">Of the base; one that it has not, this one does not stand for.</param>
+        internal void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
+        {
+            if (IsMoving) return;
+            if (_payload.Length == 0) transform.SetPositionAndRotation(place.position, place.rotation);
+            for (var i = 0; i < markers.Count; i++)
+            {
+                if (markers[i].Marker.Payload != _payload) continue;
+                var pose = UnityPoses.ToWorld(UnityPoses.ToRoom(place.position, place.rotation) * markers[i].Marker.MarkerInBase);
+                transform.SetPositionAndRotation(pose.position, pose.rotation);
+            }
+        }
+
         void OnEnable()
         {
             _id = "hand " + GetInstanceID();

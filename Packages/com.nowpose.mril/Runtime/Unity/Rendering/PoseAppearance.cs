@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Makes a pose that is not current look different: everything below this object is striped and fainter, and words say
-    /// why. Before the first joint positions nothing is drawn but the words, nor is what a rig or gripper leaves standing that
+    /// Makes a pose that is not current look different, and one whose base is not certain: everything below this object is
+    /// striped and fainter, and words say why. Before the first joint positions nothing is drawn but the words, nor is what a rig or gripper leaves standing that
     /// does not follow the session any more.
     /// </summary>
     /// <remarks>
@@ -34,6 +34,8 @@ namespace Nowpose.Unity
         ReadingDistance _distance;
         PoseState? _pose;
         OutsideRangeResponse _outsideRange;
+        BaseAnchor _anchor;
+        BaseLook _base;
         bool _isOn, _hasWords;
         float _opacity = 1;
 
@@ -56,7 +58,7 @@ namespace Nowpose.Unity
             get
             {
                 if (!(_pose is PoseState pose)) return PoseLook.Abandoned;
-                var look = PoseLook.Of(pose, _outsideRange);
+                var look = _base.Over(PoseLook.Of(pose, _outsideRange));
                 return look.IsDrawn && Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
             }
         }
@@ -84,6 +86,8 @@ namespace Nowpose.Unity
             if (_words != null) _found.Remove(_words.GetComponent<Renderer>());
             Leave();
             _carriers.Clear();
+            _anchor = GetComponentInParent<BaseAnchor>();
+            _base = BaseLook.Of(_anchor);
             _carrier = PoseCarrier.Of(transform, _carrier);
             Follow(_carrier);
             foreach (var each in _found)
@@ -139,6 +143,9 @@ namespace Nowpose.Unity
         {
             var isNews = frame.State != _pose;
             foreach (var carrier in _carriers) isNews |= carrier.HasTurned();
+            var known = BaseLook.Of(_anchor);
+            isNews |= !known.IsSameAs(_base);
+            _base = known;
             if (!isNews) return;
             Take(frame);
             Draw();

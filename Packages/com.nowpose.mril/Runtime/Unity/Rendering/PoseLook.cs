@@ -61,6 +61,10 @@ namespace Nowpose.Unity
         /// <param name="opacity">0 to 1 (as it is).</param>
         public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, Abandoned.Fade) : 1 - opacity);
 
+        /// <summary>The same for one more reason: at least as faint, striped, and what was wrong before is said first.</summary>
+        public PoseLook Also(string words, string reason, float fade) => new PoseLook(
+            Words.Length > 0 ? Words + ", " + words : words, Reason.Length > 0 ? Reason + "; " + reason : reason, Mathf.Max(Fade, fade), IsDrawn);
+
         /// <summary>The same for other words: of the parts that do not follow the pose, which are not drawn at all.</summary>
         public PoseLook Saying(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);
     }

@@ -29,6 +29,24 @@ namespace Nowpose.Unity
             DrawAxis((0, 0, 1), Color.blue, Z);
         }
 
+        /// <summary>A printed code: its edges, and a line from its centre to where it is looked at from.</summary>
+        /// <param name="frame">Its axes are Unity's of the frame.</param>
+        /// <param name="code">Marker frame in that frame.</param>
+        /// <param name="metres">Length of an edge.</param>
+        public static void DrawCode(Transform frame, in RigidTransform code, float metres)
+        {
+            var pose = UnityPoses.ToWorld(code);
+            Gizmos.matrix = Matrix4x4.TRS(frame.position, frame.rotation, Vector3.one) * Matrix4x4.TRS(
+                pose.position, pose.rotation, new Vector3(metres, metres, metres) / 2);
+            Gizmos.color = new Color(1, 0.9f, 0);
+            var (right, up) = (UnityFrame.DirectionToUnity((1, 0, 0)).Vector(), UnityFrame.DirectionToUnity((0, 1, 0)).Vector());
+            Gizmos.DrawLine(-right - up, right - up);
+            Gizmos.DrawLine(right - up, right + up);
+            Gizmos.DrawLine(right + up, up - right);
+            Gizmos.DrawLine(up - right, -right - up);
+            Gizmos.DrawLine(Vector3.zero, UnityFrame.DirectionToUnity((0, 0, 1)).Vector());
+        }
+
         static void DrawAxis((double, double, double) axis, Color colour, Vector2[] letter)
         {
             var tip = UnityFrame.DirectionToUnity(axis).Vector();

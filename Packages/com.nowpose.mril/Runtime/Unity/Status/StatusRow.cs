@@ -14,6 +14,7 @@ namespace Nowpose.Unity
         Error,
         Connection,
         Robot,
+        Base,
 
         /// <summary>What went wrong, in words, over the whole width.</summary>
         Message,

@@ -17,7 +17,7 @@ namespace Nowpose.Unity
 
         static readonly string[] Labels =
         {
-            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Error left", "Gateway", "Robot", "",
+            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Error left", "Gateway", "Robot", "Base", "",
         };
 
         static readonly string[] Poses = WordsOfPoses();
@@ -37,6 +37,7 @@ namespace Nowpose.Unity
         SessionSettings _settings;
         readonly JointErrorLine _joints = new JointErrorLine();
         readonly LatencyOrigin _origin = new LatencyOrigin();
+        readonly BaseTexts _base = new BaseTexts();
         bool _isLocal;
         string _message;
 
@@ -55,7 +56,8 @@ namespace Nowpose.Unity
         /// <param name="settings">Null when they are not known.</param>
         /// <param name="robot">Its name; null while it is not known.</param>
         /// <param name="problem">Why there is no session; null for no reason.</param>
-        public void Update(SessionStatistics statistics, SessionSettings settings, string robot, string problem)
+        /// <param name="anchor">Where the base is; null for none.</param>
+        public void Update(SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null)
         {
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++) Set(row, Unknown, "");
             if (statistics != null)
@@ -66,7 +68,8 @@ namespace Nowpose.Unity
                 Set(StatusRow.Connection, ConnectionOf(statistics), SecurityOf(statistics.Security));
                 Set(StatusRow.Robot, MatchOf(statistics.RobotDescriptionMatch), robot ?? "");
             }
-            var fault = problem ?? FaultOf(statistics);
+            if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
+            var fault = problem ?? FaultOf(statistics) ?? _base.FaultOf(anchor);
             if (fault != null) Say(fault, "! ");
             else Say(TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null, "");
         }

@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
             var subject = SubjectOf(tracker, now);
-            if (subject.Equals(_said) || (subject.HasKindOf(_said) && now - _since < Refresh)) return;
+            if (subject.HasKindOf(_said) && (subject.IsNear(_said) || now - _since < Refresh)) return;
             (_said, _since) = (subject, now);
             Text = TextOf(subject, tracker);
         }
@@ -48,8 +48,9 @@ namespace Nowpose.Anchoring
                 return new Subject(Kind.Quarrel, quarrel.Marker, quarrel.Other, null, Mm(quarrel.Metres), Tenths(quarrel.Radians));
             TrackedMarker newest = null;
             var seen = 0;
-            foreach (var marker in tracker.Markers)
+            for (var i = 0; i < tracker.Markers.Count; i++)
             {
+                var marker = tracker.Markers[i];
                 if (marker.IsFresh(now)) seen++;
                 if (!(marker.LastTold is HeadsetTime told) || now - told > InView) continue;
                 if (marker.IsFresh(now) && marker.IsReady && marker.SpreadMetres is double spread && spread > 0)
@@ -66,8 +67,9 @@ namespace Nowpose.Anchoring
         {
             TrackedMarker worst = null;
             var count = 0;
-            foreach (var marker in tracker.Markers)
+            for (var i = 0; i < tracker.Markers.Count; i++)
             {
+                var marker = tracker.Markers[i];
                 if (!marker.HasMoved) continue;
                 count++;
                 if (worst == null || marker.Watch.Metres > worst.Watch.Metres) worst = marker;
@@ -160,7 +162,8 @@ namespace Nowpose.Anchoring
             public bool HasKindOf(in Subject other) => Kind == other.Kind && First == other.First && Second == other.Second
                 && Third == other.Third && Count == other.Count;
 
-            public bool Equals(in Subject other) => HasKindOf(other) && A == other.A && B == other.B;
+            /// <summary>Noise makes no other text.</summary>
+            public bool IsNear(in Subject other) => Kind == Kind.Gathers ? A == other.A : Math.Abs(A - other.A) < 2 && Math.Abs(B - other.B) < 3;
         }
     }
 }

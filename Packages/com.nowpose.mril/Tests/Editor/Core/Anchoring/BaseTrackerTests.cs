@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Anchoring
             // Twice a second, as devices that read codes do.
             cell.Told = sighting =>
             {
-                if (sighting.LastSeen - told >= TimeSpan.FromSeconds(0.5)) told = sighting.LastSeen;
+                if (sighting.LastSeen - told >= Lengths.Seconds(0.5)) told = sighting.LastSeen;
                 return new MarkerSighting("1", "a", sighting.Pose, 0, told, MarkerTracking.Tracking);
             };
 
@@ -326,6 +326,44 @@ namespace Nowpose.Tests.Anchoring
             Assert.That(twice.Message, Is.EqualTo("marker 'a' is given twice; each marker of a base needs a payload of its own"));
             Assert.Throws<InputException>(() => tracker.Use("", new BaseMarker[40]));
             Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Placed), "nothing was taken");
+        }
+
+        // As it is when a headset learns of the cell's codes one by one.
+        [Test]
+        public void Use_OneMoreMarkerOfTheSameCell_KeepsTheLockAndMakesItBetter()
+        {
+            var cell = NoisyOne();
+            var one = RigidTransform.FromXyzRpy(0.3, 0, 0, 0, 0, 0.4);
+
+            cell.Use(("a", one), ("b", RigidTransform.FromXyzRpy(-0.3, 0, 0, 0, 0, 1)));
+
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            cell.Run(4);
+            Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Use_MarkerMeasuredAnew_IsLockedAnewWithoutAJump()
+        {
+            var cell = NoisyOne();
+            var before = cell.Tracker.Shown.Value;
+
+            cell.Use(("a", RigidTransform.FromXyzRpy(0.4, 0, 0, 0, 0, 0.4)));
+
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Searching));
+            cell.Run(0.1);
+            Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
+        }
+
+        [Test]
+        public void Use_AnotherCell_LetsGo()
+        {
+            var cell = NoisyOne();
+
+            cell.Tracker.Use("another", new[] { new BaseMarker("a", RigidTransform.Identity) });
+
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Searching));
+            Assert.That(cell.Tracker.Base, Is.Null);
         }
 
         [Test]

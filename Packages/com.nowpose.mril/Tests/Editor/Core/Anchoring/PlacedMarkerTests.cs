@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Anchoring
         HeadsetTime Move(int frames, string payload = null)
         {
             for (var i = frames; i >= 0; i--) Tick(Place * RigidTransform.FromXyzRpy(0.01 * i, 0, 0, 0, 0, 0), Now, payload);
-            return Now - System.TimeSpan.FromSeconds(1 / 60.0);
+            return Now - Lengths.Seconds(1 / 60.0);
         }
 
         [Test]

@@ -75,6 +75,7 @@ namespace Nowpose.Tests.Anchoring
 
         public void Use(params (string Payload, RigidTransform InBase)[] markers)
         {
+            _markers.Clear();
             foreach (var (payload, inBase) in markers) _markers.Add(new BaseMarker(payload, inBase));
             Tracker.Use("cell", _markers);
         }

@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+
+namespace Nowpose.Editor
+{
+    /// <summary>What a base anchor's inspector tells of its lock, of the device's part in it, and of each marker.</summary>
+    static class BaseRows
+    {
+        public static IEnumerable<(string Label, string Value)> Of(BaseTracker tracker)
+        {
+            yield return ("Spread", tracker.Lock == null ? LiveText.Unknown : Offset(tracker.Lock.SpreadMetres, tracker.Lock.SpreadRadians));
+            yield return ("Moved by the newest lock", tracker.Lock == null
+                ? LiveText.Unknown
+                : Offset(tracker.Lock.ChangeMetres, tracker.Lock.ChangeRadians));
+            yield return ("Moved by the device since", Offset(tracker.CorrectedMetres, tracker.CorrectedRadians));
+            yield return ("Held by the device", tracker.Problem ?? (!tracker.IsHeld ? "no" : tracker.KeptAs == null ? "yes" : "yes, kept as " + tracker.KeptAs));
+            foreach (var marker in tracker.Markers)
+                foreach (var row in Of(marker)) yield return row;
+        }
+
+        static IEnumerable<(string Label, string Value)> Of(TrackedMarker marker)
+        {
+            yield return (marker.Marker.Payload, Role(marker));
+            yield return ("  Sightings", marker.Sightings + Ignored(marker.Ignored));
+            yield return ("  Off by", Offset(marker.DeviationMetres, marker.DeviationRadians));
+        }
+
+        static string Role(TrackedMarker marker)
+        {
+            if (marker.IsDoubted) return "left out: the others contradict it";
+            if (marker.HasMoved) return "not where it belongs";
+            if (marker.Fault != SightingFault.None) return "ignored: " + Reason(marker.Fault);
+            return marker.IsPart ? "part of the lock" : marker.Sightings > 0 ? "seen" : "not seen yet";
+        }
+
+        static string Ignored(SightingFaults ignored)
+        {
+            var text = "";
+            for (var fault = SightingFault.NotTracked; fault <= SightingFault.TwoPlaces; fault++)
+                if (ignored[fault] > 0) text += (text.Length > 0 ? ", " : "; ignored: ") + ignored[fault] + " " + Reason(fault);
+            return text;
+        }
+
+        static string Reason(SightingFault fault)
+        {
+            switch (fault)
+            {
+                case SightingFault.NotTracked: return "not tracked";
+                case SightingFault.NoPose: return "without a pose";
+                case SightingFault.AtOrigin: return "at the origin";
+                case SightingFault.Old: return "too old";
+                case SightingFault.TooFar: return "too far";
+                case SightingFault.TooOblique: return "too oblique";
+                case SightingFault.Behind: return "behind the head";
+                case SightingFault.OtherSize: return "of another size";
+                default: return "in two places";
+            }
+        }
+
+        static string Offset(double? metres, double? radians) => metres.HasValue
+            ? LiveText.Mm(1000 * metres) + ", " + LiveText.Number(radians * (180 / Math.PI), "0.00", "°")
+            : LiveText.Unknown;
+    }
+}

@@ -1,0 +1,38 @@
+using Nowpose.Anchoring;
+
+namespace Nowpose.Unity
+{
+    /// <summary>How a pose is drawn while it is not certain where the robot's base is: the arm may be right, and all of it elsewhere.</summary>
+    readonly struct BaseLook
+    {
+        readonly BaseAnchorState _state;
+        readonly bool _isBeingPlaced;
+
+        BaseLook(BaseAnchorState state, bool isBeingPlaced)
+        {
+            _state = state;
+            _isBeingPlaced = isBeingPlaced;
+        }
+
+        /// <param name="anchor">Null for none: what stands below none was placed by hand.</param>
+        public static BaseLook Of(BaseAnchor anchor) =>
+            anchor != null ? new BaseLook(anchor.State, anchor.Tracker != null && anchor.Tracker.IsBeingPlaced) : default;
+
+        public bool IsSameAs(BaseLook other) => _state == other._state && _isBeingPlaced == other._isBeingPlaced;
+
+        public PoseLook Over(PoseLook look)
+        {
+            switch (_state)
+            {
+                // Who holds it against the robot has to see it.
+                case BaseAnchorState.Searching: return _isBeingPlaced
+                    ? look.Also("being placed", "the base follows a marker that somebody moves", 0)
+                    : look.Also("base not locked", "no marker has said where the base is", 0.8f);
+                case BaseAnchorState.Restored: return look.Also("base not confirmed", "the base stands as in an earlier run", 0);
+                case BaseAnchorState.Moved: return look.Also("base or marker moved", "a marker is not where it belongs", 0.5f);
+                case BaseAnchorState.Lost: return look.Also("base lost", "the headset does not know where it is", 0.5f);
+                default: return look;
+            }
+        }
+    }
+}

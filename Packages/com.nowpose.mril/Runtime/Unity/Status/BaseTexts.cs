@@ -1,0 +1,63 @@
+using System.Globalization;
+using Nowpose.Anchoring;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>What the status panel says of the base.</summary>
+    /// <remarks>A note is made anew when the lock is another one; how far a marker has moved is one of the texts made beforehand.</remarks>
+    sealed class BaseTexts
+    {
+        static readonly NumberTexts Millimetres = new NumberTexts("", " mm off", (1, 0, 0));
+
+        LockReport _noted;
+        string _note = "", _words, _fault;
+
+        public static string ValueOf(BaseAnchorState state)
+        {
+            switch (state)
+            {
+                case BaseAnchorState.Placed: return "placed by hand";
+                case BaseAnchorState.Searching: return "! not locked";
+                case BaseAnchorState.Restored: return "! not confirmed";
+                case BaseAnchorState.Moved: return "! moved";
+                case BaseAnchorState.Lost: return "! lost";
+                default: return "locked";
+            }
+        }
+
+        public string NoteOf(BaseAnchor anchor)
+        {
+            var tracker = anchor.Tracker;
+            if (tracker == null) return "";
+            if (anchor.State == BaseAnchorState.Moved) return Millimetres.Of(1000 * Worst(tracker));
+            if (anchor.State != BaseAnchorState.Locked) return "";
+            if (tracker.Lock != _noted) _note = Note(tracker.Lock);
+            _noted = tracker.Lock;
+            return _note;
+        }
+
+        /// <summary>What is to be done; null where nothing is.</summary>
+        /// <param name="anchor">Null for none.</param>
+        public string FaultOf(BaseAnchor anchor)
+        {
+            if (anchor == null || anchor.State == BaseAnchorState.Placed || anchor.State == BaseAnchorState.Locked) return null;
+            if (!ReferenceEquals(anchor.Words, _words)) _fault = "base: " + anchor.Words;
+            _words = anchor.Words;
+            return _fault;
+        }
+
+        static double Worst(BaseTracker tracker)
+        {
+            double worst = 0;
+            for (var i = 0; i < tracker.Markers.Count; i++)
+                if (tracker.Markers[i].HasMoved && tracker.Markers[i].DeviationMetres > worst) worst = tracker.Markers[i].DeviationMetres.Value;
+            return worst;
+        }
+
+        static string Note(LockReport report) => report.Markers == 0
+            ? "by hand"
+            : string.Format(
+                CultureInfo.InvariantCulture, "spread {0:0.0} mm {1:0.0}°", 1000 * report.SpreadMetres, report.SpreadRadians * Mathf.Rad2Deg);
+    }
+}
