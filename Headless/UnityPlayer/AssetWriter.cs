@@ -28,6 +28,14 @@ public sealed class AssetWriter
         return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name));
     }
 
+    /// <summary>A stand-in for somebody else's prefab: its objects have the fileIDs that they have there.</summary>
+    /// <param name="root">With all below it.</param>
+    /// <param name="fileIds">Of the objects that matter; the others get some.</param>
+    internal string Prefab(GameObject root, IReadOnlyDictionary<Object, long> fileIds)
+    {
+        return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name, fileIds));
+    }
+
     /// <summary>With the settings that a new scene has.</summary>
     /// <param name="roots">In order.</param>
     /// <exception cref="AssetException">They refer to what is neither below them nor an asset of the library.</exception>

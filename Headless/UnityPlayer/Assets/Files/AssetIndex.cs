@@ -26,10 +26,10 @@ sealed class AssetIndex
 
     public IReadOnlyCollection<AssetFile> Files => _byPath.Values;
 
-    /// <summary>The folders of a Unity project that hold assets.</summary>
+    /// <summary>The folders of a Unity project that hold assets, and stand-ins for those of packages that are not here.</summary>
     public static IEnumerable<(string Name, string FullPath)> FoldersOf(string projectRoot)
     {
-        foreach (var name in new[] { "Assets", "Packages" })
+        foreach (var name in new[] { "Assets", "Packages", "Headless/ForeignAssets" })
         {
             var folder = Path.Combine(projectRoot, name);
             if (Directory.Exists(folder)) yield return (name, folder);

@@ -42,11 +42,8 @@ sealed class Expansion
     public void Connect()
     {
         foreach (var document in _strippedDocuments.Values) _stripped.Add(document.FileId, MeaningOf(document));
-        foreach (var (document, instance) in _instances)
-        {
-            document.Apply(instance, _byId, Resolve);
-            AddFrom(document, instance);
-        }
+        foreach (var (document, instance) in _instances) document.Apply(instance, _byId, Resolve);
+        foreach (var (_, instance) in _instances) AddFrom(instance);
         foreach (var own in _objects.Where(o => o.Link == null)) Redirect(own);
     }
 
@@ -91,25 +88,31 @@ sealed class Expansion
     }
 
     /// <summary>What the file hangs below an instance or adds to its objects; the prefab's own lists cannot know of them.</summary>
-    void AddFrom(InstanceDocument document, PrefabInstance instance)
+    void AddFrom(PrefabInstance instance)
     {
         foreach (var own in _objects.Where(o => o.Link == null))
         {
-            AppendTo(instance, own, "m_GameObject", "m_Component", id => Nodes.Lines(("component", new AssetReference(id).Write())));
-            AppendTo(instance, own, "m_Father", "m_Children", id => new AssetReference(id).Write());
+            if (TryUp(own, "m_GameObject", instance, out var owner))
+                ListOf(owner, "m_Component").Add(Nodes.Lines(("component", new AssetReference(own.FileId).Write())));
         }
-        foreach (var (other, below) in _instances.Where(i => Resolve(i.Document.Parent) is var parent && IsOf(instance, parent)))
+        // Own objects and other instances stand among each other there.
+        var hung = _objects.Where(o => o.IsTransform && o.Link?.Instance != instance && TryUp(o, "m_Father", instance, out _));
+        foreach (var child in hung.OrderBy(RootOrder).ToList())
         {
-            var parent = _byId[Resolve(other.Parent)];
-            ListOf(parent, "m_Children").Add(new AssetReference(below.Map(other.RootTransform.FileId)).Write());
+            TryUp(child, "m_Father", instance, out var father);
+            ListOf(father, "m_Children").Add(new AssetReference(child.FileId).Write());
         }
     }
 
-    void AppendTo(PrefabInstance instance, FileObject own, string upwards, string list, Func<long, YamlNode> entry)
+    bool TryUp(FileObject from, string upwards, PrefabInstance instance, out FileObject up)
     {
-        if (!(Nodes.Find(own.Fields, upwards) is { } node) || !AssetReference.TryRead(node, out var up) || up.Guid != null) return;
-        if (IsOf(instance, Resolve(up.FileId))) ListOf(_byId[Resolve(up.FileId)], list).Add(entry(own.FileId));
+        up = null;
+        if (!(Nodes.Find(from.Fields, upwards) is { } node) || !AssetReference.TryRead(node, out var reference) || reference.Guid != null) return false;
+        return IsOf(instance, Resolve(reference.FileId)) && _byId.TryGetValue(Resolve(reference.FileId), out up);
     }
+
+    static long RootOrder(FileObject transform) =>
+        Nodes.Find(transform.Fields, "m_RootOrder") is YamlScalarNode node && Numbers.TryRead(node.Value, out long order) ? order : 0;
 
     static YamlSequenceNode ListOf(FileObject owner, string list)
     {

@@ -38,9 +38,13 @@ static class Modifications
 
     static IEnumerable<Modification> BetweenFields(YamlMappingNode before, YamlMappingNode now, string path, FileObject prefab)
     {
-        if (!before.Children.Keys.SequenceEqual(now.Children.Keys))
+        // An element that an instance added has only what was modified in it.
+        var isAdded = path.Contains(".Array.data[") && before.Children.Keys.All(now.Children.ContainsKey);
+        if (!isAdded && !before.Children.Keys.SequenceEqual(now.Children.Keys))
             throw prefab.Place.Error(path + " has other fields in its prefab's file; write that anew first");
-        return now.Children.SelectMany(f => Between(before.Children[f.Key], f.Value, Join(path, f.Key), prefab));
+        return now.Children.SelectMany(f => before.Children.TryGetValue(f.Key, out var old)
+            ? Between(old, f.Value, Join(path, f.Key), prefab)
+            : All(f.Value, Join(path, f.Key)));
     }
 
     static IEnumerable<Modification> BetweenItems(YamlSequenceNode before, YamlSequenceNode now, string path, FileObject prefab)

@@ -18,15 +18,23 @@ sealed class HierarchyWriter
     readonly List<SavedObject> _saved = new List<SavedObject>();
     readonly Dictionary<PrefabOrigin.Group, PrefabInstance> _instances = new Dictionary<PrefabOrigin.Group, PrefabInstance>();
 
-    HierarchyWriter(string file) => _file = file;
+    readonly IReadOnlyDictionary<Object, long> _given;
+
+    HierarchyWriter(string file, IReadOnlyDictionary<Object, long> given)
+    {
+        _file = file;
+        _given = given;
+    }
 
     /// <param name="assets">What the hierarchy may refer to.</param>
     /// <param name="roots">One for a prefab.</param>
     /// <param name="file">What errors call it.</param>
+    /// <param name="given">FileIDs of objects that must have certain ones; null for none.</param>
     /// <returns>In the order of the hierarchy.</returns>
-    public static IReadOnlyList<UnityDocument> Write(LoadedAssets assets, IReadOnlyList<GameObject> roots, string file)
+    public static IReadOnlyList<UnityDocument> Write(
+        LoadedAssets assets, IReadOnlyList<GameObject> roots, string file, IReadOnlyDictionary<Object, long> given = null)
     {
-        var writer = new HierarchyWriter(file);
+        var writer = new HierarchyWriter(file, given ?? new Dictionary<Object, long>());
         foreach (var root in roots) writer.Collect(root);
         var references = new FileReferences(assets, writer._saved.ToDictionary(s => s.FileId, s => s.Target), roots);
         foreach (var saved in writer._saved) saved.Write(references);
@@ -45,7 +53,7 @@ sealed class HierarchyWriter
         var origin = PrefabOrigin.Of(target);
         if (origin == null)
         {
-            _saved.Add(new SavedObject(target, _ids.Next(KeyOf(target, owner)), null));
+            _saved.Add(new SavedObject(target, _given.TryGetValue(target, out var fileId) ? fileId : _ids.Next(KeyOf(target, owner)), null));
             return;
         }
         if (!_instances.TryGetValue(origin.Instance, out var instance))

@@ -17,6 +17,9 @@ static class ScalarText
     static readonly Regex NotPlain = new Regex(@"^-(?: |\z)|^---|[{}\[\],#&*|>'""%@`]|: |:\z|\t", RegexOptions.CultureInvariant);
     static readonly Regex Printable = new Regex(@"^[ -~]*\z", RegexOptions.CultureInvariant);
 
+    /// <summary>What C# calls the field behind a property: the one thing in angle brackets that Unity leaves plain, as a name and in paths.</summary>
+    static readonly Regex BackingField = new Regex(@"^<\w+>k__BackingField[\w.\[\]]*\z", RegexOptions.CultureInvariant);
+
     /// <param name="text">Ends with what stands before the scalar on its line.</param>
     /// <param name="scalar">Its style is chosen here, not taken from it.</param>
     /// <param name="continuation">Indent of further lines.</param>
@@ -25,6 +28,7 @@ static class ScalarText
         var value = scalar.Value ?? "";
         if (value.Length == 0) return;
         if (!Printable.IsMatch(value)) AppendDoubleQuoted(text, value, continuation);
+        else if (BackingField.IsMatch(value)) text.Append(value);
         else if (Plain.IsMatch(value) && !NotPlain.IsMatch(value)) AppendFolded(text, value, continuation);
         else AppendFolded(text.Append('\''), value.Replace("'", "''"), continuation).Append('\'');
     }
