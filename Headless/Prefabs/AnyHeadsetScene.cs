@@ -34,11 +34,16 @@ static class AnyHeadsetScene
         var handle = new GameObject("Base Handle");
         handle.transform.SetParent(cell, worldPositionStays: false);
         handle.transform.localPosition = BasePlace;
-        var look = workshop.Load<Material>(PackagePaths.Ghost);
-        AddBlock("Block", handle.transform, look, Vector3.zero, new Vector3(0.06f, 0.06f, 0.06f));
-        AddBlock("Nose", handle.transform, look, new Vector3(0, 0, 0.09f), new Vector3(0.015f, 0.015f, 0.12f));
+        AddShape(workshop, handle.transform);
         handle.AddComponent<HandPlacedMarker>();
         Fields.Set(handle.AddComponent<CarriedMarker>(), "_trackingOrigin", rig);
+    }
+
+    internal static void AddShape(Workshop workshop, Transform handle)
+    {
+        var look = workshop.Load<Material>(PackagePaths.Ghost);
+        AddBlock("Block", handle, look, Vector3.zero, new Vector3(0.06f, 0.06f, 0.06f));
+        AddBlock("Nose", handle, look, new Vector3(0, 0, 0.09f), new Vector3(0.015f, 0.015f, 0.12f));
     }
 
     static void AddBlock(string name, Transform parent, Material look, Vector3 place, Vector3 size)

@@ -30,6 +30,18 @@ public static class AssetPlan
         (PackagePaths.CalibrationScene, Scenes.DisplayCalibration),
         (PackagePaths.AnyHeadsetSettings, w => RobotAssets.Settings(w, PackagePaths.AnyHeadsetSettings)),
         (PackagePaths.AnyHeadsetScene, AnyHeadsetScene.Make),
+        (ForeignPaths.Button, ForeignPrefabs.Button),
+        (ForeignPaths.Toggle, ForeignPrefabs.Toggle),
+        (ForeignPaths.Slider, ForeignPrefabs.Slider),
+        (ForeignPaths.HandMenu, ForeignPrefabs.HandMenu),
+        (ForeignPaths.Rig, ForeignPrefabs.Rig),
+        (ForeignPaths.Simulator, ForeignPrefabs.Simulator),
+        (PackagePaths.HoloLensSettings, w => RobotAssets.Settings(w, PackagePaths.HoloLensSettings)),
+        (PackagePaths.HoloLensMenu, HeadsetMenuPrefab.Make),
+        (PackagePaths.HoloLensPanel, HoloLensPrefabs.Panel),
+        (PackagePaths.HoloLensMarker, HoloLensPrefabs.Marker),
+        (PackagePaths.HoloLensConsent, HoloLensPrefabs.Consent),
+        (PackagePaths.HoloLensScene, HoloLensScene.Make),
     };
 
     public static IEnumerable<string> Paths => Assets.Select(a => a.Path);

@@ -15,5 +15,17 @@ static class Calls
     public static void Add(Component owner, string eventField, Object target, string method, float argument) =>
         Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.Float, argument));
 
+    /// <summary>With yes or no.</summary>
+    public static void Add(Component owner, string eventField, Object target, string method, bool argument) =>
+        Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.Bool, argument));
+
+    /// <summary>With what the event passes on.</summary>
+    public static void AddDynamic(Component owner, string eventField, Object target, string method) =>
+        Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.EventDefined, null));
+
+    /// <summary>To an event that is no component's field, with a number or without.</summary>
+    public static void Add(UnityEvent happened, Object target, string method, float? argument) => happened.Persistent.Add(
+        PersistentCall.Of(target, method, argument.HasValue ? PersistentListenerMode.Float : PersistentListenerMode.Void, argument));
+
     static UnityEventBase Event(Component owner, string field) => Fields.Get<UnityEventBase>(owner, field);
 }

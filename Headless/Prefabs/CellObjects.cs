@@ -10,12 +10,18 @@ static class CellObjects
     public static CellActions AddActions(Workshop workshop, MrilSession session)
     {
         var actions = session.gameObject.AddComponent<CellActions>();
+        Assign(workshop, actions, session, session.GetComponentInChildren<StatusPanel>(includeInactive: true));
+        return actions;
+    }
+
+    public static void Assign(Workshop workshop, CellActions actions, MrilSession session, StatusPanel panel)
+    {
         var displayed = session.transform.Find("Base Anchor/Robot");
         Fields.Set(actions, "_session", session);
+        Fields.Set(actions, "_anchor", session.GetComponentInChildren<BaseAnchor>(includeInactive: true));
         Fields.Set(actions, "_ghost", session.GetComponentInChildren<Ghost>(includeInactive: true));
         Fields.Set(actions, "_appearance", displayed.GetComponent<PoseAppearance>());
-        Fields.Set(actions, "_panel", session.GetComponentInChildren<StatusPanel>(includeInactive: true));
+        Fields.Set(actions, "_panel", panel);
         Fields.Set(actions, "_occluder", workshop.Load<Material>(PackagePaths.Occluder));
-        return actions;
     }
 }

@@ -10,6 +10,8 @@ static class PackagePaths
 
     const string AnyHeadset = "Packages/com.nowpose.mril/Samples~/Any OpenXR headset/";
 
+    const string HoloLens = "Packages/com.nowpose.mril/Samples~/HoloLens 2 (MRTK3)/";
+
     public const string HologramShader = Runtime + "Shaders/Hologram.shader";
     public const string OccluderShader = Runtime + "Shaders/Occluder.shader";
     public const string Hologram = Runtime + "Materials/Hologram.mat";
@@ -36,5 +38,11 @@ static class PackagePaths
     public const string CalibrationScene = Calibration + "Display Calibration.unity";
     public const string AnyHeadsetSettings = AnyHeadset + "Headset Settings.asset";
     public const string AnyHeadsetScene = AnyHeadset + "Any OpenXR headset.unity";
+    public const string HoloLensSettings = HoloLens + "HoloLens Settings.asset";
+    public const string HoloLensMenu = HoloLens + "Prefabs/Headset Menu.prefab";
+    public const string HoloLensPanel = HoloLens + "Prefabs/Status Panel (MRTK3).prefab";
+    public const string HoloLensMarker = HoloLens + "Prefabs/Hand-Placed Marker.prefab";
+    public const string HoloLensConsent = HoloLens + "Prefabs/Consent Prompt.prefab";
+    public const string HoloLensScene = HoloLens + "HoloLens 2 (MRTK3).unity";
     public const string DemoScene = "Assets/Scenes/Demo.unity";
 }

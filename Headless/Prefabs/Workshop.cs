@@ -41,6 +41,8 @@ sealed class Workshop
         return _writer.Prefab(root);
     }
 
+    public string Foreign(ForeignObject root) => _writer.Prefab(root.GameObject, root.FileIds);
+
     public string Scene(params GameObject[] roots) => _writer.Scene(roots);
 
     public string Asset(ScriptableObject asset) => _writer.Asset(asset);

@@ -81,10 +81,13 @@ static partial class UnityModules
     }
 
     /// <summary>Of all sources, scenes and prefabs under a folder of the repository, without repetition.</summary>
-    public static IEnumerable<string> UsedUnder(string folder)
+    /// <param name="except">Folders below it that are not looked at.</param>
+    public static IEnumerable<string> UsedUnder(string folder, params string[] except)
     {
-        var code = RepositoryFiles.Under(folder, ".cs").SelectMany(f => UsedByCode(RepositoryFiles.Read(f)));
-        var assets = RepositoryFiles.Under(folder, ".unity", ".prefab", ".asset").SelectMany(f => UsedByAsset(RepositoryFiles.Read(f)));
+        bool IsLookedAt(string file) => !except.Any(e => file.StartsWith(e + "/", StringComparison.Ordinal));
+        var code = RepositoryFiles.Under(folder, ".cs").Where(IsLookedAt).SelectMany(f => UsedByCode(RepositoryFiles.Read(f)));
+        var assets = RepositoryFiles.Under(folder, ".unity", ".prefab", ".asset").Where(IsLookedAt)
+            .SelectMany(f => UsedByAsset(RepositoryFiles.Read(f)));
         return code.Concat(assets).Distinct().Order(StringComparer.Ordinal);
     }
 

@@ -20,7 +20,7 @@ public sealed class PackageScenesTests
 
         for (var frame = 0; frame < 30; frame++) player.Step(frame / 60.0);
 
-        Assert.That(player.Logs.Where(l => l.Type != LogType.Log).Select(l => l.Message), Is.Empty);
+        Assert.That(player.Logs.Where(l => l.Type != LogType.Log).Select(l => l.Message).Where(m => !IsOfNoHeadset(m)), Is.Empty);
         var rig = player.Find<VirtualGripper>().Rig;
         Assert.That(rig.Shows, Is.EqualTo(RigPose.Displayed));
         Assert.That(rig.Model?.Name, Is.EqualTo(ScenesWithRobot.Contains(path) ? "youbot" : null), "no gateway describes any other");
@@ -41,6 +41,9 @@ public sealed class PackageScenesTests
         Assert.That(ghost.GapMetres, Is.EqualTo(0).Within(1e-6), "nothing has moved yet");
         Assert.That(ghost.GetComponentInChildren<VirtualGripper>().Rig, Is.SameAs(ghost.GetComponent<RobotRig>()));
     }
+
+    /// <summary>AR Foundation says so wherever no headset is; it is not for the package to keep it from that.</summary>
+    static bool IsOfNoHeadset(string message) => message.StartsWith("No active ", StringComparison.Ordinal);
 
     static Player Play(string path)
     {

@@ -1,0 +1,62 @@
+using MixedReality.Toolkit;
+using MixedReality.Toolkit.UX;
+using TMPro;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>Instances of MRTK3's buttons and sliders on a canvas, as large as they are, 32 mm in square and 100 mm wide.</summary>
+sealed class Buttons
+{
+    /// <summary>The real slider's handle stands out of the canvas by this, mm.</summary>
+    const float SliderDepth = -6.1f;
+
+    readonly Workshop _workshop;
+    readonly Transform _canvas;
+
+    /// <param name="canvas">In mm.</param>
+    public Buttons(Workshop workshop, Transform canvas)
+    {
+        _workshop = workshop;
+        _canvas = canvas;
+    }
+
+    /// <summary>Words instead of an icon: of those only the toolkit's font knows the names.</summary>
+    public PressableButton Button(string name, string words, Vector2 place)
+    {
+        var made = Instance(ForeignPaths.Button, name, place);
+        made.transform.Find("Icon").gameObject.SetActive(false);
+        var text = made.transform.Find("Text").gameObject;
+        text.SetActive(true);
+        text.GetComponent<TextMeshProUGUI>().m_text = words;
+        return made.GetComponent<PressableButton>();
+    }
+
+    public PressableButton Toggle(string name, string words, Vector2 place)
+    {
+        var made = Instance(ForeignPaths.Toggle, name, place);
+        made.transform.Find("Icon/Label").GetComponent<TextMeshProUGUI>().m_text = words;
+        var toggle = made.GetComponent<PressableButton>();
+        toggle.ToggleMode = StatefulInteractable.ToggleType.Toggle;
+        return toggle;
+    }
+
+    public Slider Slider(string name, float least, float greatest, float value, Vector2 place)
+    {
+        var made = Instance(ForeignPaths.Slider, name, place);
+        made.transform.localPosition = new Vector3(0, 0, SliderDepth);
+        var slider = made.GetComponent<Slider>();
+        Fields.Set(slider, "minValue", least);
+        Fields.Set(slider, "maxValue", greatest);
+        Fields.Set(slider, "value", value);
+        return slider;
+    }
+
+    GameObject Instance(string path, string name, Vector2 place)
+    {
+        var made = _workshop.Instantiate(path, _canvas);
+        made.name = name;
+        ((RectTransform)made.transform)._anchoredPosition = place;
+        return made;
+    }
+}

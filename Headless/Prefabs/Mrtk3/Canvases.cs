@@ -1,0 +1,65 @@
+using Nowpose.UnityPlayer.Assets.Objects;
+using Nowpose.UnityPlayer.Assets.Yaml;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>What stands on a canvas in mm.</summary>
+static class Canvases
+{
+    const float Millimetre = 0.001f;
+
+    /// <summary>Letters of half a degree at the distance of a hand, 0.45 m.</summary>
+    const float TextScale = 1.6f;
+
+    public static Transform Add(Transform parent, Vector3 place)
+    {
+        var made = new GameObject("Canvas");
+        var rect = made.AddComponent<RectTransform>();
+        rect.SetParent(parent, worldPositionStays: false);
+        rect.localPosition = place;
+        rect._anchoredPosition = new Vector2(place.x, place.y);
+        rect._sizeDelta = Vector2.zero;
+        rect.localScale = new Vector3(Millimetre, Millimetre, Millimetre);
+        var canvas = made.AddComponent<OpaqueComponent>();
+        canvas.ClassName = "Canvas";
+        foreach (var (name, value) in CanvasFields().Children) canvas.Fields.Add(name, value);
+        return rect;
+    }
+
+    /// <summary>Behind what is pressed.</summary>
+    public static void AddGround(Workshop workshop, Transform canvas, Vector3 place, Vector2 size)
+    {
+        var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);
+        ground.name = "Ground";
+        ground.transform.SetParent(canvas, worldPositionStays: false);
+        ground.transform.localPosition = place;
+        ground.transform.localScale = new Vector3(size.x, size.y, 1);
+        ground.GetComponent<MeshRenderer>().sharedMaterial = workshop.Load<Material>(PackagePaths.Panel);
+    }
+
+    public static TextMesh AddText(string name, Transform canvas, Vector3 place)
+    {
+        var text = Texts.Add(name, canvas, TextAnchor.MiddleCenter, TextAlignment.Center);
+        text.transform.localPosition = place;
+        text.transform.localScale = new Vector3(TextScale, TextScale, TextScale);
+        return text;
+    }
+
+    /// <summary>In the world, with the vertex data that MRTK3's own canvases ask for.</summary>
+    static YamlDotNet.RepresentationModel.YamlMappingNode CanvasFields() => Nodes.Lines(
+        ("m_Enabled", Nodes.Number(1)),
+        ("serializedVersion", Nodes.Number(3)),
+        ("m_RenderMode", Nodes.Number(2)),
+        ("m_Camera", AssetReference.None.Write()),
+        ("m_PlaneDistance", Nodes.Number(100)),
+        ("m_PixelPerfect", Nodes.Number(0)),
+        ("m_ReceivesEvents", Nodes.Number(1)),
+        ("m_OverrideSorting", Nodes.Number(0)),
+        ("m_OverridePixelPerfect", Nodes.Number(0)),
+        ("m_SortingBucketNormalizedSize", Nodes.Number(0)),
+        ("m_AdditionalShaderChannelsFlag", Nodes.Number(31)),
+        ("m_SortingLayerID", Nodes.Number(0)),
+        ("m_SortingOrder", Nodes.Number(0)),
+        ("m_TargetDisplay", Nodes.Number(0)));
+}

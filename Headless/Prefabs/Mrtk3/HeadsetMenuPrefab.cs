@@ -1,0 +1,101 @@
+using MixedReality.Toolkit;
+using MixedReality.Toolkit.UX;
+using Nowpose.Mrtk3;
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>MRTK3's hand menu with a cell's actions on it, and the same by voice.</summary>
+sealed class HeadsetMenuPrefab
+{
+    const float NudgeMs = 20, NudgeStepMs = 1, OpacityStep = 0.2f;
+
+    readonly GameObject _root;
+    readonly CellActions _actions;
+    readonly HeadsetMenu _menu;
+    readonly Transform _canvas;
+    readonly Buttons _buttons;
+
+    HeadsetMenuPrefab(Workshop workshop)
+    {
+        _root = new GameObject("Headset Menu");
+        _actions = _root.AddComponent<CellActions>();
+        _menu = _root.AddComponent<HeadsetMenu>();
+        Fields.Set(_menu, "_actions", _actions);
+        var hand = workshop.Instantiate(ForeignPaths.HandMenu, _root.transform);
+        _canvas = hand.transform.Find("MenuContent-Canvas");
+        // Shown by the first hand that holds its palm up, not before.
+        _canvas.gameObject.SetActive(false);
+        _canvas.Find("Buttons-GridLayout").gameObject.SetActive(false);
+        Canvases.AddGround(workshop, _canvas, new Vector3(0, 0, 4), new Vector2(112, 140));
+        _buttons = new Buttons(workshop, _canvas);
+    }
+
+    public static string Make(Workshop workshop)
+    {
+        var prefab = new HeadsetMenuPrefab(workshop);
+        prefab.AddButtons();
+        prefab.AddSliders();
+        prefab.AddVoice();
+        return workshop.Prefab(prefab._root);
+    }
+
+    void AddButtons()
+    {
+        Toggle("_connect", "Connect", nameof(CellActions.ToggleConnected), new Vector2(-34, 50));
+        Click(_buttons.Button("Lock Base", "Lock base", new Vector2(0, 50)), nameof(CellActions.LockBase));
+        Toggle("_panel", "Panel", nameof(CellActions.TogglePanel), new Vector2(34, 50));
+        Toggle("_ghost", "Ghost", nameof(CellActions.ToggleGhost), new Vector2(-34, 16));
+        Toggle("_occlusion", "Occlusion", nameof(CellActions.ToggleOcclusion), new Vector2(0, 16));
+        Calls.Add(_buttons.Button("No Nudge", "No nudge", new Vector2(34, 16)), Clicked, _actions, nameof(CellActions.SetNudgeMs), 0f);
+    }
+
+    void AddSliders()
+    {
+        Slide("_nudge", _buttons.Slider("L_visu Nudge", -NudgeMs, NudgeMs, 0, new Vector2(0, -22)), nameof(HeadsetMenu.SlideNudge));
+        Fields.Set(_menu, "_nudgeWords", Canvases.AddText("L_visu Nudge Words", _canvas, new Vector3(0, -10, 0)));
+        Slide("_opacity", _buttons.Slider("Opacity", 0, 1, 1, new Vector2(0, -54)), nameof(HeadsetMenu.SlideOpacity));
+        Fields.Set(_menu, "_opacityWords", Canvases.AddText("Opacity Words", _canvas, new Vector3(0, -42, 0)));
+    }
+
+    void AddVoice()
+    {
+        var commands = new List<VoiceCommand>();
+        Say(commands, "overlay connect", nameof(CellActions.ToggleConnected));
+        Say(commands, "overlay lock base", nameof(CellActions.LockBase));
+        Say(commands, "overlay panel", nameof(CellActions.TogglePanel));
+        Say(commands, "overlay ghost", nameof(CellActions.ToggleGhost));
+        Say(commands, "overlay occlusion", nameof(CellActions.ToggleOcclusion));
+        Say(commands, "overlay ahead", nameof(CellActions.ChangeNudgeMs), NudgeStepMs);
+        Say(commands, "overlay behind", nameof(CellActions.ChangeNudgeMs), -NudgeStepMs);
+        Say(commands, "overlay stronger", nameof(CellActions.ChangeOpacity), OpacityStep);
+        Say(commands, "overlay fainter", nameof(CellActions.ChangeOpacity), -OpacityStep);
+        Fields.Set(_root.AddComponent<VoiceCommands>(), "_commands", commands);
+    }
+
+    const string Clicked = "<OnClicked>k__BackingField";
+
+    void Toggle(string field, string words, string method, Vector2 place)
+    {
+        var toggle = _buttons.Toggle(words, words, place);
+        Fields.Set(_menu, field, toggle);
+        Click(toggle, method);
+    }
+
+    void Click(StatefulInteractable button, string method) => Calls.Add(button, Clicked, _actions, method);
+
+    void Slide(string field, Slider slider, string method)
+    {
+        Fields.Set(_menu, field, slider);
+        Calls.AddDynamic(slider, "onValueUpdated", _menu, method);
+    }
+
+    void Say(List<VoiceCommand> commands, string keyword, string method, float? argument = null)
+    {
+        var command = new VoiceCommand();
+        Fields.Set(command, "_keyword", keyword);
+        Calls.Add(command.OnHeard, _actions, method, argument);
+        commands.Add(command);
+    }
+}

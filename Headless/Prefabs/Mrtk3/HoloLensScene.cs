@@ -1,0 +1,67 @@
+using Nowpose.ArFoundation;
+using Nowpose.Mrtk3;
+using Nowpose.OpenXR;
+using Nowpose.Unity;
+using Unity.XR.CoreUtils;
+using UnityEngine;
+using UnityEngine.XR.ARFoundation;
+
+namespace Nowpose.Prefabs;
+
+/// <summary>A robot cell for a HoloLens 2 with MRTK3: markers and pairing, a hand menu, a panel and a marker that are grasped.</summary>
+static class HoloLensScene
+{
+    /// <summary>Where the base is before anything says so: in front of the viewer, at the height of a table when he stands.</summary>
+    static readonly Vector3 BasePlace = new(0, -0.6f, 1.2f);
+
+    public static string Make(Workshop workshop)
+    {
+        var rig = workshop.Instantiate(ForeignPaths.Rig, null);
+        var simulator = workshop.Instantiate(ForeignPaths.Simulator, null);
+        var ar = new GameObject("AR Session");
+        ar.AddComponent<ARSession>();
+        var cell = Cell(workshop, rig.GetComponentInChildren<XROrigin>(includeInactive: true));
+        var session = cell.GetComponent<MrilSession>();
+        var panel = Panel(workshop, session);
+        var menu = Menu(workshop, session, panel);
+        var consent = workshop.Instantiate(PackagePaths.HoloLensConsent, null);
+        Fields.Set(consent.GetComponent<ConsentPrompt>(), "_pairing", cell.GetComponent<CellPairing>());
+        return workshop.Scene(rig, simulator, ar, Props.Light(), cell, panel.gameObject, menu, consent);
+    }
+
+    static GameObject Cell(Workshop workshop, XROrigin origin)
+    {
+        var cell = Scenes.Cell(workshop, PackagePaths.Cell, PackagePaths.HoloLensSettings);
+        var session = cell.GetComponent<MrilSession>();
+        // The menu connects, or the pairing once it knows where to.
+        Fields.Set(session, "_connectOnEnable", false);
+        cell.transform.Find("Base Anchor").localPosition = BasePlace;
+        cell.transform.Find("Status Panel").gameObject.SetActive(false);
+        var codes = cell.AddComponent<QrMarkers>();
+        Fields.Set(codes, "_session", session);
+        Fields.Set(codes, "_origin", origin);
+        Fields.Set(cell.AddComponent<ArSpatialAnchors>(), "_origin", origin);
+        cell.AddComponent<OpenXrAnchorStore>();
+        Fields.Set(cell.AddComponent<OpenXrDisplayTime>(), "_session", session);
+        var pairing = cell.AddComponent<CellPairing>();
+        Fields.Set(pairing, "_session", session);
+        Fields.Set(pairing, "_anchor", cell.GetComponentInChildren<BaseAnchor>(includeInactive: true));
+        var marker = workshop.Instantiate(PackagePaths.HoloLensMarker, cell.transform);
+        marker.transform.localPosition = BasePlace;
+        return cell;
+    }
+
+    static StatusPanel Panel(Workshop workshop, MrilSession session)
+    {
+        var panel = workshop.Instantiate(PackagePaths.HoloLensPanel, null).GetComponent<StatusPanel>();
+        Fields.Set(panel, "_session", session);
+        return panel;
+    }
+
+    static GameObject Menu(Workshop workshop, MrilSession session, StatusPanel panel)
+    {
+        var menu = workshop.Instantiate(PackagePaths.HoloLensMenu, null);
+        CellObjects.Assign(workshop, menu.GetComponent<CellActions>(), session, panel);
+        return menu;
+    }
+}
