@@ -113,6 +113,19 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
+    public void Package_TooOld_IsAdvisedAnew()
+    {
+        PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.arfoundation", "4.1.7"));
+        PackageInfo.Registered.Add(new PackageInfo("com.microsoft.mixedreality.openxr", "1.11.1-preview"));
+        _review.LookAgain();
+
+        var found = _review.Results[IndexOf("AR Foundation")];
+        Assert.That(found.State, Is.EqualTo(CheckState.Advice));
+        Assert.That(found.Found, Is.EqualTo("com.unity.xr.arfoundation 4.1.7 is too old; allowed is 5.0.0 or newer"));
+        Assert.That(_review.Results[IndexOf("Mixed Reality OpenXR")].State, Is.EqualTo(CheckState.Good));
+    }
+
+    [Test]
     public void Package_ThatCannotBeAdded_SaysWhy()
     {
         _review.Fix(IndexOf("NativeWebSocket (optional)"));

@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Editor
 {
     sealed class PackageCheck : ProjectCheck
@@ -5,24 +7,31 @@ namespace Nowpose.Editor
         readonly string _name;
         readonly PackageOrigin _source;
         readonly CheckState _without;
+        readonly Version _least;
 
         /// <param name="source">Where it comes from.</param>
         /// <param name="without">How a project stands that has not got it.</param>
+        /// <param name="least">The oldest version that serves; null for any.</param>
         public PackageCheck(
-            string title, string why, string name, PackageOrigin source, CheckState without = CheckState.Missing)
+            string title, string why, string name, PackageOrigin source, CheckState without = CheckState.Missing, string least = null)
             : base(title, why, "Add " + name)
         {
             _name = name;
             _source = source;
             _without = without;
+            _least = least == null ? null : Version.Parse(least);
         }
 
         public override CheckResult Look(IProjectSettings project)
         {
             var version = project.VersionOf(_name);
-            if (version != null) return Good(_name + " " + version);
+            if (version != null && IsNewEnough(version)) return Good(_name + " " + version);
+            if (version != null) return new CheckResult(_without, _name + " " + version + " is too old; allowed is " + _least + " or newer");
             return new CheckResult(_without, _name + " is not installed");
         }
+
+        // A preview counts as its release.
+        bool IsNewEnough(string version) => _least == null || (Version.TryParse(version.Split('-')[0], out var parsed) && parsed >= _least);
 
         public override string Fix(IProjectSettings project)
         {

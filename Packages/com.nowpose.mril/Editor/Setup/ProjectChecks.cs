@@ -22,10 +22,10 @@ namespace Nowpose.Editor
             new PackageCheck(
                 "Mixed Reality OpenXR", "What a HoloLens has beyond OpenXR: anchors, markers, the time at which a frame is displayed.",
                 "com.microsoft.mixedreality.openxr",
-                PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2")),
+                PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2"), least: "1.11.1"),
             new PackageCheck(
                 "AR Foundation", "Markers and anchors of Microsoft's plug-in are made of it; without it the robot's base is placed by hand only.",
-                "com.unity.xr.arfoundation", PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5"), without: CheckState.Advice),
+                "com.unity.xr.arfoundation", PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5"), CheckState.Advice, "5.0.0"),
             new OpenXrLoaderCheck(HeadsetPlatform.HoloLens2),
             new OpenXrFeatureCheck(
                 "Mixed Reality Features", "Markers, anchors and the predicted display time come by it.", "com.microsoft.openxr.feature.hololens"),
