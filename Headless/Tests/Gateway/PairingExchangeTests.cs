@@ -254,6 +254,20 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
+    public async Task Pairings_Revoke_RemovesTheHeadsetsOfThatName()
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+        var first = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token, "Anna's headset")).Token;
+        var second = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token, "second")).Token;
+
+        var status = await Nowpose.Gateway.CommandLine.RunAsync(["pairings", "--pairing", gateway.ListPath, "--revoke", "Anna's headset"]).Bounded();
+
+        Assert.That(status, Is.EqualTo(0));
+        Assert.That(await RosbridgeStatusAsync(gateway, first), Is.EqualTo(HttpStatusCode.Unauthorized));
+        Assert.That(await RosbridgeStatusAsync(gateway, second), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
+    }
+
+    [Test]
     public async Task List_DamagedWhileItRuns_IsSaidOnceAndTheFormerGoesOn()
     {
         await using var gateway = await PairingGateway.StartAsync();

@@ -1,8 +1,12 @@
 using System.Net;
+using System.Text;
 using System.Text.Json;
+using Microsoft.AspNetCore.Http;
 using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Pairing;
+using Nowpose.Headless.Tests.Cli;
 using Nowpose.Pairing;
-using Nowpose.Web;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
@@ -17,7 +21,7 @@ public sealed class PairingPageTests
 
         var (status, page) = await gateway.SendAsync(HttpMethod.Get, "/pair");
 
-        if (PairingPage.Html == null) Assert.Ignore("built without Node.js");
+        if (Nowpose.Web.PairingPage.Html == null) Assert.Ignore("built without Node.js");
         Assert.That(status, Is.EqualTo(HttpStatusCode.OK));
         Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(code.Token));
         Assert.That(gateway.Server.PairingPageUri, Is.EqualTo(new Uri($"https://127.0.0.1:{gateway.Server.WebSocketEndPoint.Port}/pair")));
@@ -36,6 +40,34 @@ public sealed class PairingPageTests
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
         Assert.That(text, Does.Contain("own machine"));
+    }
+
+    [TestCase("10.0.0.9", "10.0.0.7", 403)]
+    [TestCase("10.0.0.7", "10.0.0.7", 200)]
+    [TestCase("127.0.0.1", "127.0.0.1", 200)]
+    [TestCase("::ffff:10.0.0.9", "::ffff:10.0.0.7", 403)]
+    [TestCase("::1", "::1", 200)]
+    public async Task Code_AskedForFromAnAddress_IsToldToThisMachineOnly(string remote, string local, int expected)
+    {
+        using var folder = new TemporaryFile("");
+        var options = Gateways.Options() with { Headsets = new HeadsetList(folder.Path) };
+        var routes = new PairingRoutes(options, new ConnectionCounters(), _ => { }, html: null);
+        var context = new DefaultHttpContext { Response = { Body = new MemoryStream() } };
+        context.Request.Method = "POST";
+        context.Request.Path = "/pair/code";
+        context.Request.ContentLength = 2;
+        context.Request.Body = new MemoryStream("{}"u8.ToArray());
+        context.Connection.RemoteIpAddress = IPAddress.Parse(remote);
+        context.Connection.LocalIpAddress = IPAddress.Parse(local);
+        var address = context.Connection.LocalIpAddress;
+        var plain = address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address;
+        context.Request.Host = new HostString(new IPEndPoint(plain, 47011).ToString());
+
+        await routes.ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();
+
+        Assert.That(context.Response.StatusCode, Is.EqualTo(expected));
+        var told = Encoding.UTF8.GetString(((MemoryStream)context.Response.Body).ToArray());
+        Assert.That(told.Contains("nowpose:token"), Is.EqualTo(expected == 200));
     }
 
     [Test]

@@ -6,6 +6,7 @@ using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Nowpose.Headless.Tests.Unity.Pairing;
 
@@ -198,6 +199,36 @@ public class CellPairingTests
         Assert.That(_pairing.Problem, Does.Contain(FilePath + ".bad"));
         Assert.That(_cell.Messages.Count(m => m.Contains(".bad")), Is.EqualTo(1));
         Assert.That(File.ReadAllText(FilePath + ".bad"), Is.EqualTo("{\"format\":"));
+    }
+
+    [Test]
+    public void Events_OfQuestionAndProblem_AreRaisedOnce()
+    {
+        int asked = 0, problems = 0;
+        UnityEvent onAsked = new(), onProblem = new();
+        onAsked.AddListener(() => asked++);
+        onProblem.AddListener(() => problems++);
+        _pairing.With("_onAsked", onAsked).With("_onProblem", onProblem);
+        _shown.Texts.AddRange([Desk, "nowpose:cell/1?n=a"]);
+
+        Frames(10);
+
+        Assert.That(asked, Is.EqualTo(1));
+        Assert.That(problems, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Listener_ThatDisablesIt_IsHeardOut()
+    {
+        var onAsked = new UnityEvent();
+        onAsked.AddListener(() => _pairing.enabled = false);
+        _pairing.With("_onAsked", onAsked);
+        _shown.Texts.Add(Desk);
+
+        Frames(10);
+
+        Assert.That(_pairing.Question, Is.Null);
+        Assert.That(_cell.Player.Logs.Select(log => log.Type), Has.None.EqualTo(LogType.Exception));
     }
 
     [Test]

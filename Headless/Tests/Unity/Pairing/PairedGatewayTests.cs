@@ -3,6 +3,7 @@ using Nowpose.Network;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Nowpose.Headless.Tests.Unity.Pairing;
 
@@ -70,8 +71,14 @@ public class PairedGatewayTests
     [Test]
     public async Task TwoCodes_SeenOnce_ConnectTheHeadsetForGood()
     {
+        var paired = 0;
+        var onPaired = new UnityEvent();
+        onPaired.AddListener(() => paired++);
+        _pairing.With("_onPaired", onPaired);
+
         await PairAsync();
 
+        Assert.That(paired, Is.EqualTo(1));
         Assert.That(_session.Settings.Connection.Security, Is.EqualTo(TransportSecurity.Pinned));
         Assert.That(_pairing.Words, Does.Contain("paired"));
         Assert.That(_gateway.Log, Has.Some.Contains("'Anna's' was given a token"));
