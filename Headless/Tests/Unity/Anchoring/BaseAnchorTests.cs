@@ -1,4 +1,5 @@
 using Nowpose.Anchoring;
+using Nowpose.Editor;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using NUnit.Framework;
@@ -324,6 +325,24 @@ public class BaseAnchorTests
         Assert.That(_anchor.Words, Is.EqualTo("marker 'a': its size: 9 m is out of range; allowed are 0.005 to 5 m"));
         Assert.That(Said.Distinct(), Is.EqualTo(new[] { "[Nowpose] base anchor 'Base Anchor': " + _anchor.Words }));
         Assert.That(_session.Frame, Is.Not.Null, "all else goes on");
+    }
+
+    [Test]
+    public void Rows_OfTheInspector_TellOfLockDeviceAndMarkers()
+    {
+        _session.gameObject.AddComponent<FakeSpatialAnchors>();
+        PlayLocked();
+        _markers.IsBlind = true;
+        _cell.Run(1, _session);
+
+        var rows = BaseRows.Of(_anchor.Tracker).Select(row => row.Label + ": " + row.Value).ToList();
+
+        Assert.That(rows, Has.Some.Match("^Spread: (0.9|1.0)\\d mm, 0.2\\d°$"));
+        Assert.That(rows, Does.Contain("Held by the device: yes, kept as cell 7"));
+        Assert.That(rows, Does.Contain("Moved by the newest lock: 0.00 mm, 0.00°"));
+        Assert.That(rows, Does.Contain("a: ignored: too old"));
+        Assert.That(rows, Has.Some.Match("^  Sightings: 1[12]\\d; ignored: 1 too old$"));
+        Assert.That(rows, Has.Some.Match("^  Off by: 0\\.\\d\\d mm, 0\\.\\d\\d°$"));
     }
 
     [Test]
