@@ -3,8 +3,10 @@ using MixedReality.Toolkit.SpatialManipulation;
 using MixedReality.Toolkit.UX;
 using Nowpose.Anchoring;
 using Nowpose.Headless.Tests.Repository;
+using Nowpose.Headless.Tests.Unity.Anchoring;
 using Nowpose.Headless.Tests.Unity.Mrtk3;
 using Nowpose.Headless.Tests.Unity.Pairing;
+using Nowpose.Kinematics;
 using Nowpose.Pairing;
 using Nowpose.Unity;
 using Nowpose.UnityPlayer;
@@ -130,6 +132,30 @@ public sealed class HoloLensTests
         Assert.That(Child<Slider>("L_visu Nudge").Value, Is.Zero);
     }
 
+    [Test]
+    public void LockBase_PressedOrSaid_LetsTheMarkersSayAnew([Values] bool said)
+    {
+        var anchor = Child<BaseAnchor>("Base Anchor");
+        var seen = _session.gameObject.AddComponent<FakeMarkers>();
+        seen.Clock = _cell.Clock;
+        seen.Markers["a"] = RigidTransform.Identity;
+        seen.Base = RigidTransform.FromXyzRpy(1, 0, -0.4, 0, 0, 1);
+        Child<Camera>("Main Camera").transform.SetPositionAndRotation(new Vector3(0, 0.8f, 1), Quaternion.Euler(90, 0, 0));
+        anchor.Use("", new[] { new BaseMarker("a", RigidTransform.Identity) });
+        Run(4);
+        Assert.That(anchor.State, Is.EqualTo(BaseAnchorState.Locked));
+        var states = new List<BaseAnchorState>();
+        anchor.StateChanged += () => states.Add(anchor.State);
+        ShowTheHand();
+
+        if (said) Assert.That(_speech.Say("overlay lock base"), Is.True);
+        else Press("Lock Base");
+        Run(4);
+
+        Assert.That(states.First(), Is.EqualTo(BaseAnchorState.Searching));
+        Assert.That(states.Last(), Is.EqualTo(BaseAnchorState.Locked));
+    }
+
     [TestCase("overlay connect")]
     [TestCase("overlay ghost")]
     [TestCase("overlay occlusion")]
@@ -171,18 +197,16 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Marker_GraspedAndMoved_SaysWhereItIsFromThenOn()
+    public void Marker_GraspedAndMoved_TheBaseFollowsAndStays()
     {
-        var marker = Child<HandPlacedMarker>("Hand-Placed Marker");
-        var told = new List<MarkerSighting>();
-        marker.Read(told);
-        Assert.That(told, Is.Empty, "where the scene has it says nothing");
+        var anchor = Child<BaseAnchor>("Base Anchor").transform;
+        var marker = Child<HandPlacedMarker>("Hand-Placed Marker").transform;
 
         Grasp("Hand-Placed Marker", m => m.SetPositionAndRotation(new Vector3(0.4f, 0.1f, 2), Quaternion.Euler(0, 60, 0)));
-        marker.Read(told);
 
-        Assert.That(marker.IsMoving, Is.False, "let go of");
-        Assert.That(UnityPoses.ToWorld(told.Single().Pose).position, Is.EqualTo(new Vector3(0.4f, 0.1f, 2)));
+        Assert.That(Vector3.Distance(anchor.position, marker.position), Is.LessThan(1e-3));
+        Assert.That(Vector3.Distance(anchor.position, new Vector3(0.4f, 0.1f, 2)), Is.LessThan(1e-3));
+        Assert.That(Quaternion.Angle(anchor.rotation, marker.rotation), Is.LessThan(0.1));
     }
 
     [Test]
