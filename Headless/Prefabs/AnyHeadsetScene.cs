@@ -63,6 +63,7 @@ static class AnyHeadsetScene
         buttons.transform.SetParent(session.transform, worldPositionStays: false);
         Button(actions, buttons, nameof(CellActions.ToggleConnected), Right + "{PrimaryButton}", "<Keyboard>/c");
         Button(actions, buttons, nameof(CellActions.TogglePanel), Right + "{SecondaryButton}", "<Keyboard>/p");
+        Button(actions, buttons, nameof(CellActions.LockBase), Right + "{Primary2DAxisClick}", "<Keyboard>/l");
         Button(actions, buttons, nameof(CellActions.ToggleGhost), Left + "{PrimaryButton}", "<Keyboard>/g");
         Button(actions, buttons, nameof(CellActions.ToggleOcclusion), Left + "{SecondaryButton}", "<Keyboard>/o");
         Step(actions, buttons, nameof(CellActions.ChangeNudgeMs), NudgeMs, Right + "{Primary2DAxis}/right", "<Keyboard>/rightArrow");

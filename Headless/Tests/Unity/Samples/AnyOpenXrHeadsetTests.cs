@@ -1,3 +1,4 @@
+using Nowpose.Anchoring;
 using Nowpose.Headless.Tests.Repository;
 using Nowpose.Samples;
 using Nowpose.Unity;
@@ -125,6 +126,10 @@ public sealed class AnyOpenXrHeadsetTests
         Assert.That((Marker.transform.position - expected).magnitude, Is.LessThan(1e-4f));
         Assert.That(Quaternion.Angle(Marker.transform.rotation, Quaternion.Euler(0, 90, 0)), Is.LessThan(0.1f));
         Assert.That(Marker.IsMoving, Is.False);
+        var placed = _session.GetComponentInChildren<BaseAnchor>();
+        Assert.That((placed.transform.position - expected).magnitude, Is.LessThan(1e-4f), "the robot's base is where the marker was put");
+        Assert.That(Quaternion.Angle(placed.transform.rotation, Quaternion.Euler(0, 90, 0)), Is.LessThan(0.1f));
+        Assert.That(placed.State, Is.EqualTo(BaseAnchorState.Locked));
     }
 
     [Test]
