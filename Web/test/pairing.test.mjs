@@ -40,7 +40,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     await page.addInitScript(() => { window.print = () => { window.printed = true; }; });
     await page.goto(facts.pair);
     await page.waitForSelector('#token svg');
-    await page.waitForSelector('#cell svg');
+    await page.waitForSelector('#cell svg', { state: 'attached' });
   });
 
   after(async () => {
@@ -90,7 +90,10 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     const offsets = page.locator('[data-offset]');
     for (const [i, value] of ['0.25', '-0.1', '0', '0', '0', '90'].entries()) await offsets.nth(i).fill(value);
     await page.waitForFunction(() => document.querySelector('#caption').textContent.includes('&o=0.25,-0.1,0,0,0,90'));
+    assert.ok(await page.locator('#cell').isHidden(), 'a headset would take it for the marker on the robot');
+    await page.emulateMedia({ media: 'print' });
     const text = await readElement(page.locator('#cell svg'));
+    await page.emulateMedia({ media: null });
     const sync = facts.sync.split(':')[1];
     assert.equal(text, `nowpose:cell/1?n=Press%203&h=localhost&s=${sync}&w=${port()}&o=0.25,-0.1,0,0,0,90&m=0.12`);
   });
@@ -100,7 +103,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     await page.waitForFunction(() => document.querySelector('#fault').textContent.includes('is no host'));
     assert.ok(await page.locator('#print').isHidden());
     await page.fill('#host', 'localhost');
-    await page.waitForSelector('#cell svg', { state: 'visible' });
+    await page.waitForSelector('#print', { state: 'visible' });
   });
 
   it('prints the marker in true size, and never the secret code', async () => {
