@@ -114,9 +114,11 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Lets the markers say anew where the base is; until they have, it stays where it is.</summary>
+        /// <remarks>Where there are none, what was restored from an earlier run is taken for right.</remarks>
         public void Relock()
         {
             if (_markers.Length > 0) Begin();
+            else if (_state == BaseAnchorState.Restored) Confirm();
             _words.Update(this, _now);
         }
 
@@ -218,6 +220,13 @@ namespace Nowpose.Anchoring
             IsBeingPlaced = false;
             _isHeldByHand = true;
             Take(new LockReport(Base.Value, 0, 0, 0, 0, 0), anchors);
+        }
+
+        void Confirm()
+        {
+            _isHeldByHand = true;
+            _state = BaseAnchorState.Locked;
+            Lock = new LockReport(Base.Value, 0, 0, 0, 0, 0);
         }
 
         void Judge(HeadsetTime now, ISpatialAnchors anchors)

@@ -96,6 +96,7 @@ namespace Nowpose.Unity
         }
 
         /// <summary>Lets the markers say anew where the base is; until they have, it stays where it is and looks so.</summary>
+        /// <remarks>Where there are none, what was restored from an earlier run is taken for right.</remarks>
         public void Relock()
         {
             Tracker?.Relock();

@@ -92,7 +92,8 @@ namespace Nowpose.Anchoring
                 case Kind.Moved: return (subject.Count > 1 ? subject.Count + " markers, the worst " : "") + Name(subject.First) + ", " + off
                     + " from where it belongs: put it back, or lock anew";
                 case Kind.Locked: return Locked(tracker);
-                case Kind.Restored: return "as in an earlier run: look at a marker to confirm it" + Because(tracker.Problem);
+                case Kind.Restored: return "as in an earlier run: " + (tracker.Markers.Count > 0 ? "look at a marker" : "lock it") + " to confirm it"
+                    + Because(tracker.Problem);
                 case Kind.Lost: return "the headset has lost the place: look around";
                 default: return "placed by hand";
             }

@@ -157,6 +157,23 @@ namespace Nowpose.Tests.Anchoring
         }
 
         [Test]
+        public void Relock_RestoredAndNoMarkers_TakesItForRight()
+        {
+            _anchors.Kept["cell"] = Shift(0.004);
+            Tracker.Use("cell", Array.Empty<BaseMarker>());
+            _cell.IsInView = _ => false;
+            _cell.Run(0.1);
+            Assert.That(Tracker.Words, Is.EqualTo("as in an earlier run: lock it to confirm it"));
+
+            Tracker.Relock();
+            _cell.Run(0.1);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            Assert.That(Tracker.Base.Value.X, Is.EqualTo(0.004), "it stays where it was");
+            Assert.That(_anchors.Held, Has.Count.EqualTo(1), "the device goes on holding it");
+        }
+
+        [Test]
         public void Tick_NothingKept_SearchesForMarkers()
         {
             _anchors.Kept["another cell"] = Shift(1);
