@@ -14,9 +14,15 @@ namespace Nowpose.Editor
                 ? LiveText.Unknown
                 : Offset(tracker.Lock.ChangeMetres, tracker.Lock.ChangeRadians));
             yield return ("Moved by the device since", Offset(tracker.CorrectedMetres, tracker.CorrectedRadians));
-            yield return ("Held by the device", tracker.Problem ?? (!tracker.IsHeld ? "no" : tracker.KeptAs == null ? "yes" : "yes, kept as " + tracker.KeptAs));
+            yield return ("Held by the device", tracker.Problem ?? Held(tracker));
             foreach (var marker in tracker.Markers)
                 foreach (var row in Of(marker)) yield return row;
+        }
+
+        static string Held(BaseTracker tracker)
+        {
+            if (!tracker.IsHeld) return "no";
+            return tracker.KeptAs == null ? "yes" : "yes, kept as " + tracker.KeptAs;
         }
 
         static IEnumerable<(string Label, string Value)> Of(TrackedMarker marker)

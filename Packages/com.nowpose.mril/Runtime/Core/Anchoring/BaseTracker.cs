@@ -4,7 +4,9 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>Says where a robot's base is by the markers at it: locks it, hands it to the device to hold, and watches whether it still fits.</summary>
+    /// <summary>
+    /// Says where a robot's base is by the markers at it: locks it, hands it to the device to hold, and watches whether it still fits.
+    /// </summary>
     /// <remarks>
     /// Belongs to the frame's thread. A frame without a new lock allocates nothing, but for some kB four times a second while markers
     /// are in view that are not part of a lock yet.
@@ -39,7 +41,7 @@ namespace Nowpose.Anchoring
 
         public BaseAnchorState State => IsLost ? BaseAnchorState.Lost : _state;
 
-        /// <summary>The state in one line, as of the newest frame, with what is to be done about it. The same object while it says the same.</summary>
+        /// <summary>The state in one line, with what is to be done about it. The same object while it says the same.</summary>
         public string Words => _words.Text;
 
         /// <summary>Where the base is, in the room frame; null while it is where somebody has put it.</summary>

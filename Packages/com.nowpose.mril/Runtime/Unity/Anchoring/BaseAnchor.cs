@@ -23,19 +23,20 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Codes fixed to the robot's base, and where. None: the base stands where it is placed by hand.")]
         List<AnchorMarker> _markers = new List<AnchorMarker>();
 
-        [SerializeField, Range(100, 60_000), Tooltip("How long markers are looked at, at least, before the base is locked, ms. 1850: averages away most "
-            + "of a tracker's noise, and nobody waits longer than 2 s.")]
+        [SerializeField, Range(100, 60_000), Tooltip("How long markers are looked at, at least, before the base is locked, ms. 1850: averages "
+            + "away most of a tracker's noise, and nobody waits longer than 2 s.")]
         float _settleMs = 1850;
 
-        [SerializeField, Range(20, 10_000), Tooltip("A marker that a camera saw longer ago is not taken for seen now, ms. 400: trackers go on telling old "
-            + "poses, and some see a code only twice a second.")]
+        [SerializeField, Range(20, 10_000), Tooltip("A marker that a camera saw longer ago is not taken for seen now, ms. 400: trackers go on "
+            + "telling old poses, and some see a code only twice a second.")]
         float _oldestMs = 400;
 
-        [SerializeField, Range(0.1f, 20), Tooltip("From the head to a marker, metres; beyond it is ignored. 2.5: a code of 0.1 m is read no farther.")]
+        [SerializeField, Range(0.1f, 20), Tooltip("From the head to a marker, metres; beyond it is ignored. 2.5: errors grow with the "
+            + "distance.")]
         float _farthestMetres = 2.5f;
 
-        [SerializeField, Range(10, 89), Tooltip("Between the line from the head to a marker and what stands out of its print, degrees; beyond it is ignored. "
-            + "60: a code looks half as wide then, and its angle is uncertain.")]
+        [SerializeField, Range(10, 89), Tooltip("Between the line from the head to a marker and what stands out of its print, degrees; beyond "
+            + "it is ignored. 60: a code looks half as wide then, and its angle is uncertain.")]
         float _mostObliqueDegrees = 60;
 
         [SerializeField, Range(0.0001f, 0.1f), Tooltip("What a marker's mean may be off by, as its scatter tells, to be locked by it, metres. "
@@ -52,8 +53,8 @@ namespace Nowpose.Unity
         [SerializeField, Range(0.1f, 45), Tooltip("A marker that is turned more than this has moved, degrees. 1: 10 mm at 0.6 m from the base.")]
         float _toleranceDegrees = 1;
 
-        [SerializeField, Range(0, 10_000), Tooltip("In which a changed place is eased over, ms. 800: seen to glide, and over before anybody waits for it. "
-            + "0: it jumps.")]
+        [SerializeField, Range(0, 10_000), Tooltip("In which a changed place is eased over, ms. 800: seen to glide, and over before anybody "
+            + "waits for it. 0: it jumps.")]
         float _easeMs = 800;
 
         readonly AnchorSources _sources = new AnchorSources();

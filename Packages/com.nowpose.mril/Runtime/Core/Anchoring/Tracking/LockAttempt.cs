@@ -4,7 +4,8 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>Finds the base by all markers that are known well enough, now and then while some are in view that are not part of a lock yet.</summary>
+    /// <summary>Finds the base by all markers that are known well enough.</summary>
+    /// <remarks>Tries now and then, while some are in view that are not part of a lock yet.</remarks>
     sealed class LockAttempt
     {
         /// <summary>From one try to the next.</summary>
