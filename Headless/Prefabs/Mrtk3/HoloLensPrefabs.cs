@@ -31,7 +31,8 @@ static class HoloLensPrefabs
         Fields.Set(status, "_cell", cell);
         Fields.Set(status, "_ground", workshop.Load<Material>(PackagePaths.Panel));
 
-        var bar = Child("Bar", panel.transform, new Vector3(0, -0.2f, 0));
+        // Below the rows, which reach down to 0.23 m where the panel follows, and before them where it is put farther away.
+        var bar = Child("Bar", panel.transform, new Vector3(0, -0.27f, -0.02f));
         var canvas = Canvases.Add(bar.transform, Vector3.zero);
         Canvases.AddGround(workshop, canvas, new Vector3(0, 0, 4), new Vector2(140, 40));
         var buttons = new Buttons(workshop, canvas);
@@ -47,11 +48,11 @@ static class HoloLensPrefabs
         return workshop.Prefab(panel);
     }
 
-    /// <summary>Follows the wearer, for a question that is not seen is not answered.</summary>
+    /// <summary>Follows the wearer, before the panel and within reach, for a question that is not seen is not answered.</summary>
     public static string Consent(Workshop workshop)
     {
         var root = new GameObject("Consent Prompt");
-        root.AddComponent<BodyFollow>();
+        Fields.Set(root.AddComponent<BodyFollow>(), "_distanceMetres", 0.6f);
         var prompt = root.AddComponent<ConsentPrompt>();
         var content = Child("Content", root.transform, Vector3.zero);
         var canvas = Canvases.Add(content.transform, Vector3.zero);

@@ -1,5 +1,6 @@
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.UX;
+using Nowpose.Latency;
 using Nowpose.Mrtk3;
 using Nowpose.Unity;
 using NUnit.Framework;
@@ -118,6 +119,20 @@ public sealed class HeadsetMenuTests
         Assert.That(_nudge.Value, Is.EqualTo(20));
         Assert.That(_actions.NudgeMs, Is.EqualTo(35));
         Assert.That(_nudgeWords.text, Is.EqualTo("L_visu +35.0 ms"));
+    }
+
+    [Test]
+    public void Slider_RuntimePredictsTheLight_SaysThatItCountsNotTheNudge()
+    {
+        _session.Session.DisplayTimeSource = new Ahead();
+        Run();
+
+        Assert.That(_nudgeWords.text, Is.EqualTo("L_visu by the runtime"));
+    }
+
+    sealed class Ahead : IDisplayTimeSource
+    {
+        public HeadsetTime? LightOf(HeadsetTime frameStart) => frameStart + TimeSpan.FromMilliseconds(30);
     }
 
     [Test]

@@ -109,7 +109,7 @@ namespace Nowpose.Mrtk3
             if (_nudgeWords == null || tenths == _shownNudge) return;
             _shownNudge = tenths;
             _nudgeWords.text = tenths == int.MaxValue
-                ? "L_visu predicted by the runtime"
+                ? "L_visu by the runtime"
                 : string.Format(CultureInfo.InvariantCulture, "L_visu {0:+0.0;-0.0;0.0} ms", tenths / 10.0);
         }
     }
