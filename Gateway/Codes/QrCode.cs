@@ -53,7 +53,8 @@ sealed class QrCode : IDisposable
                 if (IsDark(row, column)) squares.Append(CultureInfo.InvariantCulture, $"M{column} {row}h1v1h-1z");
         var total = edgeMm * Edge / Modules;
         return string.Create(CultureInfo.InvariantCulture, $"""
-            <svg xmlns="http://www.w3.org/2000/svg" width="{total:0.###}mm" height="{total:0.###}mm" viewBox="0 0 {Edge} {Edge}" shape-rendering="crispEdges">
+            <svg xmlns="http://www.w3.org/2000/svg" width="{total:0.###}mm" height="{total:0.###}mm" viewBox="0 0 {Edge} {Edge}"
+              shape-rendering="crispEdges">
             <title>{caption}</title>
             <rect width="{Edge}" height="{Edge}" fill="#fff"/>
             <path d="{squares}" fill="#000"/>

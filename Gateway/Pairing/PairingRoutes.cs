@@ -27,7 +27,8 @@ sealed class PairingRoutes
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;
-        if (!_isOn || request.Headers.Upgrade.Count > 0 || !request.Path.StartsWithSegments(PairingLimits.Path, StringComparison.Ordinal)) return next(context);
+        var isBelow = request.Path.StartsWithSegments(PairingLimits.Path, StringComparison.Ordinal);
+        if (!_isOn || !isBelow || request.Headers.Upgrade.Count > 0) return next(context);
         var isPost = HttpMethods.IsPost(request.Method);
         return request.Path.Value switch
         {

@@ -18,7 +18,8 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, ConnectionC
         if (_wrong.IsBlocked(address))
         {
             context.Response.Headers.RetryAfter = "60";
-            await Door.AnswerAsync(context, StatusCodes.Status429TooManyRequests, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
+            await Door.AnswerAsync(
+                context, StatusCodes.Status429TooManyRequests, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
             return;
         }
 

@@ -10,7 +10,10 @@ static class PairingsVerb
     public static Command Create()
     {
         var file = new Option<string>("--pairing") { Description = "The gateway's list of headsets", HelpName = "FILE", Required = true };
-        var revoke = new Option<string>("--revoke") { Description = "Remove all headsets of this name; it holds for their next connection", HelpName = "NAME" };
+        var revoke = new Option<string>("--revoke")
+        {
+            Description = "Remove all headsets of this name; it holds for their next connection", HelpName = "NAME",
+        };
         var command = new Command("pairings", "Lists the paired headsets, oldest first; also while the gateway runs") { file, revoke };
         command.SetAction(parsed =>
         {
@@ -31,7 +34,11 @@ static class PairingsVerb
         var headsets = HeadsetFile.Load(path);
         var gone = headsets.Where(headset => headset.Name == name).ToArray();
         if (gone.Length == 0)
-            throw new InputException($"--revoke '{name}': no headset is of this name; there are {string.Join(", ", headsets.Select(h => $"'{h.Name}'"))}");
+        {
+            var there = string.Join(", ", headsets.Select(headset => $"'{headset.Name}'"));
+            throw new InputException($"--revoke '{name}': no headset is of this name; there are {there}");
+        }
+
         HeadsetFile.Remove(path, gone);
     }
 }

@@ -25,7 +25,8 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
 
   before(async () => {
     folder = mkdtempSync(join(tmpdir(), 'nowpose-pairing-'));
-    process = spawn('dotnet', [gateway, 'serve', '--sync-port', '0', '--ws-port', '0', '--pairing', join(folder, 'headsets.txt'), '--cell', 'Press 3']);
+    const options = ['--sync-port', '0', '--ws-port', '0', '--pairing', join(folder, 'headsets.txt'), '--cell', 'Press 3'];
+    process = spawn('dotnet', [gateway, 'serve', ...options]);
     facts = {};
     for await (const line of createInterface({ input: process.stdout })) {
       const at = line.indexOf(' ');

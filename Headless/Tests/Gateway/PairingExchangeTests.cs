@@ -50,7 +50,8 @@ public sealed class PairingExchangeTests
         await using var gateway = await PairingGateway.StartAsync();
         var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token)).Token;
 
-        using var stream = await new GatewayDialer(gateway.CellCode().ToConnection(own, "a")).OpenAsync(gateway.Server.SyncEndPoint.Port, default).Bounded();
+        var dialer = new GatewayDialer(gateway.CellCode().ToConnection(own, "a"));
+        using var stream = await dialer.OpenAsync(gateway.Server.SyncEndPoint.Port, default).Bounded();
         await stream.WriteAsync(SyncToken.Write(own));
         var reply = new byte[SyncFrame.Size];
         await stream.ReadExactlyAsync(reply).AsTask().Bounded();

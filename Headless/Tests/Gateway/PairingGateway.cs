@@ -22,7 +22,10 @@ sealed class PairingGateway : IAsyncDisposable
 #pragma warning disable CA5399, CA5400 // One fixed certificate; there is no list it could be revoked on.
         _http = new HttpClient(new SocketsHttpHandler
         {
-            SslOptions = { RemoteCertificateValidationCallback = (_, shown, _, _) => shown?.GetCertHashString() == _certificate?.GetCertHashString() },
+            SslOptions =
+            {
+                RemoteCertificateValidationCallback = (_, shown, _, _) => shown?.GetCertHashString() == _certificate?.GetCertHashString(),
+            },
         });
 #pragma warning restore CA5399, CA5400
     }
@@ -72,7 +75,8 @@ sealed class PairingGateway : IAsyncDisposable
         HttpMethod method, string path, HttpContent content = null, params (string Name, string Value)[] headers)
     {
         var scheme = Server.Pin == null ? "http" : "https";
-        using var request = new HttpRequestMessage(method, new Uri($"{scheme}://127.0.0.1:{Server.WebSocketEndPoint.Port}{path}")) { Content = content };
+        var uri = new Uri($"{scheme}://127.0.0.1:{Server.WebSocketEndPoint.Port}{path}");
+        using var request = new HttpRequestMessage(method, uri) { Content = content };
         foreach (var (name, value) in headers) request.Headers.TryAddWithoutValidation(name, value);
         using var response = await _http.SendAsync(request).Bounded();
         return (response.StatusCode, await response.Content.ReadAsStringAsync().Bounded());

@@ -6,7 +6,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>What the robot's marker says: which cell this is, how to reach its gateway, and where the marker is in the base frame. No secret.</summary>
+    /// <summary>
+    /// What the robot's marker says: which cell this is, how to reach its gateway, and where the marker is in the base frame. No secret.
+    /// </summary>
     /// <remarks>Immutable. Each marker of a cell has a code of its own: they differ in the offset.</remarks>
     public sealed class CellCode
     {
@@ -33,7 +35,8 @@ namespace Nowpose.Pairing
             Cell = CellName.Require(cell, "cell code: name");
             Host = GatewayHost.Require(host, "cell code: host");
             if (pin == null && !GatewayHost.IsLoopback(Host))
-                throw new InputException("cell code: certificate pin is missing, without which only a gateway on the headset's own machine can be used");
+                throw new InputException(
+                    "cell code: certificate pin is missing, without which only a gateway on the headset's own machine can be used");
             Pin = pin;
             Marker = marker;
             if (sizeMetres != 0) SettingRange.Require(sizeMetres, LeastSizeMetres, GreatestSizeMetres, "cell code: marker size", "m");
@@ -116,7 +119,8 @@ namespace Nowpose.Pairing
             if (Marker != null) text.Append("&o=").Append(Marker);
             if (SizeMetres != 0) text.Append("&m=").Append(MarkerOffset.Write(SizeMetres));
             return text.Length <= PairingCode.GreatestLength ? text.ToString() : throw new InputException(
-                "cell code: " + text.Length + " characters; allowed are up to " + PairingCode.GreatestLength + "; shorten the names of cell and host");
+                "cell code: " + text.Length + " characters; allowed are up to " + PairingCode.GreatestLength
+                + "; shorten the names of cell and host");
         }
     }
 }

@@ -5,7 +5,7 @@ using System.Globalization;
 namespace Nowpose.Pairing
 {
     /// <summary>The fields of a pairing code, asked for one by one. What does not fit the grammar is refused in one line.</summary>
-    /// <remarks>Nothing is skipped: a field that a reader does not know might be what makes the code safe, so each new one is a new version.</remarks>
+    /// <remarks>Nothing is skipped: a field that a reader does not know might be what makes it safe, so each new one is a new version.</remarks>
     sealed class CodeFields
     {
         readonly string _what;
@@ -61,7 +61,8 @@ namespace Nowpose.Pairing
 
         void RequireVersion(string text, int version)
         {
-            if (text.Length == 0 || text.Length > 4 || text[0] == '0' || !int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var read))
+            if (text.Length == 0 || text.Length > 4 || text[0] == '0'
+                || !int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var read))
                 throw Fault("has no version; expected is /" + version + "?");
             if (read != version) throw Fault("of version " + read + ", this Nowpose reads version " + version + "; update Nowpose");
         }

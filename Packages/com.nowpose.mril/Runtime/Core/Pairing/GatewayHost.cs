@@ -16,11 +16,12 @@ namespace Nowpose.Pairing
         {
             var plain = (host ?? "").ToLowerInvariant();
             if (plain.Contains(':') ? IsIPv6(plain) : IsNumeric(plain) ? IsIPv4(plain) : IsName(plain)) return plain;
-            throw new InputException(what + ": '" + Shown(host) + "' is no host; allowed are a name of ASCII letters, digits, hyphens and dots, or an "
-                + "IPv4 or IPv6 address");
+            throw new InputException(what + ": '" + Shown(host) + "' is no host; allowed are a name of ASCII letters, digits, hyphens and dots, "
+                + "or an IPv4 or IPv6 address");
         }
 
-        public static bool IsLoopback(string host) => host == "localhost" || (IPAddress.TryParse(host, out var address) && IPAddress.IsLoopback(address));
+        public static bool IsLoopback(string host) =>
+            host == "localhost" || (IPAddress.TryParse(host, out var address) && IPAddress.IsLoopback(address));
 
         static bool IsName(string host)
         {
@@ -42,7 +43,8 @@ namespace Nowpose.Pairing
         static bool IsNumeric(string host)
         {
             var last = host.Substring(host.LastIndexOf('.') + 1);
-            return last.Length > 0 && IsDigit(last[0]) && (last.StartsWith("0x", StringComparison.Ordinal) || Array.TrueForAll(last.ToCharArray(), IsDigit));
+            return last.Length > 0 && IsDigit(last[0])
+                && (last.StartsWith("0x", StringComparison.Ordinal) || Array.TrueForAll(last.ToCharArray(), IsDigit));
         }
 
         static bool IsIPv4(string host)

@@ -62,7 +62,8 @@ namespace Nowpose.Pairing
                     default: return cursor.Elements(() => Add(cells, cursor));
                 }
             });
-            return isRead ? new PairedCells(cells, used) : throw new InputException("a field is missing, twice, or of another kind (" + cursor.Fault + ")");
+            return isRead
+                ? new PairedCells(cells, used) : throw new InputException("a field is missing, twice, or of another kind (" + cursor.Fault + ")");
         }
 
         static bool RequireFormat(string format) => format == Format ? true : throw new InputException("another format than '" + Format + "'");

@@ -84,7 +84,8 @@ namespace Nowpose.Pairing
         {
             switch (status)
             {
-                case 401: return PairingAnswer.Refused("the gateway does not know this code: it was used, or is too old; look at the one that it shows now");
+                case 401: return PairingAnswer.Refused(
+                    "the gateway does not know this code: it was used, or is too old; look at the one that it shows now");
                 case 404:
                 case 426: return PairingAnswer.Refused("the gateway pairs no headsets; start it with --pairing");
                 case 429: return PairingAnswer.Failed("the gateway has seen too many wrong codes; it answers again in a minute");
@@ -95,9 +96,10 @@ namespace Nowpose.Pairing
 
         static async Task<PairingAnswer> ReadAsync(Stream stream, HttpHead head, CancellationToken cancel)
         {
-            if (head.Field("Transfer-Encoding") != null || !int.TryParse(
-                    head.Field("Content-Length"), NumberStyles.None, CultureInfo.InvariantCulture, out var length) || length > PairingLimits.BodyBytes)
-                return PairingAnswer.Refused("the gateway's answer to the code is of unknown length or longer than " + PairingLimits.BodyBytes + " bytes");
+            var isCounted = int.TryParse(head.Field("Content-Length"), NumberStyles.None, CultureInfo.InvariantCulture, out var length);
+            if (!isCounted || length > PairingLimits.BodyBytes || head.Field("Transfer-Encoding") != null)
+                return PairingAnswer.Refused(
+                    "the gateway's answer to the code is of unknown length or longer than " + PairingLimits.BodyBytes + " bytes");
             var body = new byte[length];
             for (var got = 0; got < length;)
             {

@@ -16,8 +16,8 @@ namespace Nowpose.Pairing
         public static string Question(CellCode code, CellCode known)
         {
             if (known == null)
-                return "Connect to cell '" + code.Cell + "'? Gateway " + code.Host + ", ports " + Number(code.SyncPort) + " and " + Number(code.WebSocketPort)
-                    + ", " + Key(code.Pin);
+                return "Connect to cell '" + code.Cell + "'? Gateway " + code.Host + ", ports " + Number(code.SyncPort) + " and "
+                    + Number(code.WebSocketPort) + ", " + Key(code.Pin);
             var host = code.Host == known.Host ? code.Host : code.Host + " instead of " + known.Host;
             var key = Equals(code.Pin, known.Pin) ? Key(code.Pin) : Key(code.Pin) + " instead of " + Key(known.Pin);
             return "Cell '" + code.Cell + "' has another gateway than before. Connect? Gateway " + host + ", ports " + Number(code.SyncPort) + " and "

@@ -5,7 +5,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>What the gateway shows for five minutes: a token that one headset may exchange for its own, and the key of that gateway. Secret.</summary>
+    /// <summary>
+    /// What the gateway shows for five minutes: a token that one headset may exchange for its own, and the key of that gateway. Secret.
+    /// </summary>
     public sealed class TokenCode
     {
         public const int Version = 1;

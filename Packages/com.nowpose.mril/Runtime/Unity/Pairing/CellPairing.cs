@@ -74,7 +74,7 @@ namespace Nowpose.Unity
         /// <summary>Leaves the cell in use and forgets it, with its token; the next look at a marker asks anew.</summary>
         public void Forget() => Flow?.Forget();
 
-        /// <summary>Takes a text as though a marker in view held it: typed, scanned or handed over otherwise. White space around it is ignored.</summary>
+        /// <summary>Takes a text as though a marker in view held it: typed, scanned or handed over. White space around it is ignored.</summary>
         public void ReadCode(string text)
         {
             if (_source != null) Flow?.See(text?.Trim(), _source.HeadsetClock.Now);

@@ -60,7 +60,7 @@ namespace Nowpose.Tests
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"used\":\"a\",\"cells\":[]}")]
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[]}]}")]
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a\"]}]}")]
-        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a&h=localhost\"],\"token\":\"a b\"}]}")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a&h=::1\"],\"token\":\"a b\"}]}")]
         public void Load_Unusable_IsSaidAndKeptAside(string text)
         {
             Directory.CreateDirectory(_folder);

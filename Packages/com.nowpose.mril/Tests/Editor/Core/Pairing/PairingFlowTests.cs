@@ -82,7 +82,8 @@ namespace Nowpose.Tests
         public void Both_SeenOnce_PairTheHeadset()
         {
             Assert.That(Frame(Cell) & PairingChange.Asked, Is.EqualTo(PairingChange.Asked));
-            Assert.That(_flow.Question, Does.Contain("'Press 3'").And.Contain("10.0.0.7").And.Contain("47010").And.Contain("47011").And.Contain("AAAAAAAAAAAA…"));
+            Assert.That(
+                _flow.Question, Does.Contain("'Press 3'").And.Contain("10.0.0.7").And.Contain("47010").And.Contain("47011").And.Contain("AAAAAAAAAAAA…"));
             _flow.Accept();
             Assert.That(_flow.Question, Is.Null);
             Frame();
