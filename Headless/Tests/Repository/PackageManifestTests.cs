@@ -37,7 +37,8 @@ public sealed class PackageManifestTests
     {
         var declared = Dependencies(Manifest).Where(d => d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
         // Colliders and canvases: XR Interaction Toolkit, without which that sample is nothing, brings their modules.
-        var used = UnityModules.UsedUnder(RepositoryFiles.Package, RepositoryFiles.Package + "/Samples~/HoloLens 2 (MRTK3)").Select(m => ModulePrefix + m + " 1.0.0");
+        var used = UnityModules.UsedUnder(RepositoryFiles.Package, RepositoryFiles.Package + "/Samples~/HoloLens 2 (MRTK3)")
+            .Select(m => ModulePrefix + m + " 1.0.0");
 
         Assert.That(declared.Select(d => d.Key + " " + d.Value), Is.EquivalentTo(used));
     }

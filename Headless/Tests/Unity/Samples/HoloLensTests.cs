@@ -274,7 +274,8 @@ public sealed class HoloLensTests
 
         foreach (var button in buttons)
         {
-            var words = button.GetComponentsInChildren<TextMeshProUGUI>(true).Where(t => IsShownIn(button.transform, t.transform)).Select(t => t.m_text);
+            var words = button.GetComponentsInChildren<TextMeshProUGUI>(true)
+                .Where(t => IsShownIn(button.transform, t.transform)).Select(t => t.m_text);
             Assert.That(words.Single(), Is.Not.EqualTo("Label").And.Not.EqualTo("Button"), button.name);
         }
         foreach (var canvas in buttons.GroupBy(b => b.transform.parent))

@@ -107,7 +107,8 @@ sealed class Expansion
     bool TryUp(FileObject from, string upwards, PrefabInstance instance, out FileObject up)
     {
         up = null;
-        if (!(Nodes.Find(from.Fields, upwards) is { } node) || !AssetReference.TryRead(node, out var reference) || reference.Guid != null) return false;
+        if (!(Nodes.Find(from.Fields, upwards) is { } node) || !AssetReference.TryRead(node, out var reference)) return false;
+        if (reference.Guid != null) return false;
         return IsOf(instance, Resolve(reference.FileId)) && _byId.TryGetValue(Resolve(reference.FileId), out up);
     }
 

@@ -105,7 +105,7 @@ namespace Nowpose.Unity
             if (Has(_panel, "status panel")) _panel.gameObject.SetActive(shown);
         }
 
-        /// <summary>For a slider: 1 is as it is, 0 the fifth that a fade leaves; a pose that is not current stays as visible as it has to be.</summary>
+        /// <summary>For a slider: 1 is as it is, 0 the fifth that a fade leaves; a pose that is not current stays as visible as it must.</summary>
         public void SetOpacity(float opacity)
         {
             if (Has(_appearance, "pose appearance")) _appearance.Opacity = opacity;

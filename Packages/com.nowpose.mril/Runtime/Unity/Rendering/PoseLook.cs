@@ -57,7 +57,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>The fade for a wearer who wants it fainter: a pose that is not current never becomes fainter than the faintest of these looks.</summary>
+        /// <summary>The fade for a wearer who wants it fainter: what is not current never becomes fainter than the faintest of these looks.</summary>
         /// <param name="opacity">0 to 1 (as it is).</param>
         public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, Abandoned.Fade) : 1 - opacity);
 

@@ -136,7 +136,7 @@ namespace Nowpose.Unity
             set => _nextClock = value ?? throw new ArgumentNullException(nameof(value));
         }
 
-        /// <summary>Whether it is to be connected: since <see cref="Connect"/>, until <see cref="Disconnect"/>. Its statistics tell whether it is.</summary>
+        /// <summary>Whether it is to be connected: since <see cref="Connect"/>, until <see cref="Disconnect"/>.</summary>
         public bool IsConnecting => _isWanted;
 
         /// <summary>
