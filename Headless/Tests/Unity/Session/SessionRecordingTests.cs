@@ -18,13 +18,14 @@ public sealed class SessionRecordingTests
     {
         _folder = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
         _cell = new PlayedCell();
+        _recording = null;
     }
 
     [TearDown]
     public async Task TearDown()
     {
         _cell.Dispose();
-        await Written();
+        await Written(files: _recording?.Path != null && _recording.Problem == null ? 1 : 0);
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
 
@@ -38,8 +39,8 @@ public sealed class SessionRecordingTests
 
     string[] Files => Directory.Exists(_folder) ? [.. Directory.GetFiles(_folder).Order()] : [];
 
-    // The files are closed by threads that no frame waits for.
-    Task Written() => Soon.BecomesAsync(() => Files.All(IsClosed), "the files are closed");
+    // The files are made and closed by threads that no frame waits for.
+    Task Written(int files = 0) => Soon.BecomesAsync(() => Files.Length >= files && Files.All(IsClosed), "the files are closed");
 
     static bool IsClosed(string file)
     {
@@ -56,7 +57,7 @@ public sealed class SessionRecordingTests
         Assert.That(_recording.IsRecording);
 
         _recording.StopRecording();
-        await Written();
+        await Written(files: 1);
 
         Assert.That(_recording.IsRecording, Is.False);
         Assert.That(Files, Is.EqualTo(new[] { _recording.Path }));
@@ -114,7 +115,7 @@ public sealed class SessionRecordingTests
         _cell.Player.Pause(false);
         _cell.Run(1, _session);
         _recording.enabled = false;
-        await Written();
+        await Written(files: 2);
 
         Assert.That(Files, Is.EqualTo(new[] { first, _recording.Path }));
     }
