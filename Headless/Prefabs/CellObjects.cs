@@ -22,6 +22,7 @@ static class CellObjects
         Fields.Set(actions, "_ghost", session.GetComponentInChildren<Ghost>(includeInactive: true));
         Fields.Set(actions, "_appearance", displayed.GetComponent<PoseAppearance>());
         Fields.Set(actions, "_panel", panel);
+        Fields.Set(actions, "_pairing", session.GetComponentInChildren<CellPairing>(includeInactive: true));
         Fields.Set(actions, "_occluder", workshop.Load<Material>(PackagePaths.Occluder));
     }
 }

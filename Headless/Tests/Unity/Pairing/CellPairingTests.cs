@@ -189,6 +189,39 @@ public class CellPairingTests
     }
 
     [Test]
+    public void ForgetCell_OfTheActions_AsksAndAnAcceptedQuestionLeavesTheCell()
+    {
+        var actions = _session.gameObject.AddComponent<CellActions>();
+        _shown.Texts.Add(Desk);
+        Frames();
+        _pairing.Accept();
+        Frames();
+        _shown.Texts.Clear();
+
+        actions.ForgetCell();
+        Frames();
+        Assert.That(_pairing.Question, Does.StartWith("Forget cell 'desk'?"));
+        Assert.That(_pairing.Cell, Is.EqualTo("desk"));
+        _pairing.Accept();
+        Frames();
+
+        Assert.That(_pairing.Cell, Is.Null);
+        Assert.That(_session.IsConnecting, Is.False);
+    }
+
+    [Test]
+    public void ForgetCell_NoPairing_IsSaid()
+    {
+        var actions = _session.gameObject.AddComponent<CellActions>();
+        UnityEngine.Object.Destroy(_pairing);
+        Frames();
+
+        actions.ForgetCell();
+
+        Assert.That(_cell.Messages, Has.Some.Contains("find no cell pairing to act on"));
+    }
+
+    [Test]
     public void File_Damaged_IsSaidAndKeptAside()
     {
         File.WriteAllText(FilePath, "{\"format\":");

@@ -21,7 +21,7 @@ namespace Nowpose.Pairing
         readonly Dictionary<string, SeenCode> _seen = new Dictionary<string, SeenCode>(StringComparer.Ordinal);
         readonly HashSet<string> _refused = new HashSet<string>(StringComparer.Ordinal);
         readonly HashSet<string> _tried = new HashSet<string>(StringComparer.Ordinal);
-        SeenCode _asked;
+        PairingQuestion _asked;
         PairedCell _otherInView;
         TokenCode _waiting;
         HeadsetTime _waitingUntil;
@@ -45,7 +45,7 @@ namespace Nowpose.Pairing
         public PairedCells Cells { get; private set; }
 
         /// <summary>What the wearer has to answer; null when nothing is asked.</summary>
-        public string Question { get; private set; }
+        public string Question => _asked?.Text;
 
         /// <summary>What went wrong, in one line; null when nothing did.</summary>
         public string Problem { get; private set; }
@@ -96,34 +96,37 @@ namespace Nowpose.Pairing
         /// <summary>Agrees to the question. Does nothing when nothing is asked.</summary>
         public void Accept()
         {
-            if (_asked == null) return;
-            var code = _asked.Cell;
-            var known = Cells.Find(code.Cell);
-            // What another gateway of that name may still give is no token of this one.
-            if (_exchange?.Cell == code.Cell) EndExchange();
+            var asked = _asked;
+            if (asked == null) return;
             Answer();
-            // The same key is the same gateway: what it gave this headset still counts.
-            var token = known != null && Equals(known.Newest.Pin, code.Pin) ? known.Token : null;
-            Use(new PairedCell(new[] { code }, token));
+            if (asked.Code != null) Connect(asked.Code.Cell);
+            else Forget(asked.Forgotten);
         }
 
-        /// <summary>Declines the question, for this run. Does nothing when nothing is asked.</summary>
+        /// <summary>Declines the question; to connect to a gateway for this run. Does nothing when nothing is asked.</summary>
         public void Refuse()
         {
             if (_asked == null) return;
-            _refused.Add(_asked.Gateway);
+            if (_asked.Code != null) _refused.Add(_asked.Code.Gateway);
             Answer();
         }
 
-        /// <summary>Forgets the cell in use, with its token, and what was refused: the next look at a marker asks anew.</summary>
+        /// <summary>
+        /// Asks whether to forget the cell in use, in place of any other question. What was declined is asked again at the next look, whatever
+        /// the answer: that is all where no cell is in use.
+        /// </summary>
+        public void AskToForget()
+        {
+            _refused.Clear();
+            if (Cells.Used != null) Ask(PairingQuestion.Forget(Cells.Used));
+        }
+
+        /// <summary>Forgets the cell in use, with its token, and what was declined: the next look at a marker asks anew.</summary>
         public void Forget()
         {
             _refused.Clear();
             Answer();
-            EndExchange();
-            if (Cells.Used == null) return;
-            Cells = Cells.Without(Cells.Used.Cell);
-            Change(PairingChange.Applied | PairingChange.Kept);
+            Forget(Cells.Used?.Cell);
         }
 
         public void Dispose() => EndExchange();
@@ -137,7 +140,7 @@ namespace Nowpose.Pairing
                 if (known.Cell == Cells.Used?.Cell) _isUsedInView = true;
                 else _otherInView = known;
             }
-            else if (_asked == null && !_refused.Contains(seen.Gateway)) Ask(seen, known);
+            else if (_asked == null && !_refused.Contains(seen.Gateway)) Ask(PairingQuestion.Connect(seen, known));
         }
 
         void Learn(PairedCell cell)
@@ -149,17 +152,33 @@ namespace Nowpose.Pairing
             Change(PairingChange.Applied | PairingChange.Kept);
         }
 
-        void Ask(SeenCode seen, PairedCell known)
+        void Ask(PairingQuestion question)
         {
-            _asked = seen;
-            Question = PairingWords.Question(seen.Cell, known?.Newest);
+            if (_asked?.Text == question.Text) return;
+            _asked = question;
             Change(PairingChange.Asked);
+        }
+
+        void Connect(CellCode code)
+        {
+            var known = Cells.Find(code.Cell);
+            // What another gateway of that name may still give is no token of this one.
+            if (_exchange?.Cell == code.Cell) EndExchange();
+            // The same key is the same gateway: what it gave this headset still counts.
+            var token = known != null && Equals(known.Newest.Pin, code.Pin) ? known.Token : null;
+            Use(new PairedCell(new[] { code }, token));
+        }
+
+        void Forget(string cell)
+        {
+            EndExchange();
+            if (cell != null) Cells = Cells.Without(cell);
+            Change(cell == null ? PairingChange.Words : PairingChange.Applied | PairingChange.Kept);
         }
 
         void Answer()
         {
             _asked = null;
-            Question = null;
             Problem = null;
             Change(PairingChange.Words);
         }

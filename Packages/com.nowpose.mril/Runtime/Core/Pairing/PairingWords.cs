@@ -24,6 +24,9 @@ namespace Nowpose.Pairing
                 + Number(code.WebSocketPort) + ", " + key;
         }
 
+        public static string Forget(CellCode code) =>
+            "Forget cell '" + code.Cell + "'? To use it again, look at its marker" + (code.Pin == null ? "" : " and at its gateway's code");
+
         public static string LookAtCode(string cell) => "cell '" + cell + "': look at the code that its gateway shows";
         public static string Exchanging(string cell) => "cell '" + cell + "': pairing";
         public static string Paired(string cell) => "cell '" + cell + "': paired";

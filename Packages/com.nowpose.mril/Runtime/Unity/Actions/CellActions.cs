@@ -32,6 +32,9 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The panel that is shown and hidden. Empty: the first below the session.")]
         StatusPanel _panel = null;
 
+        [SerializeField, Tooltip("What knows the cell and asks before it forgets it. Empty: the first below the session.")]
+        CellPairing _pairing = null;
+
         [SerializeField, Tooltip("Material of the parts that hide what is behind the real arm. Empty: the arm material of the displayed rig.")]
         Material _occluder = null;
 
@@ -86,6 +89,12 @@ namespace Nowpose.Unity
             if (Has(_anchor, "base anchor")) _anchor.Relock();
         }
 
+        /// <summary>Asks whether to forget the cell in use; the answer is given as to any question of the pairing.</summary>
+        public void ForgetCell()
+        {
+            if (Has(_pairing, "cell pairing")) _pairing.AskToForget();
+        }
+
         public void ToggleGhost() => SetGhost(!IsGhostShown);
 
         public void SetGhost(bool shown)
@@ -127,6 +136,7 @@ namespace Nowpose.Unity
             if (_anchor == null) _anchor = _source.GetComponentInChildren<BaseAnchor>(true);
             if (_ghost == null) _ghost = _source.GetComponentInChildren<Ghost>(true);
             if (_panel == null) _panel = _source.GetComponentInChildren<StatusPanel>(true);
+            if (_pairing == null) _pairing = _source.GetComponentInChildren<CellPairing>(true);
             if (_appearance == null) _appearance = DisplayedBelow(_source);
             _occlusion.Begin(_source, _occluder);
             _told = State;

@@ -68,10 +68,14 @@ namespace Nowpose.Unity
         /// <summary>Agrees to the question. Does nothing when nothing is asked.</summary>
         public void Accept() => Flow?.Accept();
 
-        /// <summary>Declines the question, until the application starts anew. Does nothing when nothing is asked.</summary>
+        /// <summary>Declines the question; a gateway until the application starts anew or <see cref="AskToForget"/>.</summary>
         public void Refuse() => Flow?.Refuse();
 
-        /// <summary>Leaves the cell in use and forgets it, with its token; the next look at a marker asks anew.</summary>
+        /// <summary>Asks whether to forget the cell in use: a <see cref="Question"/> like any other.</summary>
+        /// <remarks>What was declined is asked again at the next look, whatever the answer.</remarks>
+        public void AskToForget() => Flow?.AskToForget();
+
+        /// <summary>Leaves the cell in use and forgets it without a question, with its token; the next look at a marker asks anew.</summary>
         public void Forget() => Flow?.Forget();
 
         /// <summary>Takes a text as though a marker in view held it: typed, scanned or handed over. White space around it is ignored.</summary>

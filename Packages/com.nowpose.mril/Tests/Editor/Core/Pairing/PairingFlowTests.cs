@@ -305,6 +305,55 @@ namespace Nowpose.Tests
             Assert.That(_flow.Question, Is.Not.Null);
         }
 
+        [TestCase(true)]
+        [TestCase(false)]
+        public void AskToForget_IsAnsweredLikeAnyQuestion(bool isAgreed)
+        {
+            Pair(Cell, Token);
+
+            _flow.AskToForget();
+
+            Assert.That(Frame(Cell) & PairingChange.Asked, Is.EqualTo(PairingChange.Asked));
+            Assert.That(_flow.Question, Does.StartWith("Forget cell 'Press 3'?").And.Contain("code"));
+            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 3"), "until it is answered");
+            if (isAgreed) _flow.Accept();
+            else _flow.Refuse();
+            Assert.That(_flow.Question, Is.Null);
+            Assert.That(_flow.Cells.All.Count, Is.EqualTo(isAgreed ? 0 : 1));
+            Assert.That(Frame() & PairingChange.Kept, Is.EqualTo(isAgreed ? PairingChange.Kept : PairingChange.None));
+        }
+
+        [Test]
+        public void AskToForget_AnotherQuestionIsOpen_TakesItsPlaceUntilItIsAnswered()
+        {
+            var other = CodeOf("Press 4", "10.0.0.9", OtherPin);
+            Pair(Cell, Token);
+            Frame(Cell, other);
+
+            _flow.AskToForget();
+            Frame(Cell, other);
+            Assert.That(_flow.Question, Does.StartWith("Forget cell 'Press 3'?"));
+            _flow.Refuse();
+            Frame(Cell, other);
+
+            Assert.That(_flow.Question, Does.StartWith("Connect to cell 'Press 4'?"));
+        }
+
+        [Test]
+        public void AskToForget_GatewayWasDeclined_IsAskedAgainAtTheNextLook()
+        {
+            Frame(Cell);
+            _flow.Refuse();
+            Frame(Cell);
+            Assert.That(_flow.Question, Is.Null);
+
+            _flow.AskToForget();
+            Assert.That(_flow.Question, Is.Null, "there is no cell to forget");
+            Frame(Cell);
+
+            Assert.That(_flow.Question, Does.StartWith("Connect to cell 'Press 3'?"));
+        }
+
         [Test]
         public void Forget_WhileItIsPairing_TakesNoToken()
         {
