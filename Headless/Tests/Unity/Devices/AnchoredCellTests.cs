@@ -76,9 +76,15 @@ public sealed class AnchoredCellTests
         var noise = new Vector3(Noise(), Noise(), Noise());
         var half = SizeMetres / 2;
         var corner = code.position + noise - code.rotation * new Vector3(half, half, 0);
+        Report(_origin.InSession(corner, code.rotation));
+    }
+
+    void Report(Pose pose)
+    {
+        const float half = SizeMetres / 2;
         _codes.Report(new XRMarker
         {
-            trackableId = Code, pose = _origin.InSession(corner, code.rotation), center = new Vector2(half, half),
+            trackableId = Code, pose = pose, center = new Vector2(half, half),
             size = new Vector2(SizeMetres, SizeMetres), lastSeenTime = (float)_cell.Now, trackingState = TrackingState.Tracking,
             markerType = ARMarkerType.QRCode,
         });
@@ -111,6 +117,47 @@ public sealed class AnchoredCellTests
         Assert.That(ErrorMm(), Is.LessThan(1.5));
         Assert.That(_kept.PersistedAnchorNames, Is.EqualTo(new[] { Cell }));
         Assert.That(_cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
+    }
+
+    // Where the XR Origin is in the scene decides what the session's origin is in the world.
+    static readonly Vector3[] Origins = [Vector3.zero, new(0, 1.6f, 0), new(1, 0.5f, -2)];
+
+    [TestCaseSource(nameof(Origins))]
+    public void Base_AnchorAtTheSessionsOrigin_DoesNotMoveAndLooksLost(Vector3 origin)
+    {
+        Stand(origin);
+        Run(3, isSeen: true);
+        Run(1, isSeen: false);
+        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Locked), _anchor.Words);
+        var place = _anchor.transform.position;
+
+        _device.Place(_kept.KeptAs(Cell), new Pose(Vector3.zero, Quaternion.identity), TrackingState.Tracking);
+        Run(2, isSeen: false);
+
+        Assert.That(Vector3.Distance(_anchor.transform.position, place), Is.LessThan(1e-5));
+        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Lost));
+        _device.Place(_kept.KeptAs(Cell), _origin.InSession(place, _anchor.transform.rotation), TrackingState.Tracking);
+        Run(1, isSeen: false);
+        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Locked));
+    }
+
+    [TestCaseSource(nameof(Origins))]
+    public void Base_CodeAtTheSessionsOrigin_IsNeverLocked(Vector3 origin)
+    {
+        Stand(origin);
+        _origin.Head.SetPositionAndRotation(origin + new Vector3(0, 0, 0.8f), Quaternion.Euler(0, 180, 0));
+
+        _cell.Run(4, _session, () => Report(new Pose(Vector3.zero, Quaternion.identity)));
+
+        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Searching), _anchor.Words);
+        Assert.That(_anchor.Tracker.Markers[0].Fault, Is.EqualTo(SightingFault.NotTracked));
+    }
+
+    void Stand(Vector3 origin)
+    {
+        var head = (_origin.Head.position, _origin.Head.rotation);
+        _origin.Origin.transform.SetPositionAndRotation(origin, origin == Vector3.zero ? Quaternion.identity : Quaternion.Euler(0, 30, 0));
+        _origin.Head.SetPositionAndRotation(head.position, head.rotation);
     }
 
     [Test]

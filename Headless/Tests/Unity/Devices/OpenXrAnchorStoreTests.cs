@@ -209,7 +209,7 @@ public sealed class OpenXrAnchorStoreTests
         Run(0.1);
         var first = _anchors.Find("cell");
         var second = _anchors.Find("cell");
-        _device.Place(Earlier, new Pose(Vector3.zero, Quaternion.identity), TrackingState.Tracking);
+        _device.Place(Earlier, new Pose(Vector3.forward, Quaternion.identity), TrackingState.Tracking);
         Run(0.1);
 
         first.Dispose();

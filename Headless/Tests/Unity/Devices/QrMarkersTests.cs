@@ -114,6 +114,21 @@ public sealed class QrMarkersTests
         Assert.That(ReadOne().Tracking, Is.EqualTo(expected));
     }
 
+    [TestCase(TransformMode.MostStable, 0)]
+    [TestCase(TransformMode.Center, 0)]
+    [TestCase(TransformMode.Center, 0.06f)]
+    public void Read_AtTheSessionsOrigin_IsNotTracked(TransformMode mode, float shift)
+    {
+        _codes.Report(new XRMarker
+        {
+            trackableId = Id, pose = new Pose(new Vector3(shift, shift, 0), Quaternion.identity), center = new Vector2(0.06f, 0.06f),
+            size = new Vector2(0.12f, 0.12f), lastSeenTime = (float)_cell.Now, trackingState = TrackingState.Tracking, transformMode = mode,
+            markerType = ARMarkerType.QRCode,
+        });
+
+        Assert.That(ReadOne().Tracking, Is.EqualTo(MarkerTracking.None));
+    }
+
     [Test]
     public void Read_LastSeen_IsOnTheSessionsClock()
     {

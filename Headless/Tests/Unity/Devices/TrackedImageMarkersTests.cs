@@ -72,6 +72,18 @@ public sealed class TrackedImageMarkersTests
         Assert.That(marker.SizeMetres, Is.EqualTo(0.2).Within(1e-6), "its width");
     }
 
+    [TestCase(0, 0, 0)]
+    [TestCase(0, 1.6f, 0)]
+    [TestCase(1, 0.5f, -2)]
+    public void Read_ImageAtTheSessionsOrigin_IsNotTracked(float x, float y, float z)
+    {
+        _origin.Origin.transform.position = new Vector3(x, y, z);
+        _images.Report(new XRTrackedImage(Id, "cell-7", new Pose(Vector3.zero, Quaternion.identity), new Vector2(0.2f, 0.3f), TrackingState.Tracking));
+
+        Assert.That(ReadOne().Tracking, Is.EqualTo(MarkerTracking.None));
+        Assert.That(Report(TrackingState.Tracking).Tracking, Is.EqualTo(MarkerTracking.Tracking));
+    }
+
     [Test]
     public void Read_ImageOutOfSight_WasSeenWhenItWasTrackedLast()
     {

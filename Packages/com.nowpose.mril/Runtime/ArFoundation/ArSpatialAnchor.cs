@@ -13,6 +13,9 @@ namespace Nowpose.ArFoundation
         /// <summary>A device that has not taken an anchor by then takes none: scanning a new room lasts some seconds.</summary>
         const float PatienceSeconds = 10;
 
+        /// <summary>An anchor that was nearer than this to the session's origin may be there.</summary>
+        const float NearMetres = 0.1f;
+
         readonly ArSpatialAnchors _owner;
         readonly Pose _wanted;
         readonly TrackableId _loaded;
@@ -111,17 +114,19 @@ namespace Nowpose.ArFoundation
         void Track()
         {
             if (_anchor.pending) return;
-            if (_anchor.trackingState != TrackingState.Tracking)
+            var place = _anchor.transform;
+            if (_anchor.trackingState != TrackingState.Tracking || (_owner.IsSessionOrigin(place.position) && !IsNear(place.position)))
             {
                 if (State == SpatialAnchorState.Tracking || _isLoaded) State = SpatialAnchorState.Lost;
                 return;
             }
             State = SpatialAnchorState.Tracking;
-            var place = _anchor.transform;
             Pose = UnityPoses.ToRoom(place.position, place.rotation);
             _keeping.Follow(_anchor.trackableId);
             Problem = _keeping.Problem;
         }
+
+        bool IsNear(Vector3 place) => Pose is RigidTransform last && Vector3.Distance(UnityPoses.ToWorld(last).position, place) < NearMetres;
 
         void End(string problem)
         {

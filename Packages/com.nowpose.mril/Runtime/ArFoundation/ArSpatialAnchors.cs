@@ -33,6 +33,8 @@ namespace Nowpose.ArFoundation
 
         internal bool IsRunning => _manager.IsRunning;
 
+        internal bool IsSessionOrigin(Vector3 world) => _manager.IsSessionOrigin(world);
+
         /// <summary>Null where there is none, or it was destroyed. It may have been added after this.</summary>
         internal IAnchorStore Store => IsThere(_store) || TryGetComponent(out _store) ? _store : null;
 

@@ -16,10 +16,14 @@ namespace Nowpose.ArFoundation
 
         static readonly List<XRDisplaySubsystem> Displays = new List<XRDisplaySubsystem>();
 
+        /// <summary>Nothing real is known to be so near to where the device's session began.</summary>
+        const float OriginMetres = 0.001f;
+
         readonly Func<T, ISubsystem> _subsystemOf;
         readonly bool _isAdded;
         readonly string _need;
         OriginFault _fault;
+        XROrigin _origin;
         float? _since;
         bool _wasDisplaying, _isOurs;
 
@@ -47,7 +51,11 @@ namespace Nowpose.ArFoundation
         /// <returns>Whether <see cref="Problem"/> is another one than before.</returns>
         public bool Follow(XROrigin assigned)
         {
-            if (Manager == null) Manager = FindOrAdd(assigned);
+            if (Manager == null)
+            {
+                Manager = FindOrAdd(assigned);
+                _origin = Manager != null ? Manager.GetComponent<XROrigin>() : null;
+            }
             var subsystem = Manager != null ? _subsystemOf(Manager) : null;
             IsRunning = Manager != null && Manager.isActiveAndEnabled && subsystem != null && subsystem.running;
             if (Manager != null && subsystem == null) TryAgainWhenXrStarts();
@@ -58,6 +66,15 @@ namespace Nowpose.ArFoundation
             _fault = fault;
             Problem = WordsOf(fault);
             return true;
+        }
+
+        /// <summary>Whether a pose of the device's is the origin of its session, where devices put what they do not know.</summary>
+        /// <remarks>In the session's own space: in the world that is where the XR Origin has it.</remarks>
+        /// <param name="world">Where it is in the scene, metres.</param>
+        public bool IsSessionOrigin(Vector3 world)
+        {
+            var space = _origin != null ? _origin.TrackablesParent : null;
+            return space != null && space.InverseTransformPoint(world).magnitude < OriginMetres;
         }
 
         /// <summary>Lets the device rest, unless the manager is the user's; <see cref="Wake"/> undoes it.</summary>

@@ -62,14 +62,14 @@ namespace Nowpose.ArFoundation
 
         HeadsetTime Now => _source != null ? _source.HeadsetClock.Now : _ownClock.Now;
 
-        static MarkerSighting SightingOf(ARTrackedImage image, MarkerRecord record, HeadsetTime now)
+        MarkerSighting SightingOf(ARTrackedImage image, MarkerRecord record, HeadsetTime now)
         {
             if (image.trackingState == TrackingState.Tracking || record.LastSeen == null) record.LastSeen = now;
             record.Payload = image.referenceImage.name;
             var place = image.transform;
             return new MarkerSighting(
                 record.Id, record.Payload, UnityPoses.ToRoom(place.position, place.rotation) * MarkerInImage, image.size.x, record.LastSeen.Value,
-                image.trackingState.OfMarker());
+                _images.IsSessionOrigin(place.position) ? MarkerTracking.None : image.trackingState.OfMarker());
         }
     }
 }

@@ -90,17 +90,20 @@ namespace Nowpose.OpenXR
             manager.enabledMarkerTypes = types;
         }
 
-        static MarkerSighting SightingOf(ARMarker code, MarkerRecord record, HeadsetTime now, float seconds)
+        MarkerSighting SightingOf(ARMarker code, MarkerRecord record, HeadsetTime now, float seconds)
         {
             Follow(code, record, now, seconds);
             var corner = code.transform;
             var rotation = corner.rotation;
-            var centre = code.transformMode == TransformMode.Center
-                ? corner.position
-                : corner.position + rotation * new Vector3(code.center.x, code.center.y, 0);
+            var shift = rotation * new Vector3(code.center.x, code.center.y, 0);
+            var isCentre = code.transformMode == TransformMode.Center;
+            // Of what the device itself says: where it knows nothing, a shift to the centre looks like a place. At the origin nothing is
+            // turned, so that the plugin's shift is the same there.
+            var isNowhere = _codes.IsSessionOrigin(corner.position) || (isCentre && _codes.IsSessionOrigin(corner.position - shift));
+            var centre = isCentre ? corner.position : corner.position + shift;
             return new MarkerSighting(
                 record.Id, record.Payload, UnityPoses.ToRoom(centre, rotation) * MarkerInCode, code.size.x, record.LastSeen ?? now,
-                code.trackingState.OfMarker());
+                isNowhere ? MarkerTracking.None : code.trackingState.OfMarker());
         }
 
         // Brought to the headset clock once for each time it was seen: else the same sighting would have another time in each frame.
