@@ -75,6 +75,9 @@ namespace Nowpose.Anchoring
         /// <summary>Why the device does not hold or keep the place, in one line; null when nothing is wrong.</summary>
         public string Problem => _place.Problem;
 
+        /// <summary>How far away the device says that the place is, where that is too far to be followed, metres; else 0.</summary>
+        public double ElsewhereMetres => _place.ElsewhereMetres;
+
         /// <summary>Whether markers are compared with where they belong.</summary>
         bool IsWatching => IsKnown && !_place.IsLost;
 

@@ -36,7 +36,7 @@ namespace Nowpose.Anchoring
                 case BaseAnchorState.Moved: return Move(tracker);
                 case BaseAnchorState.Locked: return new Subject(Kind.Locked, tracker.Lock, tracker.Quarrel, tracker.Problem, 0, 0);
                 case BaseAnchorState.Restored: return new Subject(Kind.Restored, tracker.Problem);
-                case BaseAnchorState.Lost: return new Subject(Kind.Lost);
+                case BaseAnchorState.Lost: return new Subject(Kind.Lost, a: (int)Math.Min(Math.Ceiling(10 * tracker.ElsewhereMetres), 1e6));
                 default: return new Subject(Kind.Placed);
             }
         }
@@ -94,7 +94,10 @@ namespace Nowpose.Anchoring
                 case Kind.Locked: return Locked(tracker);
                 case Kind.Restored: return "as in an earlier run: " + (tracker.Markers.Count > 0 ? "look at a marker" : "lock it") + " to confirm it"
                     + Because(tracker.Problem);
-                case Kind.Lost: return "the headset has lost the place: look around";
+                case Kind.Lost: return subject.A == 0
+                    ? "the headset has lost the place: look around"
+                    : "the headset has the place " + Number(tracker.ElsewhereMetres, "0.0") + " m elsewhere, which is not followed: "
+                        + (tracker.Markers.Count > 0 ? "look around, or lock anew" : "look around, or place it anew");
                 default: return "placed by hand";
             }
         }

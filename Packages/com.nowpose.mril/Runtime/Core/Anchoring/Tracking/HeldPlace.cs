@@ -9,13 +9,19 @@ namespace Nowpose.Anchoring
         /// <summary>Nearer than this to the application's origin, and this far from where it was, is no place but none.</summary>
         const double OriginMetres = 0.001, JumpMetres = 0.1;
 
+        /// <summary>A correction of the map is smaller; what moves a place farther at once is another map, or another place.</summary>
+        const double MostMetres = 0.3;
+
         ISpatialAnchor _anchor, _former;
         bool _isSought;
 
         public bool IsThere => _anchor != null;
 
-        /// <summary>The device knows that it holds it, and not where it is.</summary>
-        public bool IsLost => _anchor != null && _anchor.State == SpatialAnchorState.Lost;
+        /// <summary>The device knows that it holds it, and not where it is; or tells it so far away that it is not followed.</summary>
+        public bool IsLost => _anchor != null && (_anchor.State == SpatialAnchorState.Lost || ElsewhereMetres > 0);
+
+        /// <summary>How far away the device says that it is, where that is not followed; else 0.</summary>
+        public double ElsewhereMetres { get; private set; }
 
         /// <summary>The name it is kept under; null while it is not.</summary>
         public string KeptAs => _anchor?.KeptAs;
@@ -37,6 +43,7 @@ namespace Nowpose.Anchoring
         public void Hold(ISpatialAnchors anchors, in RigidTransform pose, string name)
         {
             _isSought = true;
+            ElsewhereMetres = 0;
             _former?.Dispose();
             _former = _anchor;
             _anchor = anchors?.Hold(pose);
@@ -48,6 +55,7 @@ namespace Nowpose.Anchoring
         /// <param name="seekAgain">Whether an earlier run's is to be looked for again: under another name.</param>
         public void Release(bool seekAgain)
         {
+            ElsewhereMetres = 0;
             Leave(ref _former);
             Leave(ref _anchor);
             _isSought = !seekAgain;
@@ -57,12 +65,15 @@ namespace Nowpose.Anchoring
         /// <returns>Where it is; null while nobody knows.</returns>
         public RigidTransform? Follow(in RigidTransform? last)
         {
+            ElsewhereMetres = 0;
             if (_anchor == null || _anchor.State != SpatialAnchorState.Tracking) return null;
             Leave(ref _former);
             if (!(_anchor.Pose is RigidTransform pose) || !pose.IsPose()) return null;
-            var isOrigin = PoseNumbers.Length(pose.X, pose.Y, pose.Z) < OriginMetres;
-            if (isOrigin && (!(last is RigidTransform before) || before.DistanceTo(pose) > JumpMetres)) return null;
-            return pose;
+            var jump = last is RigidTransform before ? before.DistanceTo(pose) : 0;
+            if (PoseNumbers.Length(pose.X, pose.Y, pose.Z) < OriginMetres && (!last.HasValue || jump > JumpMetres)) return null;
+            if (jump <= MostMetres) return pose;
+            ElsewhereMetres = jump;
+            return null;
         }
 
         static void Leave(ref ISpatialAnchor anchor)

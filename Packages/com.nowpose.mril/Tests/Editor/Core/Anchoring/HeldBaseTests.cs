@@ -108,6 +108,34 @@ namespace Nowpose.Tests.Anchoring
         }
 
         [Test]
+        public void Tick_AnchorFarAway_IsNotFollowedAndSaidUntilItIsBackOrLockedAnew()
+        {
+            Lock();
+            var before = Tracker.Base.Value;
+            _anchors.Held[0].Pose = Shift(0.31) * before;
+
+            _cell.Run(2);
+
+            Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
+            Assert.That(
+                Tracker.Words, Is.EqualTo("the headset has the place 0.3 m elsewhere, which is not followed: look around, or lock anew"));
+            _anchors.Held[0].Pose = Shift(0.29) * before;
+            _cell.Base = _anchors.Held[0].Pose.Value;
+            _cell.Run(2);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked), "a correction is followed");
+            Assert.That(Tracker.CorrectedMetres, Is.EqualTo(0.29).Within(1e-6));
+
+            _anchors.Held[0].Pose = Shift(5) * before;
+            _cell.Run(1);
+            Tracker.Relock();
+            Lock();
+            _cell.Run(3);
+            Assert.That(Tracker.Shown.Value.DistanceTo(_cell.Base), Is.LessThan(1e-6));
+            Assert.That(_anchors.Held, Has.Count.EqualTo(1));
+        }
+
+        [Test]
         public void Tick_DeviceCannotHold_StaysLockedAndSaysWhy()
         {
             _anchors.StateAtFirst = SpatialAnchorState.Failed;
