@@ -206,6 +206,24 @@ public sealed class ProjectChecksTests : EditorFixture
         PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit.windowsspeech", "3.0.4"));
         _review.LookAgain();
         Assert.That(_review.Results[IndexOf("MRTK3 (optional)")].State, Is.EqualTo(CheckState.Good));
+
+        PackageInfo.Registered.RemoveAll(p => p.name == "org.mixedrealitytoolkit.uxcomponents");
+        PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit.uxcomponents", "3.2.9"));
+        _review.LookAgain();
+        Assert.That(
+            _review.Results[IndexOf("MRTK3 (optional)")].Found,
+            Is.EqualTo("org.mixedrealitytoolkit.uxcomponents 3.2.9 is too old; allowed is 3.3.0 or newer"));
+    }
+
+    [Test]
+    public void Mrtk3_AllInstalled_IsGood()
+    {
+        foreach (var part in new[] { "core", "uxcore", "standardassets", "uxcomponents", "spatialmanipulation", "input", "windowsspeech" })
+            PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.4.0"));
+
+        _review.LookAgain();
+
+        Assert.That(_review.Results[IndexOf("MRTK3 (optional)")].State, Is.EqualTo(CheckState.Good));
     }
 
     [Test]

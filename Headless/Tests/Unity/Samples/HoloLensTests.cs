@@ -178,6 +178,8 @@ public sealed class HoloLensTests
         _speech.Say("overlay ahead");
         _speech.Say("overlay behind");
         _speech.Say("overlay fainter");
+        _speech.Say("overlay fainter");
+        _speech.Say("overlay stronger");
         Run();
 
         Assert.That(_actions.NudgeMs, Is.EqualTo(1));

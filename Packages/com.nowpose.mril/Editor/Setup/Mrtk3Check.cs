@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 
 namespace Nowpose.Editor
@@ -5,10 +6,15 @@ namespace Nowpose.Editor
     /// <summary>The packages of MRTK3 that the sample for it uses. Nothing else needs them.</summary>
     sealed class Mrtk3Check : ProjectCheck
     {
+        const string UxComponents = "org.mixedrealitytoolkit.uxcomponents";
+
+        /// <summary>The first that has the button with a checkbox, of which the menu is made.</summary>
+        static readonly Version LeastUxComponents = new Version(3, 3, 0);
+
         static readonly string[] Packages =
         {
             "org.mixedrealitytoolkit.core", "org.mixedrealitytoolkit.uxcore", "org.mixedrealitytoolkit.standardassets",
-            "org.mixedrealitytoolkit.spatialmanipulation", "org.mixedrealitytoolkit.uxcomponents", "org.mixedrealitytoolkit.input",
+            "org.mixedrealitytoolkit.spatialmanipulation", UxComponents, "org.mixedrealitytoolkit.input",
             "org.mixedrealitytoolkit.windowsspeech",
         };
 
@@ -18,6 +24,9 @@ namespace Nowpose.Editor
         public override CheckResult Look(IProjectSettings project)
         {
             var missing = Packages.Where(name => project.VersionOf(name) == null).ToList();
+            var components = project.VersionOf(UxComponents);
+            if (missing.Count == 0 && !PackageVersion.IsAtLeast(components, LeastUxComponents))
+                return new CheckResult(CheckState.Advice, UxComponents + " " + components + " is too old; allowed is " + LeastUxComponents + " or newer");
             return missing.Count == 0
                 ? Good("MRTK3 " + project.VersionOf(Packages[0]))
                 : new CheckResult(

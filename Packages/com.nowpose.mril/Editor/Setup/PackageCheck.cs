@@ -25,13 +25,10 @@ namespace Nowpose.Editor
         public override CheckResult Look(IProjectSettings project)
         {
             var version = project.VersionOf(_name);
-            if (version != null && IsNewEnough(version)) return Good(_name + " " + version);
+            if (version != null && (_least == null || PackageVersion.IsAtLeast(version, _least))) return Good(_name + " " + version);
             if (version != null) return new CheckResult(_without, _name + " " + version + " is too old; allowed is " + _least + " or newer");
             return new CheckResult(_without, _name + " is not installed");
         }
-
-        // A preview counts as its release.
-        bool IsNewEnough(string version) => _least == null || (Version.TryParse(version.Split('-')[0], out var parsed) && parsed >= _least);
 
         public override string Fix(IProjectSettings project)
         {
