@@ -93,9 +93,11 @@ public class PairedGatewayTests
     public async Task TokenRevoked_AnotherCode_BringsAnotherToken()
     {
         await PairAsync();
+        Assert.That(_pairing.Guidance, Is.Null);
         File.WriteAllText(_gateway.ListPath, "");
         PlayAnew();
-        await SoonAsync(() => _session.Session?.SampleLink.IsTokenRefused == true, "refused");
+        await SoonAsync(() => _session.Session?.SampleLink.IsTokenRefused == true && _pairing.Guidance != null, "refused");
+        Assert.That(_pairing.Guidance, Does.Contain("does not accept this headset any more; look at the code"));
 
         _shown.Texts.Add((await _gateway.ShownAsync()).Text);
         await SoonAsync(() => IsConnected, "connected");

@@ -8,6 +8,7 @@ using Nowpose.Headless.Tests.Unity.Mrtk3;
 using Nowpose.Headless.Tests.Unity.Pairing;
 using Nowpose.Kinematics;
 using Nowpose.Pairing;
+using Nowpose.Protocol;
 using Nowpose.Unity;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
@@ -253,6 +254,41 @@ public sealed class HoloLensTests
 
         Assert.That(_session.GetComponent<CellPairing>().Cell, Is.EqualTo(expected));
         Assert.That(Child<Transform>("Content").gameObject.activeSelf, Is.False);
+    }
+
+    string Message => Child<TextMesh>("Message 0").text.Replace('\n', ' ');
+
+    void Show(ShownCodes codes, double seconds)
+    {
+        for (var left = seconds; left > 0; left -= 0.02)
+        {
+            codes.Seen = _cell.Clock.Now;
+            Run(0.02);
+        }
+    }
+
+    [Test]
+    public async Task Panel_OfAHeadsetThatKnowsNothing_LeadsThroughThePairingAndSaysWhatFails()
+    {
+        var pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
+        var codes = new GameObject("Codes").AddComponent<ShownCodes>();
+        codes.transform.SetParent(_session.transform, false);
+        Show(codes, 1);
+        Assert.That(Message, Is.EqualTo("look at the robot's marker"));
+
+        codes.Texts.Add(new CellCode("desk", "127.0.0.1", pin, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
+        Show(codes, 2);
+        Press("Accept");
+        Show(codes, 1);
+        Assert.That(Message, Is.EqualTo("cell 'desk': look at the code that its gateway shows"));
+
+        // Nobody listens on port 1.
+        codes.Texts.Add(new TokenCode(pin, "AAAAAAAAAAAAAAAAAAAAAA").Text);
+        await Soon.BecomesAsync(() =>
+        {
+            Show(codes, 0.3);
+            return Message.StartsWith("! pairing with 127.0.0.1: ", StringComparison.Ordinal);
+        }, "the panel says why pairing fails");
     }
 
     [Test]

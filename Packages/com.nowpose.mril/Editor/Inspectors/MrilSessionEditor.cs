@@ -26,7 +26,9 @@ namespace Nowpose.Editor
         protected override void DrawLive()
         {
             var statistics = Target.Statistics;
-            _texts.Update(statistics, Target.Settings, Target.Robot?.Name, Target.Problem, Target.GetComponentInChildren<BaseAnchor>(true));
+            _texts.Update(
+                statistics, Target.Settings, Target.Robot?.Name, Target.Problem, Target.GetComponentInChildren<BaseAnchor>(true),
+                Target.GetComponentInChildren<CellPairing>(true));
             StatusLines.Draw(_texts);
             if (statistics == null) return;
             foreach (var (label, value) in SessionRows.Of(statistics)) EditorGUILayout.LabelField(label, value);

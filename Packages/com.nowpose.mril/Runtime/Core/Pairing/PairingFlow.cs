@@ -26,7 +26,7 @@ namespace Nowpose.Pairing
         TokenCode _waiting;
         HeadsetTime _waitingUntil;
         TokenExchange _exchange;
-        bool _isUsedInView, _isOversizedTold;
+        bool _isUsedInView, _isOversizedTold, _isTokenRefused;
         PairingChange _changes;
 
         /// <param name="cells">Agreed to in earlier runs.</param>
@@ -54,7 +54,19 @@ namespace Nowpose.Pairing
         public string Words { get; private set; }
 
         /// <summary>Set while the gateway does not accept the token of the cell in use: a code may bring another one.</summary>
-        public bool IsTokenRefused { get; set; }
+        public bool IsTokenRefused
+        {
+            get => _isTokenRefused;
+            set
+            {
+                if (value == _isTokenRefused) return;
+                _isTokenRefused = value;
+                Change(PairingChange.Words);
+            }
+        }
+
+        /// <summary>Whether neither the wearer nor the gateway has to do anything before there can be a connection.</summary>
+        public bool IsSettled => _asked == null && _exchange == null && !_isTokenRefused && Cells.Used?.IsReady == true;
 
         /// <summary>A text that a marker in view holds, whoever hung it up.</summary>
         public void See(string text, HeadsetTime now)
@@ -293,6 +305,7 @@ namespace Nowpose.Pairing
                 if (_exchange != null) return PairingWords.Exchanging(_exchange.Cell);
                 var used = Cells.Used;
                 if (used == null) return PairingWords.LookAtMarker;
+                if (_isTokenRefused) return PairingWords.TokenRefused(used.Cell);
                 return used.IsReady ? PairingWords.Known(used.Cell) : PairingWords.LookAtCode(used.Cell);
             }
         }

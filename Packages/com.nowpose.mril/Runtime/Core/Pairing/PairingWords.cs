@@ -28,6 +28,10 @@ namespace Nowpose.Pairing
             "Forget cell '" + code.Cell + "'? To use it again, look at its marker" + (code.Pin == null ? "" : " and at its gateway's code");
 
         public static string LookAtCode(string cell) => "cell '" + cell + "': look at the code that its gateway shows";
+
+        public static string TokenRefused(string cell) =>
+            "cell '" + cell + "': its gateway does not accept this headset any more; look at the code that it shows";
+
         public static string Exchanging(string cell) => "cell '" + cell + "': pairing";
         public static string Paired(string cell) => "cell '" + cell + "': paired";
         public static string Known(string cell) => "cell '" + cell + "': known";

@@ -62,6 +62,13 @@ namespace Nowpose.Unity
         /// <summary>What went wrong, in one line; null when nothing did.</summary>
         public string Problem => _fileProblem ?? Flow?.Problem;
 
+        /// <summary>What the wearer has to answer or to do, or waits for, before the session can connect, in one line; null for nothing.</summary>
+        /// <remarks>None, either, while a session is connected by its settings and no cell was paired.</remarks>
+        public string Guidance => Flow == null || Flow.IsSettled || (Question == null && Cell == null && _source.IsConnecting) ? null : Flow.Words;
+
+        /// <summary><see cref="Problem"/> without that of the file, which keeps nobody from connecting.</summary>
+        internal string Obstacle => Flow?.Problem;
+
         /// <summary>Name of the cell in use; null for none.</summary>
         public string Cell => Flow?.Cells.Used?.Cell;
 

@@ -31,6 +31,7 @@ namespace Nowpose.Unity
         readonly StatusTexts _texts = new StatusTexts();
         MrilSession _source;
         BaseAnchor _anchor;
+        CellPairing _pairing;
         PanelCells _cells;
         ReadingDistance _distance;
         float _due;
@@ -44,6 +45,7 @@ namespace Nowpose.Unity
         {
             _source = this.SessionOr(_session);
             _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
+            _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
             _due = 0;
             if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session above it to tell of; assign one");
             if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no cell to copy; assign a text below it");
@@ -61,7 +63,7 @@ namespace Nowpose.Unity
             if (_cells == null) MakeCells();
             _texts.TellsOfJoints = _showJoints;
             if (_source == null) _texts.Update(null, null, null, null);
-            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor);
+            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing);
             _cells.Show(_texts);
             var viewer = Viewer.Head;
             if (viewer != null && _distance.Update(Vector3.Distance(transform.position, viewer.position)))

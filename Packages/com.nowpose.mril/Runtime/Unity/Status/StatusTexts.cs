@@ -57,7 +57,9 @@ namespace Nowpose.Unity
         /// <param name="robot">Its name; null while it is not known.</param>
         /// <param name="problem">Why there is no session; null for no reason.</param>
         /// <param name="anchor">Where the base is; null for none.</param>
-        public void Update(SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null)
+        /// <param name="pairing">What sets the session up; null for nothing.</param>
+        public void Update(
+            SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null, CellPairing pairing = null)
         {
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++) Set(row, Unknown, "");
             if (statistics != null)
@@ -69,8 +71,13 @@ namespace Nowpose.Unity
                 Set(StatusRow.Robot, MatchOf(statistics.RobotDescriptionMatch), robot ?? "");
             }
             if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
-            var fault = problem ?? FaultOf(statistics) ?? _base.FaultOf(anchor);
-            if (fault != null) Say(fault, "! ");
+            var isPairing = pairing != null;
+            // Before there is a pairing, links and base cannot be better.
+            var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
+            var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
+            var fault = obstacle ?? FaultOf(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null);
+            if (guidance != null) Say(guidance, "");
+            else if (fault != null) Say(fault, "! ");
             else Say(TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null, "");
         }
 
