@@ -28,7 +28,7 @@ sealed class HeadsetMenuPrefab
         // Shown by the first hand that holds its palm up, not before.
         _canvas.gameObject.SetActive(false);
         _canvas.Find("Buttons-GridLayout").gameObject.SetActive(false);
-        Canvases.AddGround(workshop, _canvas, new Vector3(0, 0, 4), new Vector2(112, 140));
+        Canvases.AddGround(workshop, _canvas, new Vector3(0, -17, 4), new Vector2(112, 174));
         _buttons = new Buttons(workshop, _canvas);
     }
 
@@ -48,6 +48,8 @@ sealed class HeadsetMenuPrefab
         Toggle("_panel", "Panel", nameof(CellActions.TogglePanel), new Vector2(34, 50));
         Toggle("_ghost", "Ghost", nameof(CellActions.ToggleGhost), new Vector2(-34, 16));
         Toggle("_occlusion", "Occlusion", nameof(CellActions.ToggleOcclusion), new Vector2(0, 16));
+        // Apart from the others, and asked about: it is not to be pressed by mistake.
+        Click(_buttons.Button("Forget Cell", "Forget cell", new Vector2(34, -86)), nameof(CellActions.ForgetCell));
         Calls.Add(_buttons.Button("No Nudge", "No nudge", new Vector2(34, 16)), Clicked, _actions, nameof(CellActions.SetNudgeMs), 0f);
     }
 

@@ -30,6 +30,9 @@ public sealed class PackageAssetsTests
         ("GraspableMarker._bounds", "/Hand-Placed Marker"),
         // What a prefab of a sample cannot know, and the scene assigns.
         ("StatusPanel._session", "Status Panel (MRTK3).prefab/Status Panel (MRTK3)"),
+        ("CellActions._pairing", "Headset Menu.prefab/Headset Menu"),
+        // Codes are not found there.
+        ("CellActions._pairing", "Any OpenXR headset.unity/Nowpose Robot Cell"),
         ("ConsentPrompt._pairing", "Consent Prompt.prefab/Consent Prompt"),
         ("CellActions._session", "Headset Menu.prefab/Headset Menu"),
         ("CellActions._anchor", "Headset Menu.prefab/Headset Menu"),

@@ -32,10 +32,10 @@ public sealed class PersistentEventsTests
         Assert.That(faults, Is.Empty);
     }
 
-    [TestCase("Headset Menu.prefab", 17)]
+    [TestCase("Headset Menu.prefab", 18)]
     [TestCase("Consent Prompt.prefab", 2)]
     [TestCase("Status Panel (MRTK3).prefab", 2)]
-    [TestCase("HoloLens 2 (MRTK3).unity", 21)]
+    [TestCase("HoloLens 2 (MRTK3).unity", 22)]
     public void Events_OfTheSample_CallSomething(string file, int calls)
     {
         var path = Hierarchies.Single(h => h.EndsWith("/" + file, StringComparison.Ordinal));

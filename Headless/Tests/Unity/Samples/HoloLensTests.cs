@@ -256,6 +256,31 @@ public sealed class HoloLensTests
         Assert.That(Child<Transform>("Content").gameObject.activeSelf, Is.False);
     }
 
+    [TestCase("Accept", null)]
+    [TestCase("Refuse", "desk")]
+    public void ForgetCell_Pressed_IsAskedAboutFirst(string button, string left)
+    {
+        var codes = new GameObject("Codes").AddComponent<ShownCodes>();
+        codes.transform.SetParent(_session.transform, false);
+        codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
+        Show(codes, 0.8);
+        Press("Accept");
+        codes.Texts.Clear();
+        Run(4);
+        ShowTheHand();
+        Run();
+
+        Press("Forget Cell");
+        Run();
+        Assert.That(Child<TextMesh>("Question").text, Does.Contain("desk"));
+        Assert.That(_session.GetComponent<CellPairing>().Cell, Is.EqualTo("desk"), "asked first");
+        Run(2);
+        Press(button);
+        Run();
+
+        Assert.That(_session.GetComponent<CellPairing>().Cell, Is.EqualTo(left));
+    }
+
     string Message => Child<TextMesh>("Message 0").text.Replace('\n', ' ');
 
     void Show(ShownCodes codes, double seconds)
