@@ -35,10 +35,18 @@ namespace Nowpose.Anchoring
             var (x, y, z) = TwiceSine(RigidTransform.Identity, pose);
             var sine = Length(x, y, z) / 2;
             var angle = Math.Atan2(sine, (pose.R00 + pose.R11 + pose.R22 - 1) / 2);
-            // About half a turn the sine says nothing of the axis; which one it is does not matter where one asks how far.
-            if (sine < 1e-12) return (angle, 0, 0);
+            if (sine < 1e-9) return pose.R00 + pose.R11 + pose.R22 > 1 ? (0, 0, 0) : HalfTurn(pose);
             var scale = angle / (2 * sine);
             return (x * scale, y * scale, z * scale);
+        }
+
+        // The sine says nothing of the axis there: rotation and identity together are twice the axis times itself.
+        static (double X, double Y, double Z) HalfTurn(in RigidTransform r)
+        {
+            var (x, y, z) = r.R00 >= r.R11 && r.R00 >= r.R22 ? (r.R00 + 1, r.R10, r.R20)
+                : r.R11 >= r.R22 ? (r.R01, r.R11 + 1, r.R21) : (r.R02, r.R12, r.R22 + 1);
+            var scale = Math.PI / Length(x, y, z);
+            return (scale * x, scale * y, scale * z);
         }
 
         /// <summary>The rotation about an axis as long as the angle, radians.</summary>
