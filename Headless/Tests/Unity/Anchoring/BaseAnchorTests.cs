@@ -94,6 +94,56 @@ public class BaseAnchorTests
     }
 
     [Test]
+    public void Words_SourceThatCannotSee_SayWhy()
+    {
+        _markers.Problem = "no AR Session is in the scene";
+        _markers.IsBlind = true;
+        PlayOne();
+
+        _cell.Run(1, _session);
+
+        Assert.That(_anchor.Words, Is.EqualTo("looking for markers; no AR Session is in the scene"));
+        _markers.enabled = false;
+        _cell.Run(12, _session);
+        Assert.That(_anchor.Words, Is.EqualTo("looking for markers; is the camera allowed?"));
+    }
+
+    [Test]
+    public void Locked_DeviceDoesNotKeepItOrMovesIt_IsSaidOnceAndShown()
+    {
+        var device = _session.gameObject.AddComponent<FakeSpatialAnchors>();
+        PlayLocked();
+        var texts = new BaseTexts();
+        Assert.That(texts.FaultOf(_anchor), Is.Null);
+
+        device.Problem = "the store is full";
+        _cell.Run(3, _session);
+        Assert.That(texts.FaultOf(_anchor), Is.EqualTo("base: locked by 1 marker; the store is full"));
+        Assert.That(Said.Count(message => message.EndsWith("; the store is full")), Is.EqualTo(1));
+        device.Problem = null;
+        _cell.Run(1, _session);
+        Assert.That(texts.FaultOf(_anchor), Is.Null);
+
+        device.Pose = RigidTransform.FromXyzRpy(0.012, 0, 0, 0, 0, 0) * device.Pose.Value;
+        _markers.IsBlind = true;
+        _cell.Run(3, _session);
+        Assert.That(texts.FaultOf(_anchor), Is.EqualTo("base: locked by 1 marker; moved by the headset by 12 mm, 0.0°"));
+        Assert.That(Said.Count(message => message.Contains("moved by the headset by 12 mm")), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Use_AfterFieldsThatCannotBeUsed_SaysNoMoreThatTheyCannot()
+    {
+        Play(new AnchorMarker("", Vector3.zero, Vector3.zero));
+        Assert.That(_anchor.Words, Does.StartWith("marker"));
+
+        _anchor.Use("cell", [new BaseMarker("a", InBase)]);
+        _cell.Run(3, _session);
+
+        Assert.That(_anchor.Words, Is.EqualTo("locked by 1 marker"));
+    }
+
+    [Test]
     public void Markers_InView_LockItWhereTheRobotIs()
     {
         PlayOne();

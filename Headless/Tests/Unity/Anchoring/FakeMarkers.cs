@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Nowpose.Headless.Tests.Unity.Anchoring;
 
 /// <summary>A device that sees one base's markers at 30 Hz with 1 mm and 0.2° of noise, as long as a test lets it.</summary>
-sealed class FakeMarkers : MonoBehaviour, IMarkerSource
+sealed class FakeMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
 {
     readonly System.Random _random = new(3);
     readonly Dictionary<string, MarkerSighting> _seen = [];
@@ -20,6 +20,7 @@ sealed class FakeMarkers : MonoBehaviour, IMarkerSource
     public Dictionary<string, RigidTransform> Markers { get; } = [];
 
     public bool IsBlind { get; set; }
+    public string Problem { get; set; }
 
     public void Read(List<MarkerSighting> markers)
     {

@@ -11,7 +11,7 @@ sealed class FakeSpatialAnchors : MonoBehaviour, ISpatialAnchors, ISpatialAnchor
     public SpatialAnchorState State { get; set; } = SpatialAnchorState.Tracking;
     public RigidTransform? Pose { get; set; }
     public string KeptAs { get; set; }
-    public string Problem => null;
+    public string Problem { get; set; }
 
     public ISpatialAnchor Hold(in RigidTransform pose)
     {

@@ -78,7 +78,8 @@ public sealed class TrackedImageMarkersTests
     public void Read_ImageAtTheSessionsOrigin_IsNotTracked(float x, float y, float z)
     {
         _origin.Origin.transform.position = new Vector3(x, y, z);
-        _images.Report(new XRTrackedImage(Id, "cell-7", new Pose(Vector3.zero, Quaternion.identity), new Vector2(0.2f, 0.3f), TrackingState.Tracking));
+        var nowhere = new Pose(Vector3.zero, Quaternion.identity);
+        _images.Report(new XRTrackedImage(Id, "cell-7", nowhere, new Vector2(0.2f, 0.3f), TrackingState.Tracking));
 
         Assert.That(ReadOne().Tracking, Is.EqualTo(MarkerTracking.None));
         Assert.That(Report(TrackingState.Tracking).Tracking, Is.EqualTo(MarkerTracking.Tracking));
@@ -110,10 +111,20 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_ImageInSight_IsSeenInEachFrame()
+    public void Read_PoseThatDoesNotChange_WasSeenOnce()
     {
         var first = Report(TrackingState.Tracking);
 
+        for (var i = 0; i < 10; i++) Assert.That(Report(TrackingState.Tracking).LastSeen, Is.EqualTo(first.LastSeen));
+    }
+
+    [Test]
+    public void Read_ImageInSight_IsSeenWhenItsPoseChanges()
+    {
+        var first = Report(TrackingState.Tracking);
+
+        var pose = _origin.InSession(Centre + new Vector3(0.0001f, 0, 0), Turned);
+        _images.Report(new XRTrackedImage(Id, "cell-7", pose, new Vector2(0.2f, 0.3f), TrackingState.Tracking));
         var second = ReadOne();
 
         Assert.That(second.LastSeen, Is.GreaterThan(first.LastSeen));

@@ -1,3 +1,5 @@
+using UnityEngine;
+
 namespace Nowpose.ArFoundation
 {
     /// <summary>What a source remembers of one trackable from frame to frame.</summary>
@@ -12,6 +14,9 @@ namespace Nowpose.ArFoundation
 
         /// <summary>Null before the first.</summary>
         public HeadsetTime? LastSeen { get; set; }
+
+        /// <summary>Where it was when it was seen last, in the scene; null before.</summary>
+        public Pose? SeenAt { get; set; }
 
         /// <summary>The device's own time of <see cref="LastSeen"/>, seconds; null before the first.</summary>
         public float? LastSeenSeconds { get; set; }

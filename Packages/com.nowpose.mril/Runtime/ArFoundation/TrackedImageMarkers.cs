@@ -12,12 +12,12 @@ namespace Nowpose.ArFoundation
 {
     /// <summary>The images that AR Foundation tracks as markers; an image's name in its library is the payload.</summary>
     /// <remarks>
-    /// AR Foundation does not say when an image was seen last. Here that is now while it says that it tracks it, and else when it said so
-    /// last; before it ever did, when the image became known.
+    /// AR Foundation does not say when an image was seen last. Here that is when its pose changed last while it was said to be tracked;
+    /// before it ever was, when the image became known.
     /// </remarks>
     [AddComponentMenu("Nowpose/Tracked Images")]
     [DisallowMultipleComponent]
-    public sealed class TrackedImageMarkers : MonoBehaviour, IMarkerSource
+    public sealed class TrackedImageMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
     {
         /// <summary>
         /// Marker frame in AR Foundation's frame of an image, which has x to the right, z to the upper edge and y out of the print, by
@@ -64,9 +64,12 @@ namespace Nowpose.ArFoundation
 
         MarkerSighting SightingOf(ARTrackedImage image, MarkerRecord record, HeadsetTime now)
         {
-            if (image.trackingState == TrackingState.Tracking || record.LastSeen == null) record.LastSeen = now;
-            record.Payload = image.referenceImage.name;
             var place = image.transform;
+            var pose = new Pose(place.position, place.rotation);
+            // A camera gives no two poses that are equal to the last bit: what stays as it is was not seen anew.
+            var isSeen = image.trackingState == TrackingState.Tracking && !(record.SeenAt is Pose before && before.Equals(pose));
+            if (isSeen || record.LastSeen == null) (record.LastSeen, record.SeenAt) = (now, pose);
+            record.Payload = image.referenceImage.name;
             return new MarkerSighting(
                 record.Id, record.Payload, UnityPoses.ToRoom(place.position, place.rotation) * MarkerInImage, image.size.x, record.LastSeen.Value,
                 _images.IsSessionOrigin(place.position) ? MarkerTracking.None : image.trackingState.OfMarker());

@@ -22,7 +22,7 @@ namespace Nowpose.OpenXR
     /// </remarks>
     [AddComponentMenu("Nowpose/QR Markers")]
     [DisallowMultipleComponent]
-    public sealed class QrMarkers : MonoBehaviour, IMarkerSource
+    public sealed class QrMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
     {
         /// <summary>Marker frame in the code's, by the URDF's axes of that frame.</summary>
         static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);

@@ -11,14 +11,14 @@ namespace Nowpose.Anchoring
         /// <param name="mostObliqueDegrees">Between what stands out of the print and the line to the viewer's head.</param>
         /// <param name="lockErrorMetres">Root mean square by which each marker's mean may probably be off, for a lock.</param>
         /// <param name="lockErrorDegrees">The same of its angle.</param>
-        /// <param name="toleranceMetres">A marker that is farther from where it belongs has moved, or was measured wrongly.</param>
+        /// <param name="toleranceMetres">A marker that is farther from where it was when the base was locked has moved.</param>
         /// <param name="toleranceDegrees">The same of its angle.</param>
         /// <param name="easeMs">In which a changed lock is eased over, but for 2 % of the change; 0 for at once.</param>
         /// <exception cref="InputException">A number is out of range.</exception>
         public AnchoringSettings(
             double settleMs = 1850, double oldestMs = 400, double farthestMetres = 2.5, double mostObliqueDegrees = 60,
             double lockErrorMetres = 0.001, double lockErrorDegrees = 0.25,
-            double toleranceMetres = 0.01, double toleranceDegrees = 1, double easeMs = 800)
+            double toleranceMetres = 0.005, double toleranceDegrees = 0.5, double easeMs = 800)
         {
             Settle = SettingRange.RequireMs(settleMs, 100, 60_000, "settle");
             Oldest = SettingRange.RequireMs(oldestMs, 20, 10_000, "oldest");

@@ -23,7 +23,9 @@ namespace Nowpose.Anchoring
         TrackedMarker[] _markers = Array.Empty<TrackedMarker>();
         BaseAnchorState _state;
         HeadsetTime _now;
-        HeadsetTime? _put;
+        HeadsetTime? _put, _told;
+        RelockedFrom? _former;
+        RigidTransform? _placed;
         bool _isNews, _isHeldByHand, _wasLost;
 
         public BaseTracker(AnchoringSettings settings)
@@ -62,6 +64,15 @@ namespace Nowpose.Anchoring
 
         /// <summary>Markers that contradict each other, and by how much; null where none do.</summary>
         public MarkerQuarrel Quarrel => _attempt.Quarrel;
+
+        /// <summary>Whether the device has moved the base since the newest lock by more than a marker may be off.</summary>
+        public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
+
+        /// <summary>Why a source tells of no markers, for the words while they are looked for; null when nothing is wrong.</summary>
+        public string SourceProblem { get; set; }
+
+        /// <summary>When anything that is seen, of whatever code, was told last; null while nothing was since the search began.</summary>
+        internal HeadsetTime? Told => _told;
 
         /// <summary>Whether somebody moves a marker by hand, and the base with it.</summary>
         public bool IsBeingPlaced { get; private set; }
@@ -108,7 +119,12 @@ namespace Nowpose.Anchoring
             var hasAllParts = Array.TrueForAll(_markers, known => !known.IsPart || Array.IndexOf(tracked, known) >= 0);
             _markers = tracked;
             Cell = cell ?? "";
-            if (isSameCell && hasAllParts && tracked.Length > 0) return;
+            if (isSameCell && hasAllParts && tracked.Length > 0)
+            {
+                if (_state == BaseAnchorState.Moved) JudgeMoved();
+                _words.Update(this, _now);
+                return;
+            }
             if (!isSameCell)
             {
                 _place.Release(seekAgain: true);
@@ -119,21 +135,32 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Lets the markers say anew where the base is; until they have, it stays where it is.</summary>
-        /// <remarks>Where there are none, what was restored from an earlier run is taken for right.</remarks>
+        /// <remarks>
+        /// Where none is in view for long, the former lock is good again. Where there are none at all, what was restored from an earlier
+        /// run is taken for right.
+        /// </remarks>
         public void Relock()
         {
-            if (_markers.Length > 0) Begin();
+            if (_markers.Length > 0)
+            {
+                var former = IsKnown ? new RelockedFrom(_state, _isHeldByHand, _now) : _former;
+                Begin();
+                _former = former;
+            }
             else if (_state == BaseAnchorState.Restored) Confirm();
             _words.Update(this, _now);
         }
 
         /// <summary>Somebody has put the base elsewhere: a lock is let go of. A search goes on.</summary>
-        public void Place()
+        /// <param name="at">Where, in the room frame: the next lock eases over from there. Null: not known, and it is there at once.</param>
+        public void Place(RigidTransform? at = null)
         {
-            if (!Base.HasValue) return;
             _place.Release(seekAgain: false);
             LetGo();
-            if (_state != BaseAnchorState.Searching) _state = BaseAnchorState.Placed;
+            _placed = at;
+            _shown.Jump(at);
+            (IsBeingPlaced, _isHeldByHand, _former) = (false, false, null);
+            if (_state != BaseAnchorState.Searching || _markers.Length == 0) _state = BaseAnchorState.Placed;
             _words.Update(this, _now);
         }
 
@@ -158,6 +185,7 @@ namespace Nowpose.Anchoring
             for (var i = 0; i < sightings.Count; i++) putDown &= !Take(sightings[i], now, head);
             if (putDown) LockByHand(anchors);
             if (_isNews && !IsBeingPlaced && !_isHeldByHand && !IsLost) Judge(now, anchors);
+            if (_former is RelockedFrom former && former.IsOver(now, _markers)) Return(former);
             Ease(now);
             _words.Update(this, now);
         }
@@ -170,7 +198,7 @@ namespace Nowpose.Anchoring
             {
                 // The map is not the one that the deviations were measured in.
                 _wasLost = IsLost;
-                foreach (var marker in _markers) marker.Watch.Clear();
+                foreach (var marker in _markers) marker.ForgetSeen();
             }
             if (IsBeingPlaced || !(_place.Follow(Base) is RigidTransform pose)) return;
             if (!Base.HasValue && isOpen) _state = BaseAnchorState.Restored;
@@ -189,11 +217,13 @@ namespace Nowpose.Anchoring
         bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head)
         {
             if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting, now);
+            _told = now;
             if (sighting.Payload == null) return false;
             foreach (var marker in _markers)
             {
                 if (!string.Equals(marker.Marker.Payload, sighting.Payload, StringComparison.Ordinal)) continue;
-                if (!marker.Take(sighting, now, head)) continue;
+                var belongs = IsWatching ? marker.PlaceAt(Base.Value) : (RigidTransform?)null;
+                if (!marker.Take(sighting, now, head, belongs)) continue;
                 _isNews = true;
                 if (Base is RigidTransform locked && IsWatching && !marker.IsDoubted) marker.Compare(locked);
             }
@@ -239,20 +269,33 @@ namespace Nowpose.Anchoring
             _isNews = false;
             if (IsWatching)
             {
-                var hasMoved = false;
-                foreach (var marker in _markers) hasMoved |= marker.HasMoved;
-                if (hasMoved) _state = BaseAnchorState.Moved;
-                else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;
-                if (hasMoved) return;
+                JudgeMoved();
+                if (_state == BaseAnchorState.Moved) return;
             }
             if (_state != BaseAnchorState.Placed && _attempt.Make(now, _markers, Base)) LockByMarkers(anchors);
+        }
+
+        void JudgeMoved()
+        {
+            var hasMoved = false;
+            foreach (var marker in _markers) hasMoved |= marker.HasMoved;
+            if (hasMoved) _state = BaseAnchorState.Moved;
+            else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;
+        }
+
+        // Nothing was in view: what was good before still is. A marker that comes into view says whether.
+        void Return(in RelockedFrom former)
+        {
+            _state = former.State == BaseAnchorState.Moved ? (Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored) : former.State;
+            _isHeldByHand = former.IsHeldByHand;
+            _former = null;
         }
 
         void LockByMarkers(ISpatialAnchors anchors)
         {
             var fitted = _attempt.Fitted;
             double metres = 0, radians = 0;
-            if (Base is RigidTransform before) (metres, radians) = (before.DistanceTo(fitted), before.AngleTo(fitted));
+            if ((Base ?? _placed) is RigidTransform before) (metres, radians) = (before.DistanceTo(fitted), before.AngleTo(fitted));
             var spread = _attempt.Spread();
             Take(new LockReport(fitted, _attempt.Count, spread.Metres, spread.Radians, metres, radians), anchors);
         }
@@ -260,6 +303,7 @@ namespace Nowpose.Anchoring
         void Take(LockReport report, ISpatialAnchors anchors)
         {
             Lock = report;
+            (_former, _placed) = (null, null);
             (CorrectedMetres, CorrectedRadians) = (0, 0);
             _state = BaseAnchorState.Locked;
             Base = report.Base;
@@ -277,13 +321,14 @@ namespace Nowpose.Anchoring
             foreach (var marker in _markers) marker.Restart();
             _attempt.Reset();
             (_isNews, _isHeldByHand, IsBeingPlaced) = (false, false, false);
+            (_former, _told) = (null, null);
             _state = _markers.Length > 0 ? BaseAnchorState.Searching : BaseAnchorState.Placed;
         }
 
         void LetGo()
         {
             Base = null;
-            Lock = null;
+            (Lock, _placed) = (null, null);
             _shown.Jump(null);
             (CorrectedMetres, CorrectedRadians) = (0, 0);
         }

@@ -11,6 +11,9 @@ namespace Nowpose.Anchoring
             Radians = radians;
         }
 
+        /// <summary>Whether the same markers contradict each other, by whatever.</summary>
+        public bool IsOf(MarkerQuarrel other) => other != null && Marker == other.Marker && Other == other.Other;
+
         /// <summary>The one that the others contradict.</summary>
         public BaseMarker Marker { get; }
 

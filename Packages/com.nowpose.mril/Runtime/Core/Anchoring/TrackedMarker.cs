@@ -18,6 +18,7 @@ namespace Nowpose.Anchoring
         readonly AnchoringSettings _settings;
         readonly PoseWindow _window = new PoseWindow();
         HeadsetTime? _judged, _taken, _twice;
+        SightingFault _counted;
         string _id;
         RigidTransform _pose;
         PoseMean? _mean;
@@ -79,25 +80,40 @@ namespace Nowpose.Anchoring
         /// <summary>Whether it was seen often and long enough for an estimate.</summary>
         internal bool IsReady => _window.Count >= Least && _window.CountOver(_settings.Settle) > 0;
 
+        /// <summary>Whether what was seen of it is new enough to be compared with what is seen of others.</summary>
+        internal bool IsRecent(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= Longest;
+
+        /// <summary>Whether it goes somewhere, as far as that is known.</summary>
+        internal bool IsMoving => _mean is PoseMean mean && !mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
+
         /// <summary>Whether it was seen lately in a way that counts.</summary>
         internal bool IsFresh(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= _settings.Oldest;
 
         /// <returns>Whether it is news that counts.</returns>
-        internal bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head)
+        /// <param name="belongs">Where it belongs; null while no base is locked.</param>
+        internal bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? belongs)
         {
             LastTold = now;
+            // The clock has gone back.
+            if (_taken is HeadsetTime last && last - now > SightingGate.Ahead)
+            {
+                ForgetSeen();
+                (_taken, _twice) = (null, null);
+            }
             var fault = SightingGate.Judge(sighting, Marker, now, head, _settings);
-            if (fault == SightingFault.None) fault = JudgePlace(sighting, now);
+            if (fault == SightingFault.None) fault = JudgePlace(sighting, now, belongs);
             if (fault != SightingFault.None)
             {
                 // The same news told again is no other sighting.
-                if (fault != Fault || sighting.LastSeen != _judged) Ignored.Add(fault);
-                Fault = fault;
+                if (fault != _counted || sighting.LastSeen != _judged) Ignored.Add(fault);
+                Fault = _counted = fault;
                 _judged = sighting.LastSeen;
                 return false;
             }
             if (_taken is HeadsetTime taken && sighting.LastSeen <= taken) return false;
             Fault = SightingFault.None;
+            // Meanwhile it may have gone elsewhere: what was seen before says nothing of it, and is no time of looking at it.
+            if (_window.Count > 0 && sighting.LastSeen - _window.Newest > _settings.Oldest + _settings.Oldest) ForgetSeen();
             _taken = sighting.LastSeen;
             _id = sighting.Id;
             _pose = sighting.Pose;
@@ -106,21 +122,31 @@ namespace Nowpose.Anchoring
             return true;
         }
 
+        /// <summary>Where it belongs.</summary>
+        internal RigidTransform PlaceAt(in RigidTransform locked) => locked * (IsPart ? Locked.Mean : Marker.MarkerInBase);
+
         /// <summary>Compares what was seen of it last with where it belongs.</summary>
         internal void Compare(in RigidTransform locked)
         {
-            Watch.Add(locked * (IsPart ? Locked.Mean : Marker.MarkerInBase), _pose, _taken.Value);
+            Watch.Add(PlaceAt(locked), _pose, _taken.Value);
+            var metres = _settings.ToleranceMetres * (IsPart ? 1 : MarkerAgreement.MetresFactor);
             var radians = _settings.ToleranceRadians * (IsPart ? 1 : MarkerAgreement.AngleFactor);
-            if (Watch.IsBeyond(_settings.ToleranceMetres, radians)) HasMoved = true;
-            else if (Watch.IsWithin(_settings.ToleranceMetres, radians)) HasMoved = false;
+            if (Watch.IsBeyond(metres, radians)) HasMoved = true;
+            else if (Watch.IsWithin(metres, radians)) HasMoved = false;
+        }
+
+        /// <summary>Forgets where it was seen.</summary>
+        internal void ForgetSeen()
+        {
+            _window.Clear();
+            Watch.Clear();
+            _mean = null;
         }
 
         /// <summary>Forgets what it was, and begins anew.</summary>
         internal void Restart()
         {
-            _window.Clear();
-            Watch.Clear();
-            _mean = null;
+            ForgetSeen();
             IsPart = IsDoubted = HasMoved = false;
         }
 
@@ -156,11 +182,19 @@ namespace Nowpose.Anchoring
         }
 
         bool IsExact(in PoseMean mean) =>
-            mean.Inliers >= Least && mean.ErrorMetres <= _settings.LockErrorMetres && mean.ErrorRadians <= _settings.LockErrorRadians;
+            mean.Inliers >= Least && mean.ErrorMetres <= _settings.LockErrorMetres && mean.ErrorRadians <= _settings.LockErrorRadians
+            && mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
 
-        SightingFault JudgePlace(in MarkerSighting sighting, HeadsetTime now)
+        SightingFault JudgePlace(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? belongs)
         {
             var isOther = _id != null && sighting.Id != _id && IsFresh(now) && _pose.DistanceTo(sighting.Pose) > ApartMetres;
+            if (isOther && belongs is RigidTransform place)
+            {
+                // Of two prints the one at the robot goes on being watched.
+                if (place.DistanceTo(sighting.Pose) >= place.DistanceTo(_pose)) return SightingFault.TwoPlaces;
+                ForgetSeen();
+                return SightingFault.None;
+            }
             if (isOther)
             {
                 _twice = now;

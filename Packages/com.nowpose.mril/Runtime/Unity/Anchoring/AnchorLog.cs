@@ -6,10 +6,10 @@ namespace Nowpose.Unity
     /// <summary>Says in the console when it is known otherwise than before where a base is.</summary>
     static class AnchorLog
     {
-        public static void Say(Object anchor, BaseAnchorState state, string words)
+        public static void Say(Object anchor, BaseAnchorState state, string words, bool isWrong)
         {
             var message = "base anchor '" + anchor.name + "': " + words;
-            if (state == BaseAnchorState.Moved || state == BaseAnchorState.Lost) ConsoleLog.Warn(anchor, message);
+            if (state == BaseAnchorState.Moved || state == BaseAnchorState.Lost || isWrong) ConsoleLog.Warn(anchor, message);
             else ConsoleLog.Say(anchor, message);
         }
     }

@@ -28,6 +28,17 @@ namespace Nowpose.Unity
             }
         }
 
+        /// <summary>Of the first source that has one; null when nothing is wrong.</summary>
+        public string Problem
+        {
+            get
+            {
+                foreach (var source in _sources)
+                    if (IsOn(source) && source is IMarkerProblem telling && telling.Problem != null) return telling.Problem;
+                return null;
+            }
+        }
+
         /// <summary>Begins anew with the next <see cref="Find"/>.</summary>
         public void Forget() => _due = 0;
 

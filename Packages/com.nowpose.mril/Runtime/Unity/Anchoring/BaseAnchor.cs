@@ -46,12 +46,12 @@ namespace Nowpose.Unity
         [SerializeField, Range(0.01f, 10), Tooltip("The same of its angle, degrees. 0.25: 2.6 mm at 0.6 m from the base, if it has one marker.")]
         float _lockErrorDegrees = 0.25f;
 
-        [SerializeField, Range(0.001f, 1), Tooltip("A marker that is farther from where it belongs has moved, metres. 0.01: the headset's own map "
-            + "errs by some millimetres.")]
-        float _toleranceMetres = 0.01f;
+        [SerializeField, Range(0.001f, 1), Tooltip("A marker that is farther from where it belongs has moved, metres. 0.005: what 2 mm of noise "
+            + "tell apart for sure.")]
+        float _toleranceMetres = 0.005f;
 
-        [SerializeField, Range(0.1f, 45), Tooltip("A marker that is turned more than this has moved, degrees. 1: 10 mm at 0.6 m from the base.")]
-        float _toleranceDegrees = 1;
+        [SerializeField, Range(0.1f, 45), Tooltip("A marker that is turned more than this has moved, degrees. 0.5: 5 mm at 0.6 m from the base.")]
+        float _toleranceDegrees = 0.5f;
 
         [SerializeField, Range(0, 10_000), Tooltip("In which a changed place is eased over, ms. 800: seen to glide, and over before anybody "
             + "waits for it. 0: it jumps.")]
@@ -61,7 +61,9 @@ namespace Nowpose.Unity
         readonly IHeadsetClock _ownClock = new StopwatchHeadsetClock();
         MrilSession _session;
         BaseAnchorState _told;
-        string _toldWords = "", _fault;
+        string _toldWords = "", _fault, _toldProblem;
+        MarkerQuarrel _toldQuarrel;
+        bool _toldCorrected;
         bool _isGiven;
 
         /// <summary>The anchor was placed or nudged by <see cref="Place"/> or <see cref="Nudge"/>.</summary>
@@ -92,6 +94,7 @@ namespace Nowpose.Unity
             if (markers == null) throw new ArgumentNullException(nameof(markers));
             if (Tracker == null) Tracker = NewTracker();
             Tracker?.Use(cell, markers);
+            if (Tracker != null) _fault = null;
             _isGiven = true;
             Tell();
         }
@@ -115,7 +118,7 @@ namespace Nowpose.Unity
             if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException("rotation " + rotation + " turns nowhere", nameof(rotation));
             transform.SetPositionAndRotation(
                 position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
-            Tracker?.Place();
+            Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));
             Moved?.Invoke();
             Tell();
         }
@@ -159,6 +162,7 @@ namespace Nowpose.Unity
             if (Tracker == null || (_sources.IsEmpty && Tracker.Markers.Count == 0)) return;
             var clock = _session != null ? _session.HeadsetClock : _ownClock;
             var head = Viewer.Head;
+            Tracker.SourceProblem = _sources.Problem;
             Tracker.Tick(
                 clock.Now, _sources.Read(),
                 head != null ? UnityPoses.ToRoom(head.position, head.rotation) : (Kinematics.RigidTransform?)null, _sources.Anchors);
@@ -175,9 +179,21 @@ namespace Nowpose.Unity
         {
             var (state, words) = (State, Words);
             if (state == _told && ReferenceEquals(words, _toldWords)) return;
-            if (state != _told) AnchorLog.Say(this, state, words);
+            var isNews = IsNews();
+            if (state != _told || isNews) AnchorLog.Say(this, state, words, isNews);
             (_told, _toldWords) = (state, words);
             StateChanged?.Invoke();
+        }
+
+        // What is wrong although the state is the same: said once for each.
+        bool IsNews()
+        {
+            if (Tracker == null) return false;
+            var (problem, quarrel, isCorrected) = (Tracker.Problem, Tracker.Quarrel, Tracker.IsCorrected);
+            var isNews = (problem != null && problem != _toldProblem) || (quarrel != null && !quarrel.IsOf(_toldQuarrel))
+                || (isCorrected && !_toldCorrected);
+            (_toldProblem, _toldQuarrel, _toldCorrected) = (problem, quarrel, isCorrected);
+            return isNews;
         }
 
         BaseTracker NewTracker()

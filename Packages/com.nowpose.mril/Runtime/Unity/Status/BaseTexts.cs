@@ -41,11 +41,15 @@ namespace Nowpose.Unity
         /// <param name="anchor">Null for none.</param>
         public string FaultOf(BaseAnchor anchor)
         {
-            if (anchor == null || anchor.State == BaseAnchorState.Placed || anchor.State == BaseAnchorState.Locked) return null;
+            if (anchor == null || anchor.State == BaseAnchorState.Placed) return null;
+            if (anchor.State == BaseAnchorState.Locked && !IsWrong(anchor.Tracker)) return null;
             if (!ReferenceEquals(anchor.Words, _words)) _fault = "base: " + anchor.Words;
             _words = anchor.Words;
             return _fault;
         }
+
+        // A lock stands, and yet there is something to know of it.
+        static bool IsWrong(BaseTracker tracker) => tracker != null && (tracker.Quarrel != null || tracker.Problem != null || tracker.IsCorrected);
 
         static double Worst(BaseTracker tracker)
         {

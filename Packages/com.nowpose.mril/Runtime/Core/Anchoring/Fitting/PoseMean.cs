@@ -18,8 +18,16 @@ namespace Nowpose.Anchoring
 
         const int Rounds = 4;
 
-        PoseMean(in RigidTransform pose, int inliers, int outliers, double spreadMetres, double spreadRadians)
+        /// <summary>In standard errors: of noise alone the halves differ by more once in 100 000 times.</summary>
+        const double Sure = 3;
+
+        readonly double _shiftMetres, _shiftRadians;
+
+        PoseMean(
+            in RigidTransform pose, int inliers, int outliers, double spreadMetres, double spreadRadians, double shiftMetres, double shiftRadians)
         {
+            _shiftMetres = shiftMetres;
+            _shiftRadians = shiftRadians;
             Pose = pose;
             Inliers = inliers;
             Outliers = outliers;
@@ -42,6 +50,12 @@ namespace Nowpose.Anchoring
 
         /// <summary>What the mean's rotation is probably off by.</summary>
         public double ErrorRadians => SpreadRadians / Math.Sqrt(Inliers);
+
+        /// <summary>Whether the older half of the poses says the same as the newer: what moves has no mean.</summary>
+        /// <param name="metres">A difference that does not matter, however little the poses scatter.</param>
+        /// <param name="radians">The same of the angle.</param>
+        public bool IsSteady(double metres, double radians) =>
+            _shiftMetres <= Math.Max(metres, 2 * Sure * ErrorMetres) && _shiftRadians <= Math.Max(radians, 2 * Sure * ErrorRadians);
 
         /// <param name="count">How many of the newest; at least one.</param>
         public static PoseMean Of(PoseWindow window, int count, PoseMeanSpace space)
@@ -88,7 +102,28 @@ namespace Nowpose.Anchoring
             }
             // Three numbers were taken from the same poses.
             var free = Math.Max(inliers - 1, 1);
-            return new PoseMean(mean, inliers, count - inliers, Math.Sqrt(metres / free), Math.Sqrt(radians / free));
+            var (shiftMetres, shiftRadians) = Shift(window, count, weights, mean, inliers);
+            return new PoseMean(
+                mean, inliers, count - inliers, Math.Sqrt(metres / free), Math.Sqrt(radians / free), shiftMetres, shiftRadians);
+        }
+
+        /// <summary>How far the mean of the newer half is from that of the older.</summary>
+        static (double Metres, double Radians) Shift(PoseWindow window, int count, double[] weights, in RigidTransform mean, int inliers)
+        {
+            int newer = inliers / 2, older = inliers - newer, passed = 0;
+            if (newer == 0) return (0, 0);
+            double x = 0, y = 0, z = 0, turnX = 0, turnY = 0, turnZ = 0;
+            var back = mean.Inverse;
+            for (var i = 0; i < count; i++)
+            {
+                if (weights[i] == 0) continue;
+                var share = passed++ < newer ? 1.0 / newer : -1.0 / older;
+                var apart = back * window.PoseOf(i);
+                var (rx, ry, rz) = apart.RotationVector();
+                (x, y, z) = (x + share * apart.X, y + share * apart.Y, z + share * apart.Z);
+                (turnX, turnY, turnZ) = (turnX + share * rx, turnY + share * ry, turnZ + share * rz);
+            }
+            return (PoseNumbers.Length(x, y, z), PoseNumbers.Length(turnX, turnY, turnZ));
         }
 
         static RigidTransform Mean(PoseWindow window, int count, double[] weights)

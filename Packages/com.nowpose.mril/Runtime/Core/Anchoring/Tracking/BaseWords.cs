@@ -12,9 +12,14 @@ namespace Nowpose.Anchoring
         /// <summary>What was told longer ago is not in view.</summary>
         static readonly TimeSpan InView = TimeSpan.FromSeconds(1);
 
+        /// <summary>A source that tells of no code at all for so long may not see.</summary>
+        static readonly TimeSpan Blind = TimeSpan.FromSeconds(10);
+
         readonly AnchoringSettings _settings;
         Subject _said;
         HeadsetTime _since;
+        HeadsetTime? _searching;
+        HeadsetTime _last;
 
         public BaseWords(AnchoringSettings settings) => _settings = settings;
 
@@ -22,27 +27,40 @@ namespace Nowpose.Anchoring
 
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
+            // Before the first frame, and while the application was paused, nobody looked.
+            if (now - _last > Refresh || now < _last) _searching = null;
+            _last = now;
             var subject = SubjectOf(tracker, now);
             if (subject.HasKindOf(_said) && (subject.IsNear(_said) || now - _since < Refresh)) return;
             (_said, _since) = (subject, now);
             Text = TextOf(subject, tracker);
         }
 
-        static Subject SubjectOf(BaseTracker tracker, HeadsetTime now)
+        Subject SubjectOf(BaseTracker tracker, HeadsetTime now)
         {
+            if (tracker.State != BaseAnchorState.Searching) _searching = null;
             switch (tracker.State)
             {
                 case BaseAnchorState.Searching: return Search(tracker, now);
                 case BaseAnchorState.Moved: return Move(tracker);
-                case BaseAnchorState.Locked: return new Subject(Kind.Locked, tracker.Lock, tracker.Quarrel, tracker.Problem, 0, 0);
+                case BaseAnchorState.Locked: return Lock(tracker);
                 case BaseAnchorState.Restored: return new Subject(Kind.Restored, tracker.Problem);
                 case BaseAnchorState.Lost: return new Subject(Kind.Lost, a: (int)Math.Min(Math.Ceiling(10 * tracker.ElsewhereMetres), 1e6));
                 default: return new Subject(Kind.Placed);
             }
         }
 
-        static Subject Search(BaseTracker tracker, HeadsetTime now)
+        static Subject Lock(BaseTracker tracker)
         {
+            var isCorrected = tracker.IsCorrected;
+            return new Subject(
+                Kind.Locked, tracker.Lock, tracker.Quarrel, tracker.Problem, isCorrected ? Mm(tracker.CorrectedMetres) : 0,
+                isCorrected ? Tenths(tracker.CorrectedRadians) : 0, isCorrected ? 1 : 0);
+        }
+
+        Subject Search(BaseTracker tracker, HeadsetTime now)
+        {
+            _searching ??= now;
             if (tracker.IsBeingPlaced) return new Subject(Kind.BeingPlaced);
             if (tracker.Quarrel is MarkerQuarrel quarrel)
                 return new Subject(Kind.Quarrel, quarrel.Marker, quarrel.Other, null, Mm(quarrel.Metres), Tenths(quarrel.Radians));
@@ -53,6 +71,7 @@ namespace Nowpose.Anchoring
                 var marker = tracker.Markers[i];
                 if (marker.IsFresh(now)) seen++;
                 if (!(marker.LastTold is HeadsetTime told) || now - told > InView) continue;
+                if (marker.IsFresh(now) && marker.IsReady && marker.IsMoving) return new Subject(Kind.Moving, marker.Marker);
                 if (marker.IsFresh(now) && marker.IsReady && marker.SpreadMetres is double spread && spread > 0)
                     return new Subject(Kind.Scatters, marker.Marker, null, null, Mm(spread), Tenths(marker.SpreadRadians.Value));
                 if (newest == null || told > newest.LastTold) newest = marker;
@@ -60,7 +79,14 @@ namespace Nowpose.Anchoring
             if (seen > 0) return new Subject(Kind.Gathers, null, null, null, seen, 0);
             return newest != null && newest.Fault != SightingFault.None
                 ? new Subject(Kind.Ignored, newest.Marker, count: (int)newest.Fault)
-                : new Subject(Kind.Looking);
+                : Look(tracker, now);
+        }
+
+        Subject Look(BaseTracker tracker, HeadsetTime now)
+        {
+            var since = tracker.Told is HeadsetTime told && told > _searching.Value ? told : _searching.Value;
+            var isBlind = tracker.SourceProblem == null && now - since > Blind;
+            return new Subject(Kind.Looking, tracker.SourceProblem, count: isBlind ? 1 : 0);
         }
 
         static Subject Move(BaseTracker tracker)
@@ -74,6 +100,7 @@ namespace Nowpose.Anchoring
                 count++;
                 if (worst == null || marker.Watch.Metres > worst.Watch.Metres) worst = marker;
             }
+            if (worst == null) return new Subject(Kind.Looking);
             return new Subject(Kind.Moved, worst.Marker, null, null, Mm(worst.Watch.Metres), Tenths(worst.Watch.Radians), count);
         }
 
@@ -88,7 +115,8 @@ namespace Nowpose.Anchoring
                 case Kind.Scatters: return Name(subject.First) + " scatters by " + off + ": go nearer, keep still";
                 case Kind.Gathers: return subject.A + " of " + tracker.Markers.Count + " markers in view: keep looking";
                 case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);
-                case Kind.Looking: return "looking for markers";
+                case Kind.Moving: return Name(subject.First) + " is moving: keep it and the robot still";
+                case Kind.Looking: return "looking for markers" + (subject.Count > 0 ? "; is the camera allowed?" : Because((string)subject.First));
                 case Kind.Moved: return (subject.Count > 1 ? subject.Count + " markers, the worst " : "") + Name(subject.First) + ", " + off
                     + " from where it belongs: put it back, or lock anew";
                 case Kind.Locked: return Locked(tracker);
@@ -125,6 +153,8 @@ namespace Nowpose.Anchoring
             if (tracker.Quarrel is MarkerQuarrel quarrel)
                 text += "; " + Name(quarrel.Marker) + " is " + Mm(quarrel.Metres) + " mm, " + Number(Degrees(quarrel.Radians), "0.0")
                     + "° from where the others say";
+            if (tracker.IsCorrected)
+                text += "; moved by the headset by " + Mm(tracker.CorrectedMetres) + " mm, " + Number(Degrees(tracker.CorrectedRadians), "0.0") + "°";
             return text + Because(tracker.Problem);
         }
 
@@ -142,7 +172,7 @@ namespace Nowpose.Anchoring
 
         enum Kind
         {
-            Placed, BeingPlaced, Looking, Ignored, Gathers, Scatters, Quarrel, Restored, Locked, Moved, Lost,
+            Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Quarrel, Restored, Locked, Moved, Lost,
         }
 
         /// <summary>What a text is made of: one that is made of the same is the same.</summary>

@@ -68,7 +68,7 @@ namespace Nowpose.Anchoring
 
         bool IsTime(HeadsetTime now, IReadOnlyList<TrackedMarker> markers)
         {
-            if (_tried is HeadsetTime tried && now - tried < Pause) return false;
+            if (_tried is HeadsetTime tried && now >= tried && now - tried < Pause) return false;
             for (var i = 0; i < markers.Count; i++)
                 if (markers[i].IsOpen && markers[i].IsReady && markers[i].IsFresh(now)) return true;
             return false;
@@ -80,7 +80,7 @@ namespace Nowpose.Anchoring
             _estimated.Clear();
             for (var i = 0; i < markers.Count; i++)
             {
-                if (!markers[i].IsOpen || !markers[i].TryEstimate(_space, out var estimate)) continue;
+                if (!markers[i].IsOpen || !markers[i].IsRecent(now) || !markers[i].TryEstimate(_space, out var estimate)) continue;
                 _estimates.Add(estimate);
                 _estimated.Add(markers[i]);
             }

@@ -10,8 +10,8 @@ namespace Nowpose.Anchoring
         /// <summary>A fit shares what one marker is off among all: with two, half each.</summary>
         const double Shared = 0.5;
 
-        /// <summary>The angle of a print is known less well than that of a base.</summary>
-        public const double AngleFactor = 2;
+        /// <summary>Where a print is at the base is measured less well than it is seen whether it stays there.</summary>
+        public const double MetresFactor = 2, AngleFactor = 4;
 
         MarkerAgreement(bool isGood, int wrong, in RigidTransform fitted, double metres, double radians)
         {
@@ -75,7 +75,7 @@ namespace Nowpose.Anchoring
             {
                 if (i == without) continue;
                 var (metres, radians) = BaseFit.Misfit(fitted, markers[i]);
-                worst = Math.Max(worst, metres / (Shared * settings.ToleranceMetres));
+                worst = Math.Max(worst, metres / (Shared * MetresFactor * settings.ToleranceMetres));
                 worst = Math.Max(worst, radians / (AngleFactor * settings.ToleranceRadians));
             }
             return worst;

@@ -13,7 +13,7 @@ namespace Nowpose.Anchoring
         const double OriginMetres = 0.001;
 
         /// <summary>Clocks of the engine and of the headset are read one after the other.</summary>
-        static readonly TimeSpan Ahead = TimeSpan.FromMilliseconds(50);
+        public static readonly TimeSpan Ahead = TimeSpan.FromMilliseconds(50);
 
         /// <param name="head">Of the viewer in the room frame, x forward; null where it is not known.</param>
         public static SightingFault Judge(

@@ -36,7 +36,14 @@ namespace Nowpose.Tests.Anchoring
         {
             Assert.That(new BaseTracker(new AnchoringSettings()).Words, Is.EqualTo("placed by hand"));
             _cell.IsInView = _ => false;
-            Assert.That(Words(), Is.EqualTo("looking for markers"));
+            Assert.That(Words(9), Is.EqualTo("looking for markers"));
+            Assert.That(Words(2), Is.EqualTo("looking for markers; is the camera allowed?"));
+            _cell.Tracker.SourceProblem = "no XR Origin";
+            Assert.That(Words(), Is.EqualTo("looking for markers; no XR Origin"));
+            _cell.Tracker.SourceProblem = null;
+            Words(3);
+            _cell.IsInView = _ => true;
+            Assert.That(Words(3), Is.EqualTo("locked by 3 markers"));
         }
 
         [Test]

@@ -71,6 +71,8 @@ namespace Nowpose.Tests.Anchoring
             Assert.That(fastest, Is.LessThan(0.1 * before.DistanceTo(_cell.Base)));
             Assert.That(Tracker.CorrectedMetres, Is.EqualTo(before.DistanceTo(_cell.Base)).Within(1e-6));
             Assert.That(Tracker.CorrectedRadians, Is.EqualTo(0.02).Within(1e-6));
+            Assert.That(Tracker.IsCorrected, Is.True);
+            Assert.That(Tracker.Words, Does.Match("^locked by 3 markers; moved by the headset by \\d\\d mm, 1\\.1°$"));
         }
 
         [Test]
@@ -211,6 +213,21 @@ namespace Nowpose.Tests.Anchoring
 
             Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Searching));
             Assert.That(_anchors.Held, Is.Empty);
+        }
+
+        [Test]
+        public void Place_BeforeItIsKnownWhatWasKept_IsNotRestoredElsewhere()
+        {
+            _anchors.Kept["cell"] = Shift(1);
+            _anchors.IsReady = false;
+            _cell.IsInView = _ => false;
+            _cell.Run(0.5);
+            Tracker.Place(Shift(2));
+
+            _anchors.IsReady = true;
+            _cell.Run(1);
+
+            Assert.That(Tracker.Base, Is.Null, "it stands where it was put");
         }
 
         [Test]

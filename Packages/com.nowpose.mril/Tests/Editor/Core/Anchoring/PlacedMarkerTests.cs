@@ -89,6 +89,23 @@ namespace Nowpose.Tests.Anchoring
         }
 
         [Test]
+        public void Place_WhileAHandHoldsIt_EndsThat()
+        {
+            var cell = SimulatedMarkers.One(1, 0.3);
+            cell.Run(1);
+            _tracker = cell.Tracker;
+            _now = cell.Now.SinceEpoch.TotalSeconds;
+            var put = Move(5);
+
+            _tracker.Place(Place);
+            Tick(Place, put);
+
+            Assert.That(_tracker.IsBeingPlaced, Is.False);
+            Assert.That(cell.RunUntilLocked(4), Is.Not.Null, "the search goes on");
+            Assert.That(_tracker.Base.Value.DistanceTo(cell.Base), Is.LessThan(1e-9));
+        }
+
+        [Test]
         public void Tick_NoPoseOrAnUnknownPayload_IsPassedOver()
         {
             Tick(default, Now);
