@@ -55,9 +55,9 @@ public sealed class ConsentPromptTests
         return child;
     }
 
-    void Run()
+    void Run(int frames = 5)
     {
-        for (var i = 0; i < 5; i++)
+        for (var i = 0; i < frames; i++)
         {
             _codes.Seen = _cell.Clock.Now;
             _cell.Frame(_session);
@@ -67,7 +67,7 @@ public sealed class ConsentPromptTests
     void LookAtTheMarker()
     {
         _codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
-        Run();
+        Run(60);
     }
 
     [Test]
@@ -97,6 +97,28 @@ public sealed class ConsentPromptTests
 
         Assert.That(_pairing.Cell, Is.EqualTo("desk"));
         Assert.That(_content.activeSelf, Is.False);
+    }
+
+    [Test]
+    public void Accept_PressedBeforeTheQuestionCanBeRead_DoesNothing()
+    {
+        LookAtTheMarker();
+        _pairing.Refuse();
+        _codes.Texts.Clear();
+        _codes.Texts.Add(new CellCode("wall", "127.0.0.1", null, null, 0, 2, 2).Text);
+        while (_pairing.Question == null) Run(1);
+
+        _accept.Enter();
+        _accept.Exit();
+        Run(1);
+        Assert.That(_pairing.Cell, Is.Null);
+        Assert.That(_pairing.Question, Does.Contain("wall"));
+
+        Run(60);
+        _accept.Enter();
+        _accept.Exit();
+        Run(1);
+        Assert.That(_pairing.Cell, Is.EqualTo("wall"));
     }
 
     [Test]

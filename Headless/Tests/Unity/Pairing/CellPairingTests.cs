@@ -265,6 +265,37 @@ public class CellPairingTests
     }
 
     [Test]
+    public void Listener_OfTheAnchorThatThrows_LosesNothing()
+    {
+        var changes = 0;
+        _anchor.StateChanged += () => throw new InvalidOperationException("a listener's own fault");
+        _shown.Texts.Add(Desk);
+        Frames();
+        _pairing.Changed += () => changes++;
+
+        _pairing.Accept();
+        Frames();
+
+        Assert.That(File.ReadAllText(FilePath), Does.Contain("desk"));
+        Assert.That(changes, Is.GreaterThan(0));
+        Assert.That(_session.IsConnecting, Is.True);
+    }
+
+    [Test]
+    public void Listener_OfTheAnchorThatDisablesThePairing_LosesNothing()
+    {
+        _anchor.StateChanged += () => _pairing.enabled = false;
+        _shown.Texts.Add(Desk);
+        Frames();
+
+        _pairing.Accept();
+        Frames();
+
+        Assert.That(File.ReadAllText(FilePath), Does.Contain("desk"));
+        Assert.That(_cell.Player.Logs.Select(log => log.Type), Has.None.EqualTo(LogType.Exception));
+    }
+
+    [Test]
     public void Code_ThatTheDeviceOnlyRemembers_AsksNothing()
     {
         _shown.Texts.Add(Desk);

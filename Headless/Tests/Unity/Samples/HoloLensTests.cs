@@ -243,11 +243,7 @@ public sealed class HoloLensTests
         var codes = new GameObject("Codes").AddComponent<ShownCodes>();
         codes.transform.SetParent(_session.transform, false);
         codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
-        for (var i = 0; i < 40; i++)
-        {
-            codes.Seen = _cell.Clock.Now;
-            Run(0.02);
-        }
+        Show(codes, 2);
         Assert.That(Child<TextMesh>("Question").text, Is.Not.Empty);
 
         Press(button);
@@ -263,7 +259,7 @@ public sealed class HoloLensTests
         var codes = new GameObject("Codes").AddComponent<ShownCodes>();
         codes.transform.SetParent(_session.transform, false);
         codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
-        Show(codes, 0.8);
+        Show(codes, 2);
         Press("Accept");
         codes.Texts.Clear();
         Run(4);

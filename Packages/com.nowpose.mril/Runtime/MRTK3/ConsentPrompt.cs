@@ -28,19 +28,25 @@ namespace Nowpose.Mrtk3
         /// <summary>Letters of a line, so that the question is no wider than its buttons.</summary>
         const int LineLetters = 44;
 
-        string _shown = "";
+        /// <summary>Nobody reads a question faster: what is pressed before was meant for something else.</summary>
+        const float ReadingSeconds = 0.5f;
 
-        /// <summary>For the button that agrees.</summary>
+        string _shown = "";
+        float _shownAt;
+
+        /// <summary>For the button that agrees; does nothing in the first half second of a question.</summary>
         public void Accept()
         {
-            if (_pairing != null) _pairing.Accept();
+            if (IsRead) _pairing.Accept();
         }
 
-        /// <summary>For the button that declines.</summary>
+        /// <summary>For the button that declines; does nothing in the first half second of a question.</summary>
         public void Refuse()
         {
-            if (_pairing != null) _pairing.Refuse();
+            if (IsRead) _pairing.Refuse();
         }
+
+        bool IsRead => _pairing != null && _pairing.Question == _shown && Time.unscaledTime - _shownAt >= ReadingSeconds;
 
         void OnEnable()
         {
@@ -60,6 +66,7 @@ namespace Nowpose.Mrtk3
         void Show(string question)
         {
             _shown = question;
+            _shownAt = Time.unscaledTime;
             if (_question != null) _question.text = question == null ? "" : WrappedText.Of(question, LineLetters);
             if (_content != null) _content.SetActive(question != null);
         }

@@ -79,8 +79,9 @@ namespace Nowpose.Pairing
                 (int)fields.Count('w', ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort), text);
         }
 
-        /// <summary>Whether both lead to the same place and trust the same key; ports may differ.</summary>
-        public bool HasSameGateway(CellCode other) => other.Host == Host && Equals(other.Pin, Pin);
+        /// <summary>Whether both lead to the same ports of the same host and trust the same key.</summary>
+        public bool HasSameGateway(CellCode other) =>
+            other.Host == Host && Equals(other.Pin, Pin) && other.SyncPort == SyncPort && other.WebSocketPort == WebSocketPort;
 
         /// <param name="token">What the gateway gave this headset; null for none.</param>
         public ConnectionSettings ToConnection(string token, string headsetName) =>

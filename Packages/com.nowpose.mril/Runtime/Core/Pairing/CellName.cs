@@ -9,6 +9,9 @@ namespace Nowpose.Pairing
     {
         public const int GreatestLength = 40;
 
+        /// <summary>Letters and marks that nobody sees: fillers, inherent vowels and selectors of variants.</summary>
+        const string Invisible = "\u115F\u1160\u17B4\u17B5\u180B\u180C\u180D\u180F\u3164\uFFA0";
+
         // Strict: bytes that are not UTF-8 are refused rather than replaced.
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false, true);
 
@@ -65,6 +68,9 @@ namespace Nowpose.Pairing
         // No angle brackets, which are tags in Unity's texts; no control, format or direction characters; no pairs of surrogates.
         static bool IsAllowed(char c)
         {
+            if (Invisible.Contains(c) || (c >= '\uFE00' && c <= '\uFE0F')) return false;
+            // Two names that look the same are one: an accent is part of its letter. Devices differ in what they can normalise.
+            if (c >= '\u0300' && c <= '\u036F') return false;
             switch (char.GetUnicodeCategory(c))
             {
                 case UnicodeCategory.UppercaseLetter:

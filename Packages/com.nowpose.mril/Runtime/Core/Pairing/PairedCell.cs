@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -7,7 +6,7 @@ namespace Nowpose.Pairing
     /// <summary>A cell that the wearer has agreed to: its markers' codes, and the token that its gateway gave this headset. Immutable.</summary>
     public sealed class PairedCell
     {
-        /// <summary>More markers than this no robot has; of more the oldest is dropped.</summary>
+        /// <summary>More markers than this no robot has; more are not taken, for forged ones would drop the true.</summary>
         public const int GreatestCodes = 16;
 
         readonly CellCode[] _codes;
@@ -20,6 +19,7 @@ namespace Nowpose.Pairing
             _codes = codes.ToArray();
             if (_codes.Length == 0 || _codes.Length > GreatestCodes)
                 throw new InputException("paired cell: " + _codes.Length + " codes; allowed are 1 to " + GreatestCodes);
+            if (_codes.Select(code => code.Text).Distinct().Count() != _codes.Length) throw new InputException("paired cell: two codes are the same");
             if (_codes.Any(code => code.Cell != Newest.Cell || !code.HasSameGateway(Newest)))
                 throw new InputException("paired cell: the codes are of several cells or gateways");
             Token = Newest.ToConnection(token, "headset").Token;
@@ -30,7 +30,6 @@ namespace Nowpose.Pairing
         /// <summary>Of each of its markers that was seen so far, oldest first.</summary>
         public IReadOnlyList<CellCode> Codes => _codes;
 
-        /// <summary>Its ports are the ones to use.</summary>
         public CellCode Newest => _codes[_codes.Length - 1];
 
         /// <summary>Null for none. Secret.</summary>
@@ -39,6 +38,8 @@ namespace Nowpose.Pairing
         /// <summary>Whether a connection makes sense: a gateway on the headset's own machine may ask for no token.</summary>
         public bool IsReady => Token != null || Newest.Pin == null;
 
+        public bool IsFull => _codes.Length == GreatestCodes;
+
         public bool Holds(CellCode code)
         {
             foreach (var known in _codes)
@@ -46,8 +47,8 @@ namespace Nowpose.Pairing
             return false;
         }
 
-        public PairedCell With(CellCode code) => new PairedCell(
-            _codes.Where(known => known.Text != code.Text).Skip(Math.Max(0, _codes.Length + 1 - GreatestCodes)).Append(code), Token);
+        /// <exception cref="InputException">It is full, holds the code already, or is another cell or gateway than the code's.</exception>
+        public PairedCell With(CellCode code) => new PairedCell(_codes.Append(code), Token);
 
         public PairedCell WithToken(string token) => new PairedCell(_codes, token);
     }

@@ -13,20 +13,14 @@ namespace Nowpose.Pairing
     /// <remarks>Belongs to the frame's thread. A frame shows it all texts in view, then ticks it; neither allocates where nothing is new.</remarks>
     public sealed class PairingFlow : IDisposable
     {
-        /// <summary>Different codes of ours in one run; whoever hangs up more is not listened to.</summary>
-        const int GreatestSeen = 256;
-
-        readonly string _headsetName;
-        readonly Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> _send;
-        readonly Dictionary<string, SeenCode> _seen = new Dictionary<string, SeenCode>(StringComparer.Ordinal);
+        readonly CodeExchange _exchange;
+        readonly SeenCodes _seen = new SeenCodes();
+        readonly OtherCell _other = new OtherCell();
         readonly HashSet<string> _refused = new HashSet<string>(StringComparer.Ordinal);
-        readonly HashSet<string> _tried = new HashSet<string>(StringComparer.Ordinal);
         PairingQuestion _asked;
-        PairedCell _otherInView;
-        TokenCode _waiting;
-        HeadsetTime _waitingUntil;
-        TokenExchange _exchange;
-        bool _isUsedInView, _isOversizedTold, _isTokenRefused;
+        HeadsetTime _now, _quietUntil;
+        HeadsetTime? _faultUntil;
+        bool _isTokenRefused;
         PairingChange _changes;
 
         /// <param name="cells">Agreed to in earlier runs.</param>
@@ -36,8 +30,7 @@ namespace Nowpose.Pairing
             PairedCells cells, string headsetName, Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)
         {
             Cells = cells;
-            _headsetName = headsetName;
-            _send = send;
+            _exchange = new CodeExchange(headsetName, send);
             if (cells.Used != null) _changes = PairingChange.Applied;
             Words = CalmWords;
         }
@@ -66,38 +59,25 @@ namespace Nowpose.Pairing
         }
 
         /// <summary>Whether neither the wearer nor the gateway has to do anything before there can be a connection.</summary>
-        public bool IsSettled => _asked == null && _exchange == null && !_isTokenRefused && Cells.Used?.IsReady == true;
+        public bool IsSettled => _asked == null && _exchange.Cell == null && !_isTokenRefused && Cells.Used?.IsReady == true;
 
         /// <summary>A text that a marker in view holds, whoever hung it up.</summary>
         public void See(string text, HeadsetTime now)
         {
-            var kind = PairingCode.KindOf(text);
-            if (kind == PairingCodeKind.Foreign) return;
-            if (text.Length > PairingCode.GreatestLength)
-            {
-                // Not remembered: it would be the room that somebody else decides on.
-                if (!_isOversizedTold) Fail("pairing code: " + text.Length + " characters; allowed are up to " + PairingCode.GreatestLength);
-                _isOversizedTold = true;
-                return;
-            }
-            if (!_seen.TryGetValue(text, out var seen))
-            {
-                if (_seen.Count >= GreatestSeen) return;
-                _seen.Add(text, seen = SeenCode.Read(text, kind));
-                if (seen.Fault != null) Fail(seen.Fault);
-            }
-            if (seen.Cell != null) SeeCell(seen);
-            else if (seen.Token != null) SeeToken(seen.Token, now);
+            _now = now;
+            var seen = _seen.Read(text, now, out var fault);
+            if (fault != null) FailForNow(fault);
+            if (seen?.Cell != null) SeeCell(seen);
+            else if (seen?.Token != null) SeeToken(seen.Token, now);
         }
 
         /// <summary>Goes on with what was seen; once a frame.</summary>
         /// <returns>What has happened since it was asked last.</returns>
         public PairingChange Tick(HeadsetTime now)
         {
-            // Of several robots in view the one in use stays.
-            if (!_isUsedInView && _otherInView != null) Use(_otherInView);
-            _isUsedInView = false;
-            _otherInView = null;
+            _now = now;
+            if (now >= _faultUntil) ClearProblem();
+            ConsiderOther(now);
             Offer(now);
             FollowExchange(now);
             var changes = _changes;
@@ -112,7 +92,8 @@ namespace Nowpose.Pairing
             if (asked == null) return;
             Answer();
             if (asked.Code != null) Connect(asked.Code.Cell);
-            else Forget(asked.Forgotten);
+            else if (asked.Forgotten != null) Forget(asked.Forgotten);
+            else if (Cells.Find(asked.Used) is PairedCell other) Use(other);
         }
 
         /// <summary>Declines the question; to connect to a gateway for this run. Does nothing when nothing is asked.</summary>
@@ -120,6 +101,7 @@ namespace Nowpose.Pairing
         {
             if (_asked == null) return;
             if (_asked.Code != null) _refused.Add(_asked.Code.Gateway);
+            if (_asked.Used != null) _other.Decline(_asked.Used, _now);
             Answer();
         }
 
@@ -129,30 +111,57 @@ namespace Nowpose.Pairing
         /// </summary>
         public void AskToForget()
         {
-            _refused.Clear();
+            Reconsider();
             if (Cells.Used != null) Ask(PairingQuestion.Forget(Cells.Used));
         }
 
         /// <summary>Forgets the cell in use, with its token, and what was declined: the next look at a marker asks anew.</summary>
         public void Forget()
         {
-            _refused.Clear();
+            Reconsider();
             Answer();
             Forget(Cells.Used?.Cell);
         }
 
-        public void Dispose() => EndExchange();
+        public void Dispose() => _exchange.Dispose();
 
         void SeeCell(SeenCode seen)
         {
             var known = Cells.Find(seen.Cell.Cell);
             if (known != null && known.Newest.HasSameGateway(seen.Cell))
             {
-                if (!known.Holds(seen.Cell)) Learn(known = known.With(seen.Cell));
-                if (known.Cell == Cells.Used?.Cell) _isUsedInView = true;
-                else _otherInView = known;
+                if (!known.Holds(seen.Cell)) Add(seen, known);
+                _other.See(known.Cell, known.Cell == Cells.Used?.Cell);
             }
-            else if (_asked == null && !_refused.Contains(seen.Gateway)) Ask(PairingQuestion.Connect(seen, known));
+            else if (MayAsk && !_refused.Contains(seen.Gateway)) Ask(PairingQuestion.Connect(seen, known));
+        }
+
+        bool MayAsk => _asked == null && _now >= _quietUntil;
+
+        // Without a question it would be the wearer's passing by that decides where the samples are from.
+        void ConsiderOther(HeadsetTime now)
+        {
+            var name = _other.Wanted(now);
+            if (name == null || !MayAsk || !(Cells.Find(name) is PairedCell other)) return;
+            if (Cells.Used == null) Use(other);
+            else Ask(PairingQuestion.Use(other, Cells.Used));
+        }
+
+        void Reconsider()
+        {
+            _refused.Clear();
+            _other.Reconsider();
+        }
+
+        void Add(SeenCode seen, PairedCell known)
+        {
+            if (!known.IsFull)
+            {
+                Learn(known.With(seen.Cell));
+                return;
+            }
+            if (!seen.IsTooManyTold) FailForNow(PairingWords.TooMany(known.Cell));
+            seen.IsTooManyTold = true;
         }
 
         void Learn(PairedCell cell)
@@ -175,7 +184,7 @@ namespace Nowpose.Pairing
         {
             var known = Cells.Find(code.Cell);
             // What another gateway of that name may still give is no token of this one.
-            if (_exchange?.Cell == code.Cell) EndExchange();
+            if (_exchange.Cell == code.Cell) _exchange.End();
             // The same key is the same gateway: what it gave this headset still counts.
             var token = known != null && Equals(known.Newest.Pin, code.Pin) ? known.Token : null;
             Use(new PairedCell(new[] { code }, token));
@@ -183,15 +192,16 @@ namespace Nowpose.Pairing
 
         void Forget(string cell)
         {
-            EndExchange();
+            _exchange.End();
             if (cell != null) Cells = Cells.Without(cell);
             Change(cell == null ? PairingChange.Words : PairingChange.Applied | PairingChange.Kept);
         }
 
         void Answer()
         {
+            if (_asked != null) _quietUntil = _now + PairingLimits.QuestionPause;
             _asked = null;
-            Problem = null;
+            ClearProblem();
             Change(PairingChange.Words);
         }
 
@@ -203,9 +213,13 @@ namespace Nowpose.Pairing
 
         void SeeToken(TokenCode code, HeadsetTime now)
         {
-            if (_exchange != null || _tried.Contains(code.Token)) return;
-            _waiting = code;
-            _waitingUntil = now + PairingLimits.CodeValidity;
+            if (_exchange.Cell != null) return;
+            if (_exchange.WasTried(code))
+            {
+                if (NeedsToken(Cells.Used, code) && Problem == null && Question == null) Say(PairingWords.CodeWasTried);
+                return;
+            }
+            _exchange.Wait(code, now);
             if (TakerOf(code) != null || IsPaired(code)) return;
             if (Words != PairingWords.MarkerFirst && Question == null) Say(PairingWords.MarkerFirst);
         }
@@ -213,17 +227,9 @@ namespace Nowpose.Pairing
         // The order in which the wearer looks at the two does not matter.
         void Offer(HeadsetTime now)
         {
-            if (_waiting == null || _exchange != null) return;
-            var taker = TakerOf(_waiting);
-            if (taker != null)
-            {
-                _tried.Add(_waiting.Token);
-                _exchange = new TokenExchange(taker, _waiting, _headsetName, now, _send);
-                _waiting = null;
-                Problem = null;
-                Change(PairingChange.Words);
-            }
-            else if (now > _waitingUntil) _waiting = null;
+            if (_exchange.Waiting == null || _exchange.Cell != null || !_exchange.Offer(TakerOf(_exchange.Waiting), now)) return;
+            ClearProblem();
+            Change(PairingChange.Words);
         }
 
         // The one in use before others: several cells may share a gateway, and a code serves one headset once.
@@ -247,7 +253,7 @@ namespace Nowpose.Pairing
 
         void FollowExchange(HeadsetTime now)
         {
-            if (_exchange == null) return;
+            if (_exchange.Cell == null) return;
             var before = _exchange.Trouble;
             var answer = _exchange.Follow(now);
             if (answer == null)
@@ -256,16 +262,16 @@ namespace Nowpose.Pairing
                 return;
             }
             var cell = Cells.Find(_exchange.Cell);
-            EndExchange();
+            _exchange.End();
             if (answer.Token == null) Fail(answer.Problem);
             else if (cell != null) Take(cell, answer.Token);
         }
 
         void Take(PairedCell cell, string token)
         {
-            Problem = null;
-            IsTokenRefused = false;
-            Use(cell.WithToken(token));
+            ClearProblem();
+            if (cell.Cell == Cells.Used?.Cell) IsTokenRefused = false;
+            Learn(cell.WithToken(token));
             _changes |= PairingChange.Paired;
             // One token of a gateway's serves all its cells.
             foreach (var other in Cells.All)
@@ -273,16 +279,26 @@ namespace Nowpose.Pairing
             Say(PairingWords.Paired(cell.Cell));
         }
 
-        void EndExchange()
-        {
-            _exchange?.Dispose();
-            _exchange = null;
-        }
-
         void Fail(string problem)
         {
+            _faultUntil = null;
             Problem = problem;
             Change(PairingChange.Problem);
+        }
+
+        void FailForNow(string problem)
+        {
+            Fail(problem);
+            _faultUntil = _now + PairingLimits.FaultShown;
+        }
+
+        void ClearProblem()
+        {
+            // One that nobody was told of yet stays until its time is over.
+            if (Problem == null || (_changes & PairingChange.Problem) != 0) return;
+            _faultUntil = null;
+            Problem = null;
+            Change(PairingChange.Words);
         }
 
         void Change(PairingChange change)
@@ -302,7 +318,7 @@ namespace Nowpose.Pairing
         {
             get
             {
-                if (_exchange != null) return PairingWords.Exchanging(_exchange.Cell);
+                if (_exchange.Cell != null) return PairingWords.Exchanging(_exchange.Cell);
                 var used = Cells.Used;
                 if (used == null) return PairingWords.LookAtMarker;
                 if (_isTokenRefused) return PairingWords.TokenRefused(used.Cell);

@@ -14,9 +14,15 @@ namespace Nowpose.Pairing
         /// <summary>Name of the cell to forget; null where something else is asked.</summary>
         public string Forgotten { get; private set; }
 
+        /// <summary>Name of the known cell to use from now on; null where something else is asked.</summary>
+        public string Used { get; private set; }
+
         /// <param name="known">What was agreed to under that name before; null for nothing.</param>
         public static PairingQuestion Connect(SeenCode code, PairedCell known) =>
             new PairingQuestion(PairingWords.Question(code.Cell, known?.Newest)) { Code = code };
+
+        public static PairingQuestion Use(PairedCell cell, PairedCell instead) =>
+            new PairingQuestion(PairingWords.Use(cell.Cell, instead.Cell)) { Used = cell.Cell };
 
         public static PairingQuestion Forget(PairedCell cell) => new PairingQuestion(PairingWords.Forget(cell.Newest)) { Forgotten = cell.Cell };
     }

@@ -8,7 +8,7 @@ namespace Nowpose.Pairing
             Cell = cell;
             Token = token;
             Fault = fault;
-            Gateway = cell == null ? null : cell.Cell + "\n" + cell.Host + "\n" + cell.Pin;
+            Gateway = cell == null ? null : cell.Cell + "\n" + cell.Host + "\n" + cell.Pin + "\n" + cell.SyncPort + "\n" + cell.WebSocketPort;
         }
 
         /// <summary>Null where it is none.</summary>
@@ -22,6 +22,11 @@ namespace Nowpose.Pairing
 
         /// <summary>The same for all markers of a cell that lead to one gateway.</summary>
         public string Gateway { get; }
+
+        public HeadsetTime LastSeen { get; set; }
+
+        /// <summary>Whether it was said that it is one marker too many.</summary>
+        public bool IsTooManyTold { get; set; }
 
         public static SeenCode Read(string text, PairingCodeKind kind)
         {

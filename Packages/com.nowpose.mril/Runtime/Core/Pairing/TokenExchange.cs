@@ -9,7 +9,6 @@ namespace Nowpose.Pairing
     sealed class TokenExchange : IDisposable
     {
         readonly ConnectionSettings _gateway;
-        readonly string _token;
         readonly Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> _send;
         readonly CancellationTokenSource _cancel = new CancellationTokenSource();
         readonly HeadsetTime _lastStart;
@@ -23,7 +22,7 @@ namespace Nowpose.Pairing
         {
             Cell = cell.Cell;
             _gateway = cell.Newest.ToConnection(null, headsetName);
-            _token = code.Token;
+            Token = code.Token;
             _send = send;
             _nextStart = now;
             _lastStart = now + PairingLimits.CodeValidity;
@@ -31,13 +30,16 @@ namespace Nowpose.Pairing
 
         public string Cell { get; }
 
+        /// <summary>Of the code. Secret.</summary>
+        public string Token { get; }
+
         /// <summary>Why it did not work so far, and that it goes on; null for nothing.</summary>
         public string Trouble { get; private set; }
 
         /// <returns>The last answer; null while it goes on.</returns>
         public PairingAnswer Follow(HeadsetTime now)
         {
-            if (_running == null && now >= _nextStart) _running = _send(_gateway, _token, _cancel.Token);
+            if (_running == null && now >= _nextStart) _running = _send(_gateway, Token, _cancel.Token);
             if (_running == null || !_running.IsCompleted) return null;
             var answer = _running.IsFaulted || _running.IsCanceled
                 ? PairingAnswer.Refused(_running.Exception?.GetBaseException().Message ?? "pairing was cancelled") : _running.Result;

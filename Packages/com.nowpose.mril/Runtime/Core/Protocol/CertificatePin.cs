@@ -8,11 +8,14 @@ namespace Nowpose.Protocol
     public sealed class CertificatePin : IEquatable<CertificatePin>
     {
         const string Prefix = "sha256/";
-        const int HashBytes = 32;
+        const int HashBytes = 32, ComparedCharacters = 12;
 
         readonly byte[] _hash;
 
         CertificatePin(byte[] hash) => _hash = hash;
+
+        /// <summary>What a person compares: the first characters after "sha256/", and an ellipsis. The same wherever it is shown.</summary>
+        public string Beginning => Convert.ToBase64String(_hash).Substring(0, ComparedCharacters) + "…";
 
         /// <summary>Reads base64 of 32 bytes, with or without "sha256/" before it; blanks around it are ignored.</summary>
         /// <exception cref="InputException">It is something else.</exception>

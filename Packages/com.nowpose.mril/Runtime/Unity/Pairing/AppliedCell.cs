@@ -20,8 +20,9 @@ namespace Nowpose.Unity
             if (_connected != null && IsSameConnection(_connected, cell)) return true;
             if (session.Settings == null) return false;
             session.Settings = session.Settings.With(cell.Newest.ToConnection(cell.Token, headsetName));
-            session.Connect();
+            // Whoever hears of it may throw: it is connected all the same.
             _connected = cell;
+            session.Connect();
             return true;
         }
 
@@ -46,8 +47,7 @@ namespace Nowpose.Unity
         }
 
         static bool IsSameConnection(PairedCell one, PairedCell other) =>
-            one.Token == other.Token && one.Newest.HasSameGateway(other.Newest)
-            && one.Newest.SyncPort == other.Newest.SyncPort && one.Newest.WebSocketPort == other.Newest.WebSocketPort;
+            one.Token == other.Token && one.Newest.HasSameGateway(other.Newest);
 
         static bool IsSamePlace(PairedCell one, PairedCell other)
         {

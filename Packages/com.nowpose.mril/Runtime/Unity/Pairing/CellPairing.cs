@@ -123,18 +123,31 @@ namespace Nowpose.Unity
             _view.Show(_source, Flow, now);
             Flow.IsTokenRefused = IsTokenRefused(_source);
             var changes = Flow.Tick(now);
-            if ((changes & PairingChange.Applied) != 0)
+            // Before anybody hears of it: whoever listens to anchor or session may throw, or disable this.
+            if ((changes & PairingChange.Kept) != 0) Keep();
+            try
             {
-                _applied.Place(_target, Flow.Cells.Used);
-                _isApplied = false;
+                Apply((changes & PairingChange.Applied) != 0);
             }
-            if (!_isApplied) _isApplied = _applied.Connect(_source, Flow.Cells.Used, _name);
-            if (changes != PairingChange.None) Tell(changes);
+            finally
+            {
+                if (changes != PairingChange.None && Flow != null) Tell(changes);
+            }
+        }
+
+        void Apply(bool isNew)
+        {
+            var used = Flow.Cells.Used;
+            if (isNew)
+            {
+                _isApplied = false;
+                _applied.Place(_target, used);
+            }
+            if (!_isApplied) _isApplied = _applied.Connect(_source, used, _name);
         }
 
         void Tell(PairingChange changes)
         {
-            if ((changes & PairingChange.Kept) != 0) Keep();
             if ((changes & PairingChange.Problem) != 0) ConsoleLog.Warn(this, Flow.Problem ?? _fileProblem);
             if ((changes & PairingChange.Paired) != 0) ConsoleLog.Say(this, Flow.Words);
             // Whoever hears of it may disable this.
@@ -169,7 +182,8 @@ namespace Nowpose.Unity
         {
             var trimmed = (name ?? "").Trim();
             if (trimmed.Length == 0) return "headset";
-            return trimmed.Length <= GreatestName ? trimmed : trimmed.Substring(0, GreatestName);
+            if (trimmed.Length <= GreatestName) return trimmed;
+            return trimmed.Substring(0, char.IsHighSurrogate(trimmed[GreatestName - 1]) ? GreatestName - 1 : GreatestName);
         }
     }
 }

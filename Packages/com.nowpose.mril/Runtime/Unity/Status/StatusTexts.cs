@@ -59,7 +59,8 @@ namespace Nowpose.Unity
         /// <param name="anchor">Where the base is; null for none.</param>
         /// <param name="pairing">What sets the session up; null for nothing.</param>
         public void Update(
-            SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null, CellPairing pairing = null)
+            SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null,
+            CellPairing pairing = null)
         {
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++) Set(row, Unknown, "");
             if (statistics != null)

@@ -198,6 +198,11 @@ namespace Nowpose.Tests
         [TestCase("%3Cb%3E")]
         [TestCase("%E2%80%AEa")] // right-to-left override
         [TestCase("%E2%80%8Ba")] // zero-width space
+        [TestCase("Press%E3%85%A4")] // Hangul filler
+        [TestCase("Pr%E1%85%9Fess")] // Hangul choseong filler
+        [TestCase("Pr%CD%8Fess")] // combining grapheme joiner
+        [TestCase("Press%EF%B8%8F")] // variation selector
+        [TestCase("Pru%CC%88fzelle")] // u and its dots apart
         [TestCase("%F0%9F%A4%96")] // beyond 16 bits
         [TestCase("%C3")]
         [TestCase("%C0%80")]
@@ -236,14 +241,19 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void HasSameGateway_ComparesHostAndPin()
+        public void HasSameGateway_ComparesHostPortsAndPin()
         {
             var code = CellCode.Parse(Whole);
             var other = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
 
-            Assert.That(code.HasSameGateway(new CellCode("b", "192.168.10.20", Pin)), Is.True);
-            Assert.That(code.HasSameGateway(new CellCode("Press 3", "192.168.10.21", Pin)), Is.False);
-            Assert.That(code.HasSameGateway(new CellCode("Press 3", "192.168.10.20", other)), Is.False);
+            CellCode Code(string host, CertificatePin pin, int syncPort = 47020, int webSocketPort = 47021) =>
+                new CellCode("b", host, pin, null, 0, syncPort, webSocketPort);
+
+            Assert.That(code.HasSameGateway(Code("192.168.10.20", Pin)), Is.True);
+            Assert.That(code.HasSameGateway(Code("192.168.10.21", Pin)), Is.False);
+            Assert.That(code.HasSameGateway(Code("192.168.10.20", other)), Is.False);
+            Assert.That(code.HasSameGateway(Code("192.168.10.20", Pin, syncPort: 47010)), Is.False);
+            Assert.That(code.HasSameGateway(Code("192.168.10.20", Pin, webSocketPort: 47011)), Is.False);
         }
 
         [Test]

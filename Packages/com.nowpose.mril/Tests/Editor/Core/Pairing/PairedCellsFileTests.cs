@@ -59,6 +59,8 @@ namespace Nowpose.Tests
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"cells\":[]}")]
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"used\":\"a\",\"cells\":[]}")]
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[]}]}")]
+        [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a&h=::1\","
+            + "\"nowpose:cell/1?n=a&h=::1\"]}]}")]
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a\"]}]}")]
         [TestCase("{\"format\":\"nowpose-paired-cells\",\"version\":1,\"cells\":[{\"codes\":[\"nowpose:cell/1?n=a&h=::1\"],\"token\":\"a b\"}]}")]
         public void Load_Unusable_IsSaidAndKeptAside(string text)
@@ -85,14 +87,14 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void With_MoreMarkersThanAreKept_DropsTheOldest()
+        public void With_MoreMarkersThanAreKept_IsRefused()
         {
             var cell = new PairedCell(new[] { CodeOf("a", 0) }, null);
-            for (var i = 1; i <= PairedCell.GreatestCodes; i++) cell = cell.With(CodeOf("a", i));
+            for (var i = 1; i < PairedCell.GreatestCodes; i++) cell = cell.With(CodeOf("a", i));
 
-            Assert.That(cell.Codes.Count, Is.EqualTo(PairedCell.GreatestCodes));
-            Assert.That(cell.Holds(CodeOf("a", 0)), Is.False);
-            Assert.That(cell.Newest.Text, Is.EqualTo(CodeOf("a", PairedCell.GreatestCodes).Text));
+            Assert.That(cell.IsFull, Is.True);
+            Assert.That(cell.Holds(CodeOf("a", 0)), Is.True);
+            Assert.That(() => cell.With(CodeOf("a", 16)), Throws.TypeOf<InputException>());
         }
     }
 }

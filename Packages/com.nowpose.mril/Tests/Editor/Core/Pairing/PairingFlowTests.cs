@@ -63,11 +63,17 @@ namespace Nowpose.Tests
             return _flow.Tick(_now);
         }
 
+        /// <summary>As long as it takes until something may be asked again, or another cell has been looked at.</summary>
+        void Look(params string[] inView)
+        {
+            for (var end = _now + TimeSpan.FromSeconds(1.1); _now < end;) Frame(inView);
+        }
+
         void Agree(string code)
         {
             Frame(code);
             _flow.Accept();
-            Frame();
+            Look();
         }
 
         void Pair(string code, string token)
@@ -143,7 +149,7 @@ namespace Nowpose.Tests
             Frame(Cell);
             _flow.Refuse();
 
-            Frame(Cell, CodeOf("Press 3", "10.0.0.7", Pin, 1), Token);
+            Look(Cell, CodeOf("Press 3", "10.0.0.7", Pin, 1), Token);
 
             Assert.That(_flow.Question, Is.Null);
             Assert.That(_sent, Is.Empty);
@@ -162,6 +168,20 @@ namespace Nowpose.Tests
 
             Assert.That(_flow.Question, Is.Null);
             Assert.That(_sent.Count, Is.EqualTo(1), "it has its token");
+        }
+
+        [TestCase(6000, 47011, "ports 6000 and 47011 instead of 47010 and 47011")]
+        [TestCase(47010, 6000, "ports 47010 and 6000 instead of 47010 and 47011")]
+        public void KnownCell_OfOtherPorts_IsAskedBeforeAnythingIsSentThere(int syncPort, int webSocketPort, string part)
+        {
+            Agree(Cell);
+
+            Frame(new CellCode("Press 3", "10.0.0.7", Pin, null, 0, syncPort, webSocketPort).Text, Token);
+            Frame();
+
+            Assert.That(_flow.Question, Does.Contain(part));
+            Assert.That(_sentTo[0].WebSocketPort, Is.EqualTo(47011));
+            Assert.That(_flow.Cells.Used.Codes.Count, Is.EqualTo(1));
         }
 
         [TestCase("10.0.0.8", false, "10.0.0.8 instead of 10.0.0.7")]
@@ -216,19 +236,79 @@ namespace Nowpose.Tests
             Assert.That(Frame(Cell, second), Is.EqualTo(PairingChange.None));
         }
 
-        [Test]
-        public void OtherKnownCell_IsUsedOnceTheOneInUseIsOutOfView()
+        static readonly string Other = CodeOf("Press 4", "10.0.0.9", OtherPin);
+
+        void PairBoth()
         {
-            var other = CodeOf("Press 4", "10.0.0.9", OtherPin);
+            Pair(Other, TokenOf(2, OtherPin));
             Pair(Cell, Token);
-            Pair(other, TokenOf(2, OtherPin));
-            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 4"));
-
-            Frame(Cell, other);
-            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 4"));
-            Frame(Cell);
-
             Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 3"));
+        }
+
+        [TestCase(true, "Press 4")]
+        [TestCase(false, "Press 3")]
+        public void OtherKnownCell_LookedAtAlone_IsUsedOnlyIfTheWearerAgrees(bool isAgreed, string used)
+        {
+            PairBoth();
+
+            Look(Other);
+
+            Assert.That(_flow.Question, Is.EqualTo("Use cell 'Press 4' instead of 'Press 3'?"));
+            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 3"), "until it is answered");
+            if (isAgreed) _flow.Accept();
+            else _flow.Refuse();
+            Look(Other);
+            Assert.That(_flow.Cells.Used.Cell, Is.EqualTo(used));
+            Assert.That(_flow.Question, Is.Null);
+        }
+
+        [Test]
+        public void OtherKnownCell_AGlimpseOrBesideTheOneInUse_AsksNothing()
+        {
+            PairBoth();
+
+            for (var i = 0; i < 100; i++)
+            {
+                Frame(Other);
+                Frame();
+            }
+            Look(Cell, Other);
+
+            Assert.That(_flow.Question, Is.Null);
+        }
+
+        [Test]
+        public void OtherKnownCell_Declined_IsAskedAgainAfterAMinuteOutOfView()
+        {
+            PairBoth();
+            Look(Other);
+            _flow.Refuse();
+
+            for (var i = 0; i < 3; i++)
+            {
+                _now += TimeSpan.FromSeconds(50);
+                Look(Other);
+                Assert.That(_flow.Question, Is.Null);
+            }
+            Frame();
+            _now += TimeSpan.FromSeconds(61);
+            Frame();
+            Look(Other);
+
+            Assert.That(_flow.Question, Does.StartWith("Use cell"));
+        }
+
+        [Test]
+        public void Answer_AnotherQuestionWaits_IsNotAskedUnderTheSameFinger()
+        {
+            Frame(Cell, Other);
+            _flow.Refuse();
+
+            Frame(Cell, Other);
+            Assert.That(_flow.Question, Is.Null);
+            Look(Cell, Other);
+
+            Assert.That(_flow.Question, Does.StartWith("Connect to cell 'Press 4'?"));
         }
 
         [Test]
@@ -326,15 +406,14 @@ namespace Nowpose.Tests
         [Test]
         public void AskToForget_AnotherQuestionIsOpen_TakesItsPlaceUntilItIsAnswered()
         {
-            var other = CodeOf("Press 4", "10.0.0.9", OtherPin);
             Pair(Cell, Token);
-            Frame(Cell, other);
+            Frame(Cell, Other);
 
             _flow.AskToForget();
-            Frame(Cell, other);
+            Frame(Cell, Other);
             Assert.That(_flow.Question, Does.StartWith("Forget cell 'Press 3'?"));
             _flow.Refuse();
-            Frame(Cell, other);
+            Look(Cell, Other);
 
             Assert.That(_flow.Question, Does.StartWith("Connect to cell 'Press 4'?"));
         }
@@ -344,7 +423,7 @@ namespace Nowpose.Tests
         {
             Frame(Cell);
             _flow.Refuse();
-            Frame(Cell);
+            Look(Cell);
             Assert.That(_flow.Question, Is.Null);
 
             _flow.AskToForget();
@@ -365,6 +444,31 @@ namespace Nowpose.Tests
             Frame();
 
             Assert.That(_flow.Cells.All, Is.Empty);
+        }
+
+        [Test]
+        public void Token_CutShortByForget_IsTriedAgain()
+        {
+            Agree(Cell);
+            Frame(Token);
+            _flow.Forget();
+
+            Agree(Cell);
+            Frame(Token);
+
+            Assert.That(_sent.Count, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Token_TriedBefore_IsSaidToBe()
+        {
+            Pair(Cell, Token);
+            _flow.IsTokenRefused = true;
+
+            Frame(Token);
+
+            Assert.That(_flow.Words, Is.EqualTo("this code was tried; ask for another on the gateway's page or terminal"));
+            Assert.That(_flow.IsSettled, Is.False);
         }
 
         [Test]
@@ -394,6 +498,50 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Malformed_IsToldForTenSeconds()
+        {
+            Agree(Cell);
+            var said = _flow.Words;
+            Frame("nowpose:cell/1?n=a");
+            _now += TimeSpan.FromSeconds(9);
+            Frame();
+            Assert.That(_flow.Words, Is.EqualTo(_flow.Problem));
+
+            _now += TimeSpan.FromSeconds(1);
+
+            Assert.That(Frame() & PairingChange.Words, Is.EqualTo(PairingChange.Words));
+            Assert.That(_flow.Problem, Is.Null);
+            Assert.That(_flow.Words, Is.EqualTo(said));
+        }
+
+        [Test]
+        public void Malformed_BesideACodeThatStartsAnExchange_IsToldAllTheSame()
+        {
+            Agree(Cell);
+
+            var changes = Frame("nowpose:cell/1?n=a", Token);
+
+            Assert.That(_sent.Count, Is.EqualTo(1));
+            Assert.That(changes & PairingChange.Problem, Is.EqualTo(PairingChange.Problem));
+            Assert.That(_flow.Problem, Does.Contain("h is missing"));
+        }
+
+        [Test]
+        public void MoreMarkersThanARobotHas_AreSaidAndDropNone()
+        {
+            Pair(Cell, Token);
+            for (var i = 1; i < PairedCell.GreatestCodes; i++) Frame(CodeOf("Press 3", "10.0.0.7", Pin, i));
+            var said = 0;
+
+            for (var i = 0; i < 5; i++)
+                if ((Frame(CodeOf("Press 3", "10.0.0.7", Pin, 0.5)) & PairingChange.Problem) != 0) said++;
+
+            Assert.That(said, Is.EqualTo(1));
+            Assert.That(_flow.Problem, Does.Contain("16"));
+            Assert.That(_flow.Cells.Used.Holds(CellCode.Parse(Cell)), Is.True);
+        }
+
+        [Test]
         public void Oversized_IsSaidOnceAndNotKept()
         {
             var said = 0;
@@ -414,6 +562,23 @@ namespace Nowpose.Tests
             Frame(Cell);
 
             Assert.That(_flow.Cells.Used.Cell, Is.EqualTo("Press 3"));
+        }
+
+        [Test]
+        public void ManyCodes_AreSaidOnceAndMakeRoomWhenTheyAreOutOfView()
+        {
+            var said = 0;
+            for (var i = 0; i < 300; i++)
+                if ((Frame(TokenOf(1, Pin).Replace("t=AQ", "t=" + (char)('A' + i / 26) + (char)('a' + i % 26))) & PairingChange.Problem) != 0) said++;
+            Assert.That(said, Is.EqualTo(1));
+            Assert.That(_flow.Problem, Does.Contain("256 different ones"));
+            Frame(Cell);
+            Assert.That(_flow.Question, Is.Null, "there is no room");
+
+            _now += PairingLimits.CodeValidity;
+            Frame(Cell);
+
+            Assert.That(_flow.Question, Is.Not.Null);
         }
     }
 }
