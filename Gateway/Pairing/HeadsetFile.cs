@@ -7,55 +7,95 @@ static class HeadsetFile
 {
     const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; it holds for the next connection.\n";
 
+    const int Attempts = 20;
+
+    static readonly TimeSpan AttemptInterval = TimeSpan.FromMilliseconds(25);
+
     /// <summary>Makes the file where there is none.</summary>
     /// <exception cref="InputException">It cannot be made or read, or a line is something else.</exception>
     public static IReadOnlyList<PairedHeadset> Open(string path) => Guarded(path, () =>
     {
-        if (!File.Exists(path)) Append(path, Head);
-        return Read(path);
+        if (!File.Exists(path)) Rewrite(path, FileMode.OpenOrCreate, text => text.Length == 0 ? Head : text);
+        return Load(path);
     });
 
     /// <summary>No file is no headsets.</summary>
     /// <exception cref="InputException">It cannot be read, or a line is something else.</exception>
-    public static IReadOnlyList<PairedHeadset> Load(string path) => Guarded(path, () => File.Exists(path) ? Read(path) : []);
-
-    /// <exception cref="InputException">It cannot be written.</exception>
-    public static void Add(string path, PairedHeadset headset) => Guarded(path, () =>
+    public static IReadOnlyList<PairedHeadset> Load(string path)
     {
-        // An editor may have left the last line without its end.
-        var isOpenEnded = File.Exists(path) && File.ReadAllText(path) is { Length: > 0 } text && text[^1] != '\n';
-        Append(path, (isOpenEnded ? "\n" : "") + headset + "\n");
-        return true;
-    });
-
-    /// <summary>Removes lines, and keeps what stands between them.</summary>
-    /// <exception cref="InputException">It cannot be read or written.</exception>
-    public static void Remove(string path, IReadOnlyCollection<PairedHeadset> headsets) => Guarded(path, () =>
-    {
-        var gone = headsets.Select(headset => headset.ToString()).ToHashSet();
-        var left = File.ReadAllLines(path).Where(line => !gone.Contains(line.Trim())).Select(line => line + "\n");
-        var unfinished = path + ".new";
-        File.Delete(unfinished);
-        Append(unfinished, string.Concat(left));
-        File.Move(unfinished, path, overwrite: true);
-        return true;
-    });
-
-    static List<PairedHeadset> Read(string path)
-    {
-        var lines = File.ReadAllLines(path).Select((line, index) => (Text: line.Trim(), Number: index + 1));
-        return [.. lines.Where(line => line.Text.Length > 0 && line.Text[0] != '#').Select(line => PairedHeadset.Read(line.Text)
-            ?? throw new InputException($"{path}, line {line.Number}: is no paired headset; correct or remove it"))];
+        var headsets = Load(path, out var fault);
+        return fault == null ? headsets : throw new InputException(fault);
     }
 
-    static void Append(string path, string text)
+    /// <summary>All lines that can be used: one that cannot must not keep a token alive that was removed beside it.</summary>
+    /// <param name="fault">Names the first line that is something else; null where all are headsets.</param>
+    /// <exception cref="InputException">It cannot be read.</exception>
+    public static IReadOnlyList<PairedHeadset> Load(string path, out string fault)
     {
-        var options = new FileStreamOptions { Mode = FileMode.Append, Access = FileAccess.Write, Share = FileShare.Read };
-        if (!OperatingSystem.IsWindows())
+        var lines = Guarded(path, () => File.Exists(path) ? Patient(() => File.ReadAllLines(path)) : []);
+        return Parse(path, lines, out fault);
+    }
+
+    /// <exception cref="InputException">It cannot be written.</exception>
+    public static void Add(string path, PairedHeadset headset) => Rewrite(path, FileMode.OpenOrCreate, text =>
+        // An editor may have left the last line without its end.
+        text + (text.Length > 0 && text[^1] != '\n' ? "\n" : "") + headset + "\n");
+
+    /// <summary>Removes lines, and keeps what stands between them, and whose file it is.</summary>
+    /// <exception cref="InputException">It cannot be read or written.</exception>
+    public static void Remove(string path, IReadOnlyCollection<PairedHeadset> headsets)
+    {
+        var gone = headsets.Select(headset => headset.ToString()).ToHashSet();
+        Rewrite(path, FileMode.Open, text => string.Concat(
+            text.Split('\n').Where(line => !gone.Contains(line.Trim())).Select(line => line + "\n")).TrimEnd('\n') + "\n");
+    }
+
+    static List<PairedHeadset> Parse(string path, string[] lines, out string fault)
+    {
+        fault = null;
+        var headsets = new List<PairedHeadset>();
+        for (var i = 0; i < lines.Length; i++)
+        {
+            var line = lines[i].Trim();
+            if (line.Length == 0 || line[0] == '#') continue;
+            if (PairedHeadset.Read(line) is { } headset) headsets.Add(headset);
+            else fault ??= $"{path}, line {i + 1}: is no paired headset; correct or remove it";
+        }
+
+        return headsets;
+    }
+
+    // In place, and closed to all others from reading to writing: a gateway that pairs while somebody revokes loses neither.
+    static void Rewrite(string path, FileMode mode, Func<string, string> change) => Guarded(path, () =>
+    {
+        var options = new FileStreamOptions { Mode = mode, Access = FileAccess.ReadWrite, Share = FileShare.None };
+        if (mode == FileMode.OpenOrCreate && !OperatingSystem.IsWindows())
             options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
-        using var file = new FileStream(path, options);
-        file.Write(Encoding.UTF8.GetBytes(text));
+        using var file = Patient(() => new FileStream(path, options));
+        var before = new byte[file.Length];
+        file.ReadExactly(before);
+        var after = Encoding.UTF8.GetBytes(change(Encoding.UTF8.GetString(before)));
+        file.Position = 0;
+        file.Write(after);
+        file.SetLength(after.Length);
         file.Flush(flushToDisk: true);
+        return true;
+    });
+
+    // Another one has it open for a moment only.
+    static T Patient<T>(Func<T> work)
+    {
+        for (var left = Attempts; ; left--)
+        {
+            try
+            {
+                return work();
+            }
+            catch (IOException e) when (left > 1 && e is not (FileNotFoundException or DirectoryNotFoundException))
+            {
+                Thread.Sleep(AttemptInterval);
+            }
+        }
     }
 
     static T Guarded<T>(string path, Func<T> work)

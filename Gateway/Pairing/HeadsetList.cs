@@ -71,18 +71,23 @@ public sealed class HeadsetList
         if (stamp == _stamp) return _headsets;
         try
         {
-            _headsets = HeadsetFile.Load(_path);
+            _headsets = HeadsetFile.Load(_path, out var fault);
             _stamp = stamp;
-            _fault = null;
+            Tell(fault, "; the other lines hold");
         }
         catch (InputException fault)
         {
             // Somebody may be writing it: what was known goes on, and it is looked at again.
-            if (_fault != fault.Message) _log(fault.Message + "; the former list goes on");
-            _fault = fault.Message;
+            Tell(fault.Message, "; the former list goes on, also what was removed from it");
         }
 
         return _headsets;
+    }
+
+    void Tell(string fault, string consequence)
+    {
+        if (fault != null && fault != _fault) _log(fault + consequence);
+        _fault = fault;
     }
 
     // Of a file that is not there the same each time.

@@ -23,12 +23,16 @@ sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
             ? new PairedHeadset(words[3], paired, hash[..length]) : null;
     }
 
-    /// <summary>What a headset calls itself, as a line may hold it: without control characters, and no longer than allowed.</summary>
+    /// <summary>What a headset calls itself, as a line may hold it: without what nobody sees, and no longer than allowed.</summary>
     public static string NameOf(string name)
     {
-        var plain = new string([.. (name ?? "").Where(c => !char.IsControl(c) && !char.IsSurrogate(c))]).Trim();
+        var plain = new string([.. (name ?? "").Where(IsPlain)]).Trim();
         return plain.Length switch { 0 => "headset", > GreatestName => plain[..GreatestName].TrimEnd(), _ => plain };
     }
+
+    static bool IsPlain(char c) => CharUnicodeInfo.GetUnicodeCategory(c) is not (
+        UnicodeCategory.Control or UnicodeCategory.Format or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator
+        or UnicodeCategory.Surrogate or UnicodeCategory.PrivateUse or UnicodeCategory.OtherNotAssigned);
 
     public static byte[] HashOf(string token) => SHA256.HashData(Encoding.UTF8.GetBytes(token));
 

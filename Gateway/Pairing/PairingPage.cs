@@ -54,7 +54,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, ConnectionCoun
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
         if (request.ContainsKey("renew")) shown.Discard();
         var code = shown.Current(out var left);
-        await SmallJson.AnswerAsync(context, new { text = code.Text, left_s = left.TotalSeconds });
+        await SmallJson.AnswerAsync(context, new { text = code.Text, left_s = left.TotalSeconds, key = code.Pin?.Beginning ?? "" });
     }
 
     /// <summary>POST /pair/cell: the marker's code of name, host, offset and size_mm; with nothing what to begin with.</summary>

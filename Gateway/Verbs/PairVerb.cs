@@ -38,6 +38,8 @@ static class PairVerb
             using var drawn = new QrCode(code.Text);
             Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected));
             Console.Out.WriteLine("code " + code.Text);
+            // As the headset's question spells it.
+            if (code.Pin != null) Console.Out.WriteLine("key " + code.Pin.Beginning);
             Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"valid_s {left:0}"));
         });
         return command;

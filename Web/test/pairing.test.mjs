@@ -61,6 +61,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     assert.equal(text, current);
     assert.ok(left > 200 && left <= 300, `${left} s`);
     assert.match(await page.textContent('#left'), /worth something for [45]:\d\d/);
+    assert.equal(await page.textContent('#key'), 'no encryption', 'as the headset asks of a gateway without TLS');
   });
 
   it('shows another code once a headset has used it', async () => {

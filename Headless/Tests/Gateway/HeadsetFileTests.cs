@@ -59,6 +59,37 @@ public sealed class HeadsetFileTests
             Assert.That(File.GetUnixFileMode(_path), Is.EqualTo(UnixFileMode.UserRead | UnixFileMode.UserWrite));
     }
 
+    [Test]
+    public async Task AddAndRemove_AtOnce_LoseNothing()
+    {
+        HeadsetFile.Open(_path);
+        var gone = Enumerable.Range(0, 30).Select(i => First with { Name = "gone " + i }).ToList();
+        foreach (var headset in gone) HeadsetFile.Add(_path, headset);
+
+        await Task.WhenAll(
+            Task.Run(() => Enumerable.Range(0, 30).ToList().ForEach(i => HeadsetFile.Add(_path, Second with { Name = "new " + i }))),
+            Task.Run(() => gone.ForEach(headset => HeadsetFile.Remove(_path, [headset])))).Bounded();
+
+        Assert.That(
+            HeadsetFile.Load(_path).Select(headset => headset.Name), Is.EqualTo(Enumerable.Range(0, 30).Select(i => "new " + i)));
+    }
+
+    [Test]
+    public void List_LineIsDamaged_RevokedTokensCountNoLonger()
+    {
+        var log = new List<string>();
+        HeadsetFile.Open(_path);
+        HeadsetFile.Add(_path, First);
+        HeadsetFile.Add(_path, Second);
+        var list = new HeadsetList(_path, log: log.Add);
+        Assert.That((list.Knows("a"), list.Knows("b")), Is.EqualTo((true, true)));
+
+        File.WriteAllText(_path, Second + "\nobserver oops\n");
+
+        Assert.That((list.Knows("a"), list.Knows("b")), Is.EqualTo((false, true)));
+        Assert.That(log, Has.Exactly(1).Items.And.All.Contains("line 2: is no paired headset"));
+    }
+
     [TestCase("observer TOKEN")]
     [TestCase("source sha256/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA= 2026-11-20T12:00:00Z a")]
     [TestCase("observer sha256/AAAA 2026-11-20T12:00:00Z a")]
@@ -76,6 +107,7 @@ public sealed class HeadsetFileTests
     [TestCase(null, "headset")]
     [TestCase(" \t\n", "headset")]
     [TestCase(" a\u0000b\n ", "ab")]
+    [TestCase("a\u202Eb\u2028c\u200Bd", "abcd")]
     public void NameOf_AnyText_IsALineOfItsOwn(string name, string expected) => Assert.That(PairedHeadset.NameOf(name), Is.EqualTo(expected));
 
     [Test]

@@ -94,6 +94,20 @@ public sealed class PairingPageTests
     }
 
     [Test]
+    public async Task Code_OfAGatewayWithTls_SpellsTheKeyAsTheQuestionDoes()
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+
+        var (_, text) = await gateway.PostAsync("/pair/code", "{}");
+
+        var key = JsonDocument.Parse(text).RootElement.GetProperty("key").GetString();
+        Assert.That(key, Has.Length.EqualTo(13).And.EndsWith("…"));
+        var flow = new PairingFlow(PairedCells.None, "headset 7", (_, _, _) => throw new InvalidOperationException("nobody has agreed"));
+        flow.See(gateway.CellCode().Text, HeadsetTime.FromSeconds(10));
+        Assert.That(flow.Question, Does.EndWith("key " + key));
+    }
+
+    [Test]
     public async Task Cell_WithOffset_IsACodeThatAHeadsetReads()
     {
         await using var gateway = await PairingGateway.StartAsync();

@@ -4,6 +4,8 @@ export type Answer<T> = { value: T } | { trouble: string };
 export interface ShownCode {
   text: string;
   left_s: number;
+  /** What of the gateway's key the headset's question shows; empty without encryption. */
+  key: string;
 }
 
 export interface Beginning {
