@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
 
@@ -9,14 +10,41 @@ namespace Nowpose.Anchoring
     /// </summary>
     /// <remarks>
     /// With three markers or more that are apart, their positions say almost alone how the base is turned, since a position is known
-    /// better than the angle of a print; with one, its angle does; with two, the positions say what they can.
+    /// better than the angle of a print; with one, its angle does; with two, the positions say what they can. How far three are trusted
+    /// to say it by their angles, too, is told by how well these fit.
     /// </remarks>
     static class BaseFit
     {
+        /// <summary>What three markers say of how much prints are askew is itself uncertain; radians.</summary>
+        const double LeastAskew = 0.1 * Math.PI / 180, MostAskew = 2 * Math.PI / 180;
+
         /// <param name="markers">At least one.</param>
         /// <param name="without">Index of one that is left out; −1 for none.</param>
         /// <returns>Base frame in the room frame.</returns>
         public static RigidTransform Of(IReadOnlyList<MarkerEstimate> markers, int without = -1)
+        {
+            const double Assumed = MarkerEstimate.PlacedRadians * MarkerEstimate.PlacedRadians;
+            var first = Of(markers, without, Assumed);
+            return Of(markers, without, AskewVariance(markers, without, first, Assumed));
+        }
+
+        /// <summary>How much the prints are really askew, by how their angles contradict their places.</summary>
+        static double AskewVariance(IReadOnlyList<MarkerEstimate> markers, int without, in RigidTransform fitted, double assumed)
+        {
+            double sum = 0;
+            var count = 0;
+            for (var i = 0; i < markers.Count; i++)
+            {
+                if (i == without) continue;
+                var (_, radians) = Misfit(fitted, markers[i]);
+                sum += radians * radians / 3 - markers[i].RotationVariance;
+                count++;
+            }
+            // Of one or two, the places do not say how the base is turned.
+            return count < 3 ? assumed : Math.Min(Math.Max(sum / count, LeastAskew * LeastAskew), MostAskew * MostAskew);
+        }
+
+        static RigidTransform Of(IReadOnlyList<MarkerEstimate> markers, int without, double placedVariance)
         {
             double sum = 0;
             (double X, double Y, double Z) there = default, here = default;
@@ -35,7 +63,7 @@ namespace Nowpose.Anchoring
             for (var i = 0; i < markers.Count; i++)
             {
                 if (i == without) continue;
-                fit.Add(markers[i].Mean * markers[i].InBase.Inverse, markers[i].RotationWeight);
+                fit.Add(markers[i].Mean * markers[i].InBase.Inverse, markers[i].RotationWeight(placedVariance));
                 fit.Add(From(there, markers[i].InBase), From(here, markers[i].Mean), markers[i].PositionWeight);
             }
             var rotation = fit.Solve();

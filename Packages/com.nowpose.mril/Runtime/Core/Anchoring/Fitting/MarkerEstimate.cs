@@ -9,7 +9,10 @@ namespace Nowpose.Anchoring
         /// Of one code, however long it is looked at, along and about an axis: how well its place at the base can be measured, and how
         /// flat the print is. So much is not averaged away.
         /// </summary>
-        const double PlacedMetres = 0.0005, PlacedRadians = 0.5 * System.Math.PI / 180;
+        const double PlacedMetres = 0.00025;
+
+        /// <summary>The same of its angle, where there are no other markers to tell.</summary>
+        public const double PlacedRadians = 0.5 * System.Math.PI / 180;
 
         /// <param name="inBase">Where it is in the base frame, as it was measured.</param>
         /// <param name="mean">In the room frame.</param>
@@ -31,7 +34,11 @@ namespace Nowpose.Anchoring
 
         public double PositionWeight => 1 / (ErrorMetres * ErrorMetres / 3 + PlacedMetres * PlacedMetres);
 
-        public double RotationWeight => 1 / (ErrorRadians * ErrorRadians / 3 + PlacedRadians * PlacedRadians);
+        /// <summary>Along an axis, what is averaged away by looking longer.</summary>
+        public double RotationVariance => ErrorRadians * ErrorRadians / 3;
+
+        /// <param name="placedVariance">Square of what the angle is off by about an axis, however long it is looked at, rad².</param>
+        public double RotationWeight(double placedVariance) => 1 / (RotationVariance + placedVariance);
 
         /// <summary>The same, from where the room is seen otherwise.</summary>
         public MarkerEstimate From(in RigidTransform room) => new MarkerEstimate(InBase, room * Mean, ErrorMetres, ErrorRadians);

@@ -7,12 +7,16 @@ using NUnit.Framework;
 namespace Nowpose.Tests.Anchoring
 {
     /// <summary>How exact a lock is, over many seeds: noise of 2 mm and 0.5° (root mean square distance and angle), 10 % outliers, 30 Hz.</summary>
+    /// <remarks>
+    /// The bounds hold of the root mean square over the seeds. In 1.85 s there are 50 good sightings: their mean errs by 2 mm / √50 =
+    /// 0.28 mm and 0.07°, and no estimator by less; of single locks one in eight errs by more than 0.1°.
+    /// </remarks>
     public class BaseTrackerAccuracyTests
     {
         const int Seeds = 200;
 
         [TestCase(false, 0.0, 0.82, 0.5, 0.1, TestName = "Lock_OneMarkerAtTheBase_IsExactSoon")]
-        [TestCase(false, 0.3, 0.65, 0.75, 0.1, TestName = "Lock_OneMarkerAside_IsExactSoon")]
+        [TestCase(false, 0.3, 0.65, 0.5, 0.1, TestName = "Lock_OneMarkerAside_IsExactSoon")]
         [TestCase(true, 0.0, 0.93, 0.3, 0.1, TestName = "Lock_ThreeMarkersAboutTheBase_IsExactSoon")]
         [TestCase(true, 0.3, 0.88, 0.5, 0.1, TestName = "Lock_ThreeMarkersAside_IsExactSoon")]
         public void Lock_Noisy_IsExactSoon(bool isThree, double offset, double share, double typicalMm, double typicalDegrees)
@@ -41,24 +45,29 @@ namespace Nowpose.Tests.Anchoring
             Assert.That(good / (double)Seeds, Is.GreaterThan(share));
         }
 
-        [Test]
-        public void Lock_ThreeMarkers_ErrAThirdOfOneAtTheFlange()
+        // What looking longer does not average away: how a print is glued on, and how a camera sees it from one side. Of mere noise one
+        // marker gets rid by looking longer; the angles of three are then worth as much as their places, and twice is what can be had.
+        [TestCase(0.5, 3, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByHalfADegree_ErrAThirdOfOneAtTheFlange")]
+        [TestCase(0.25, 3, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByAQuarterDegree_ErrAThirdOfOneAtTheFlange")]
+        [TestCase(0.1, 2.2, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByATenthOfADegree_ErrLessThanOneAtTheFlange")]
+        [TestCase(0, 1.7, TestName = "Lock_ThreeMarkersWhosePrintsAreExact_ErrLessThanOneAtTheFlange")]
+        public void Lock_ThreeMarkers_ErrLessThanOneAtTheFlange(double printDegrees, double atLeast)
         {
-            // What looking longer does not average away: how a print is glued on, and how a camera sees it from one side.
-            double one = FlangeError(seed => SimulatedMarkers.One(seed, 0)), three = FlangeError(seed => SimulatedMarkers.Three(seed));
+            var one = FlangeError(seed => SimulatedMarkers.One(seed, 0), printDegrees);
+            var three = FlangeError(seed => SimulatedMarkers.Three(seed), printDegrees);
 
             TestContext.WriteLine("one {0:0.00} mm, three {1:0.00} mm, ratio {2:0.0}", 1000 * one, 1000 * three, one / three);
-            Assert.That(one, Is.GreaterThan(3 * three));
+            Assert.That(one, Is.GreaterThan(atLeast * three));
         }
 
-        static double FlangeError(Func<int, SimulatedMarkers> make)
+        static double FlangeError(Func<int, SimulatedMarkers> make, double printDegrees)
         {
             double squares = 0;
             for (var seed = 0; seed < Seeds; seed++)
             {
                 var cell = make(seed);
                 cell.Noisy();
-                cell.PrintDegrees = 0.5;
+                cell.PrintDegrees = printDegrees;
                 Assert.That(cell.RunUntilLocked(5), Is.Not.Null, "seed " + seed);
                 var (metres, _) = cell.ErrorAt(reachMetres: 0.6);
                 squares += metres * metres / Seeds;
