@@ -36,6 +36,28 @@ namespace Nowpose.Pairing
             return null;
         }
 
+        /// <summary>The cell that a gateway's code is of use for: the one in use before others, for several may share a gateway.</summary>
+        /// <param name="isUsedRefused">Whether the gateway does not accept the token of the cell in use.</param>
+        /// <returns>Null for none. Allocates nothing.</returns>
+        internal PairedCell TakerOf(TokenCode code, bool isUsedRefused)
+        {
+            if (UsedNeeds(code, isUsedRefused)) return Used;
+            foreach (var cell in _cells)
+                if (cell.Token == null && code.IsFor(cell.Newest)) return cell;
+            return null;
+        }
+
+        /// <inheritdoc cref="TakerOf"/>
+        internal bool UsedNeeds(TokenCode code, bool isUsedRefused) =>
+            Used != null && code.IsFor(Used.Newest) && (Used.Token == null || isUsedRefused);
+
+        internal bool HasGatewayOf(TokenCode code)
+        {
+            foreach (var cell in _cells)
+                if (code.IsFor(cell.Newest)) return true;
+            return false;
+        }
+
         /// <summary>With a cell in place of the one of its name, and in use. Of too many the one that was put longest ago is dropped.</summary>
         public PairedCells Use(PairedCell cell) => new PairedCells(
             Without(cell.Cell)._cells.Reverse().Take(GreatestCount - 1).Reverse().Append(cell), cell.Cell);

@@ -216,39 +216,20 @@ namespace Nowpose.Pairing
             if (_exchange.Cell != null) return;
             if (_exchange.WasTried(code))
             {
-                if (NeedsToken(Cells.Used, code) && Problem == null && Question == null) Say(PairingWords.CodeWasTried);
+                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) Say(PairingWords.CodeWasTried);
                 return;
             }
             _exchange.Wait(code, now);
-            if (TakerOf(code) != null || IsPaired(code)) return;
+            if (Cells.HasGatewayOf(code)) return;
             if (Words != PairingWords.MarkerFirst && Question == null) Say(PairingWords.MarkerFirst);
         }
 
         // The order in which the wearer looks at the two does not matter.
         void Offer(HeadsetTime now)
         {
-            if (_exchange.Waiting == null || _exchange.Cell != null || !_exchange.Offer(TakerOf(_exchange.Waiting), now)) return;
+            if (_exchange.Waiting == null || _exchange.Cell != null || !_exchange.Offer(Cells.TakerOf(_exchange.Waiting, _isTokenRefused), now)) return;
             ClearProblem();
             Change(PairingChange.Words);
-        }
-
-        // The one in use before others: several cells may share a gateway, and a code serves one headset once.
-        PairedCell TakerOf(TokenCode code)
-        {
-            if (NeedsToken(Cells.Used, code)) return Cells.Used;
-            foreach (var cell in Cells.All)
-                if (NeedsToken(cell, code)) return cell;
-            return null;
-        }
-
-        bool NeedsToken(PairedCell cell, TokenCode code) =>
-            cell != null && code.IsFor(cell.Newest) && (cell.Token == null || (IsTokenRefused && cell.Cell == Cells.Used?.Cell));
-
-        bool IsPaired(TokenCode code)
-        {
-            foreach (var cell in Cells.All)
-                if (code.IsFor(cell.Newest)) return true;
-            return false;
         }
 
         void FollowExchange(HeadsetTime now)

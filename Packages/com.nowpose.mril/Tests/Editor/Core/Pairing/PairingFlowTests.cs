@@ -66,7 +66,7 @@ namespace Nowpose.Tests
         /// <summary>As long as it takes until something may be asked again, or another cell has been looked at.</summary>
         void Look(params string[] inView)
         {
-            for (var end = _now + TimeSpan.FromSeconds(1.1); _now < end;) Frame(inView);
+            for (var end = _now + TimeSpan.FromTicks(TimeSpan.TicksPerSecond * 11 / 10); _now < end;) Frame(inView);
         }
 
         void Agree(string code)
