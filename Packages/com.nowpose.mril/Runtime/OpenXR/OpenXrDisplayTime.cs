@@ -6,7 +6,10 @@ using UnityEngine;
 
 namespace Nowpose.OpenXR
 {
-    /// <summary>Tells the session when each frame's light appears, as OpenXR's runtime predicts it; needs Microsoft's Mixed Reality OpenXR plugin.</summary>
+    /// <summary>
+    /// Tells the session when each frame's light appears, as OpenXR's runtime predicts it; needs Microsoft's Mixed Reality
+    /// OpenXR plugin.
+    /// </summary>
     /// <remarks>
     /// The calibrated L_visu counts wherever the runtime tells nothing: in the Editor, before its session runs, and when the session's
     /// clock is not the device's performance counter, on which alone the runtime's times mean anything.
@@ -21,7 +24,10 @@ namespace Nowpose.OpenXR
         MrilSession _target;
         bool _isUnusable, _isMissing;
 
-        /// <summary>As the runtime predicts it: for the first computation of a frame from the frame before, right before rendering for this one.</summary>
+        /// <summary>
+        /// As the runtime predicts it: for the first computation of a frame from the frame before, right before rendering for
+        /// this one.
+        /// </summary>
         public HeadsetTime? LightOf(HeadsetTime frameStart)
         {
             var clock = _target != null ? _target.HeadsetClock as IPerformanceCounterClock : null;

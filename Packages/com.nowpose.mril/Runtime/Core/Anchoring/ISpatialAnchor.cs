@@ -8,7 +8,10 @@ namespace Nowpose.Anchoring
     {
         SpatialAnchorState State { get; }
 
-        /// <summary>Where it is in the room frame now, as the device corrects its map; what it was last while lost, null before it was known.</summary>
+        /// <summary>
+        /// Where it is in the room frame now, as the device corrects its map; what it was last while lost, null before it was
+        /// known.
+        /// </summary>
         RigidTransform? Pose { get; }
 
         /// <summary>The name under which it survives the application; null while it does not.</summary>

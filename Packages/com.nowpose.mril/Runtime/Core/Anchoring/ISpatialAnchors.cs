@@ -2,7 +2,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>Holds places in the room by the device's own map, and keeps them over restarts. Belongs to the frame's thread; never throws.</summary>
+    /// <summary>
+    /// Holds places in the room by the device's own map, and keeps them over restarts. Belongs to the frame's thread; never
+    /// throws.
+    /// </summary>
     public interface ISpatialAnchors
     {
         /// <summary>Whether it is known by now which anchors were kept. False for ever where the device keeps none.</summary>
@@ -12,7 +15,10 @@ namespace Nowpose.Anchoring
         /// <param name="pose">In the room frame.</param>
         ISpatialAnchor Hold(in RigidTransform pose);
 
-        /// <summary>What was kept under a name in this run or before; returns at once. Null when there is none, or while not <see cref="IsReady"/>.</summary>
+        /// <summary>
+        /// What was kept under a name in this run or before; returns at once. Null when there is none, or while not <see
+        /// cref="IsReady"/>.
+        /// </summary>
         ISpatialAnchor Find(string name);
 
         /// <summary>Keeps nothing under a name any more. Does nothing when nothing is.</summary>

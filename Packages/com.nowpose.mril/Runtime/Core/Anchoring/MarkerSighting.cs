@@ -10,7 +10,10 @@ namespace Nowpose.Anchoring
     public readonly struct MarkerSighting
     {
         /// <param name="id">Tells the marker from all others of its source for as long as the source runs.</param>
-        /// <param name="payload">Text of the code; null while it is not read. Of one put there by hand null says that its frame is the robot's base frame.</param>
+        /// <param name="payload">
+        /// Text of the code; null while it is not read. Of one put there by hand null says that its frame is the robot's base
+        /// frame.
+        /// </param>
         /// <param name="pose">Marker frame in the room frame. Not checked: devices report the origin, and numbers that are none.</param>
         /// <param name="sizeMetres">Length of an edge; 0 where it is not known.</param>
         /// <param name="lastSeen">When a camera saw it last, which a source may go on saying <paramref name="tracking"/> long after.</param>
