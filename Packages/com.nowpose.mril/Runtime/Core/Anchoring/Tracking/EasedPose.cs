@@ -12,6 +12,9 @@ namespace Nowpose.Anchoring
         /// <summary>Less cannot be seen.</summary>
         const double NearMetres = 1e-6, NearRadians = 1e-6;
 
+        /// <summary>A pause is no way that anybody has seen: after it the way begins where it was left.</summary>
+        static readonly TimeSpan LongestFrame = TimeSpan.FromMilliseconds(50);
+
         readonly TimeSpan _ease;
         HeadsetTime? _last;
 
@@ -37,7 +40,8 @@ namespace Nowpose.Anchoring
 
         double PartOf(TimeSpan passed)
         {
-            if (passed >= _ease + _ease) return 1;
+            if (_ease <= TimeSpan.Zero) return 1;
+            if (passed > LongestFrame) passed = LongestFrame;
             return passed > TimeSpan.Zero ? 1 - Math.Exp(-Constants * passed.Ticks / _ease.Ticks) : 0;
         }
     }
