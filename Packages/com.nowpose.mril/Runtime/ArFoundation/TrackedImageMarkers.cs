@@ -35,7 +35,6 @@ namespace Nowpose.ArFoundation
             manager => manager.subsystem, isAdded: false, "it needs a library with the images, and a device that tracks images");
 
         readonly MarkerRecords _records = new MarkerRecords();
-        readonly StopwatchHeadsetClock _ownClock = new StopwatchHeadsetClock();
         MrilSession _source;
 
         /// <summary>Why no images are tracked, in one line; null when nothing is wrong.</summary>
@@ -44,7 +43,7 @@ namespace Nowpose.ArFoundation
         public void Read(List<MarkerSighting> markers)
         {
             if (!isActiveAndEnabled || !_images.IsRunning) return;
-            var now = Now;
+            var now = _source.ClockOrDevices().Now;
             _records.Begin();
             foreach (var image in _images.Manager.trackables)
                 if (image != null) markers.Add(SightingOf(image, _records.Of(image.trackableId), now));
@@ -59,8 +58,6 @@ namespace Nowpose.ArFoundation
         {
             if (_images.Follow(_origin) && Problem != null) ConsoleLog.Warn(this, "tracked images '" + name + "': " + Problem);
         }
-
-        HeadsetTime Now => _source != null ? _source.HeadsetClock.Now : _ownClock.Now;
 
         MarkerSighting SightingOf(ARTrackedImage image, MarkerRecord record, HeadsetTime now)
         {

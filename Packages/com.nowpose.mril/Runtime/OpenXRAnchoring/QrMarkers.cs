@@ -38,7 +38,6 @@ namespace Nowpose.OpenXR
             "QR codes need a HoloLens 2, the capability WebCam, the user's consent to the camera, and OpenXR for Windows Mixed Reality 113.2403 or newer");
 
         readonly MarkerRecords _records = new MarkerRecords();
-        readonly StopwatchHeadsetClock _ownClock = new StopwatchHeadsetClock();
         MrilSession _source;
         ARMarkerManager _setUp;
 
@@ -48,7 +47,7 @@ namespace Nowpose.OpenXR
         public void Read(List<MarkerSighting> markers)
         {
             if (!isActiveAndEnabled || !_codes.IsRunning) return;
-            var now = Now;
+            var now = _source.ClockOrDevices().Now;
             var seconds = Time.realtimeSinceStartup;
             _records.Begin();
             foreach (var code in _codes.Manager.trackables)
@@ -73,8 +72,6 @@ namespace Nowpose.OpenXR
             if (_codes.Follow(_origin) && Problem != null) ConsoleLog.Warn(this, "QR markers '" + name + "': " + Problem);
             if (_codes.Manager != null && _codes.Manager != _setUp) SetUp(_codes.Manager);
         }
-
-        HeadsetTime Now => _source != null ? _source.HeadsetClock.Now : _ownClock.Now;
 
         void SetUp(ARMarkerManager manager)
         {

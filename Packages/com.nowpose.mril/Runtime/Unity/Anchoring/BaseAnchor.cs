@@ -58,7 +58,6 @@ namespace Nowpose.Unity
         float _easeMs = 800;
 
         readonly AnchorSources _sources = new AnchorSources();
-        readonly IHeadsetClock _ownClock = new StopwatchHeadsetClock();
         MrilSession _session;
         BaseAnchorState _told;
         string _toldWords = "", _fault, _toldProblem;
@@ -160,11 +159,10 @@ namespace Nowpose.Unity
         {
             _sources.Find(_session != null ? _session.transform : transform.root);
             if (Tracker == null || (_sources.IsEmpty && Tracker.Markers.Count == 0)) return;
-            var clock = _session != null ? _session.HeadsetClock : _ownClock;
             var head = Viewer.Head;
             Tracker.SourceProblem = _sources.Problem;
             Tracker.Tick(
-                clock.Now, _sources.Read(),
+                _session.ClockOrDevices().Now, _sources.Read(),
                 head != null ? UnityPoses.ToRoom(head.position, head.rotation) : (Kinematics.RigidTransform?)null, _sources.Anchors);
             if (Tracker.Shown is Kinematics.RigidTransform shown)
             {

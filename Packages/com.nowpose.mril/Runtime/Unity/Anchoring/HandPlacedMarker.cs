@@ -16,7 +16,6 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Text of the marker of the base that it stands for. Empty: its transform is the robot's base frame itself.")]
         string _payload = "";
 
-        readonly IHeadsetClock _ownClock = new StopwatchHeadsetClock();
         string _id;
         MrilSession _session;
         HeadsetTime? _placed;
@@ -27,8 +26,6 @@ namespace Nowpose.Unity
         /// <summary>Text of the marker that it stands for; empty for the base frame itself.</summary>
         public string Payload => _payload;
 
-        IHeadsetClock Clock => _session != null ? _session.HeadsetClock : _ownClock;
-
         /// <summary>From now on the transform is moved, and the base with it.</summary>
         public void BeginMove() => IsMoving = isActiveAndEnabled;
 
@@ -37,14 +34,14 @@ namespace Nowpose.Unity
         {
             if (!IsMoving) return;
             IsMoving = false;
-            _placed = Clock.Now;
+            _placed = _session.ClockOrDevices().Now;
         }
 
         /// <inheritdoc/>
         public void Read(List<MarkerSighting> markers)
         {
             if (!isActiveAndEnabled) return;
-            if (IsMoving) _placed = Clock.Now;
+            if (IsMoving) _placed = _session.ClockOrDevices().Now;
             // Where a scene has it before anybody touched it says nothing about the room.
             if (!(_placed is HeadsetTime placed)) return;
             var pose = UnityPoses.ToRoom(transform.position, transform.rotation);

@@ -44,7 +44,7 @@ namespace Nowpose.Unity
         {
             _log ??= new SessionLog(this);
             _target = this.SessionOr(_session);
-            _clock = _target != null ? _target.HeadsetClock : new StopwatchHeadsetClock();
+            _clock = _target.ClockOrDevices();
             _choice = new RenderTimeChoice(
                 RenderTimeSourceKind.DisplayGpuTime, RenderTimeSourceKind.EngineGpuTime, RenderTimeSourceKind.GpuCompletion, RenderTimeSourceKind.CameraCpu);
             _completion = new GpuCompletion(_clock);
