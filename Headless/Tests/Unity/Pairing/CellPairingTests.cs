@@ -49,8 +49,7 @@ public class CellPairingTests
         _pairing = _session.gameObject.AddComponent<CellPairing>().With("_fileName", FilePath);
         _anchor = new GameObject("Base").AddComponent<BaseAnchor>();
         _anchor.transform.SetParent(_session.transform, false);
-        _shown = new GameObject("Markers").AddComponent<ShownCodes>();
-        _shown.transform.SetParent(_session.transform, false);
+        _shown = ShownCodes.Below(_session);
         _session.gameObject.SetActive(true);
     }
 

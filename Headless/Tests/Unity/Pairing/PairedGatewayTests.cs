@@ -37,8 +37,7 @@ public class PairedGatewayTests
         _session.HeadsetClock = new StopwatchHeadsetClock();
         _pairing = _session.gameObject.AddComponent<CellPairing>()
             .With("_fileName", Path.Combine(_gateway.Folder, "cells.json")).With("_headsetName", "Anna's");
-        _shown = new GameObject("Markers").AddComponent<ShownCodes>();
-        _shown.transform.SetParent(_session.transform, false);
+        _shown = ShownCodes.Below(_session);
         _session.gameObject.SetActive(true);
     }
 

@@ -1,5 +1,6 @@
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
+using Nowpose.Unity;
 using UnityEngine;
 
 namespace Nowpose.Headless.Tests.Unity.Pairing;
@@ -7,6 +8,14 @@ namespace Nowpose.Headless.Tests.Unity.Pairing;
 /// <summary>A source that sees what a test holds up.</summary>
 sealed class ShownCodes : MonoBehaviour, IMarkerSource
 {
+    /// <summary>A new one where a session looks for sources.</summary>
+    public static ShownCodes Below(MrilSession session)
+    {
+        var codes = new GameObject("Codes").AddComponent<ShownCodes>();
+        codes.transform.SetParent(session.transform, false);
+        return codes;
+    }
+
     public List<string> Texts { get; } = [];
     public HeadsetTime Seen { get; set; }
     public MarkerTracking Tracking { get; set; } = MarkerTracking.Tracking;

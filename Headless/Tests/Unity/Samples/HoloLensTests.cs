@@ -240,8 +240,7 @@ public sealed class HoloLensTests
     [TestCase("Refuse", null)]
     public void Consent_CodeInView_IsAskedAndAnsweredByPressing(string button, string expected)
     {
-        var codes = new GameObject("Codes").AddComponent<ShownCodes>();
-        codes.transform.SetParent(_session.transform, false);
+        var codes = ShownCodes.Below(_session);
         codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
         Show(codes, 2);
         Assert.That(Child<TextMesh>("Question").text, Is.Not.Empty);
@@ -256,8 +255,7 @@ public sealed class HoloLensTests
     [TestCase("Refuse", "desk")]
     public void ForgetCell_Pressed_IsAskedAboutFirst(string button, string left)
     {
-        var codes = new GameObject("Codes").AddComponent<ShownCodes>();
-        codes.transform.SetParent(_session.transform, false);
+        var codes = ShownCodes.Below(_session);
         codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text);
         Show(codes, 2);
         Press("Accept");
@@ -292,8 +290,7 @@ public sealed class HoloLensTests
     public async Task Panel_OfAHeadsetThatKnowsNothing_LeadsThroughThePairingAndSaysWhatFails()
     {
         var pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
-        var codes = new GameObject("Codes").AddComponent<ShownCodes>();
-        codes.transform.SetParent(_session.transform, false);
+        var codes = ShownCodes.Below(_session);
         Show(codes, 1);
         Assert.That(Message, Is.EqualTo("look at the robot's marker"));
 
