@@ -40,5 +40,9 @@ namespace Nowpose.Sync
 
         /// <summary>Dimensionless, seconds of error a second.</summary>
         public double SkewDoubt { get; }
+
+        /// <summary>Whether a pose may be called current by this clock: synchronised, or in a holdover that is not too long yet.</summary>
+        public bool Trusts(in ClockModel clock) => clock.State == ClockState.Synchronised
+            || (clock.State == ClockState.Holdover && clock.ErrorBound <= GreatestHoldoverError);
     }
 }

@@ -9,10 +9,11 @@ namespace Nowpose.Sync
         const int SuspectsToDoubt = 2;
 
         /// <summary>
-        /// What the skew may be off from before, one standard deviation: after a short step (somebody set the same clock), a
-        /// long one (perhaps it is another machine's clock now), and a long silence (the headset slept and cooled down).
+        /// What the skew may be off from before, one standard deviation: when both are the same clocks still (somebody set one, or it
+        /// has another resolution), after a long step (perhaps it is another machine's clock now), and a long silence (the headset
+        /// slept and cooled down).
         /// </summary>
-        const double SkewDoubtAfterShortStep = 1e-6, SkewDoubtAfterStep = 50e-6, SkewDoubtAfterSilence = 5e-6;
+        const double SkewDoubtOfSameClocks = 1e-6, SkewDoubtAfterStep = 50e-6, SkewDoubtAfterSilence = 5e-6;
 
         readonly object _gate = new object();
         readonly IClockEstimator _estimator;
@@ -94,12 +95,25 @@ namespace Nowpose.Sync
 
             if (exchange.T4 - _newest?.T4 > _settings.StartAnewAfter) ForgetTheLine(SkewDoubtAfterSilence);
             _newest = exchange;
-            var verdict = _detector.Judge(exchange, _estimator.Line, _envelope, out var isShort);
-            if (verdict == SyncVerdict.Consistent) Use(exchange);
-            else if (verdict == SyncVerdict.Step) StartAnew(isShort ? SkewDoubtAfterShortStep : SkewDoubtAfterStep);
-            else Doubt(exchange, _detector.Suspects.Count >= SuspectsToDoubt || _estimator.Line.Exchanges == 0);
-            if (verdict != SyncVerdict.SetAside) Publish(exchange, verdict == SyncVerdict.Step);
-            return verdict;
+            switch (_detector.Judge(exchange, _estimator.Line, _envelope))
+            {
+                case ClockChange.Suspected:
+                    Doubt(exchange, _detector.Suspects.Count >= SuspectsToDoubt || _estimator.Line.Exchanges == 0);
+                    return SyncVerdict.SetAside;
+                case ClockChange.Resolution:
+                    StartAnew(exchange, SkewDoubtOfSameClocks, stepped: false);
+                    return SyncVerdict.Consistent;
+                case ClockChange.ShortStep:
+                    StartAnew(exchange, SkewDoubtOfSameClocks, stepped: true);
+                    return SyncVerdict.Step;
+                case ClockChange.LongStep:
+                    StartAnew(exchange, SkewDoubtAfterStep, stepped: true);
+                    return SyncVerdict.Step;
+                default:
+                    Use(exchange);
+                    Publish(exchange, stepped: false);
+                    return SyncVerdict.Consistent;
+            }
         }
 
         void Use(in SyncExchange exchange)
@@ -108,12 +122,13 @@ namespace Nowpose.Sync
             _envelope.Add(exchange);
         }
 
-        void StartAnew(double skewDoubt)
+        void StartAnew(in SyncExchange exchange, double skewDoubt, bool stepped)
         {
             ForgetTheLine(skewDoubt);
             _envelope.Reset();
             foreach (var suspect in _detector.Suspects) Use(suspect);
             _detector.Reset();
+            Publish(exchange, stepped);
         }
 
         // The proofs stay: they are what tells whether a clock stepped meanwhile.

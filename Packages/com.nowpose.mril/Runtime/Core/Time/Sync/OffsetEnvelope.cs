@@ -4,8 +4,8 @@ namespace Nowpose.Sync
 {
     /// <summary>The offsets that recent exchanges leave possible, whatever the network did.</summary>
     /// <remarks>
-    /// No packet arrives before it was sent, so each exchange proves t1 − t2 ≤ Φ ≤ t4 − t3 (widened by half the control
-    /// clock's resolution, where it is known). An older proof is carried to the present by the estimated skew, and widened
+    /// No packet arrives before it was sent, so each exchange proves t1 − t2 ≤ Φ ≤ t4 − t3 (widened by half the resolution
+    /// that the control clock said in it). An older proof is carried to the present by the estimated skew, and widened
     /// by what that may be wrong. All together leave an interval about as long as the least recent round trip.
     /// </remarks>
     sealed class OffsetEnvelope
@@ -17,16 +17,11 @@ namespace Nowpose.Sync
 
         readonly BoundsHistory _history = new BoundsHistory(Window, Oldest);
         readonly double _skewDoubt;
-        long _halfResolution;
 
         /// <param name="skewDoubt">What an estimated skew may be wrong beyond its standard errors, dimensionless: clocks do not run evenly.</param>
         public OffsetEnvelope(double skewDoubt) => _skewDoubt = skewDoubt;
 
-        public void Add(in SyncExchange exchange)
-        {
-            _halfResolution = exchange.Resolution.Ticks / 2;
-            _history.Add(new OffsetBounds(exchange));
-        }
+        public void Add(in SyncExchange exchange) => _history.Add(new OffsetBounds(exchange));
 
         public void Reset() => _history.Clear();
 
@@ -34,9 +29,8 @@ namespace Nowpose.Sync
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
             var proof = new OffsetBounds(exchange);
-            var half = exchange.Resolution.Ticks / 2;
             var (least, greatest) = At(exchange.T4, line);
-            return proof.Least - half <= greatest + margin.Ticks && proof.Greatest + half >= least - margin.Ticks;
+            return proof.Least - proof.HalfResolution <= greatest + margin.Ticks && proof.Greatest + proof.HalfResolution >= least - margin.Ticks;
         }
 
         /// <summary>How far the true offset can be from the line where it is anchored: the distance to the farther end of the interval.</summary>
@@ -63,8 +57,8 @@ namespace Nowpose.Sync
             for (var i = 0; i < _history.Count; i++)
             {
                 ref readonly var proof = ref _history[i];
-                least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - _halfResolution);
-                greatest = Math.Min(greatest, Carried(proof.Greatest, now - proof.Received, line.Skew, doubt) + _halfResolution);
+                least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - proof.HalfResolution);
+                greatest = Math.Min(greatest, Carried(proof.Greatest, now - proof.Received, line.Skew, doubt) + proof.HalfResolution);
             }
             return (least, greatest);
         }

@@ -12,6 +12,7 @@ namespace Nowpose.Sync
             Least = (exchange.T1.SinceEpoch - exchange.T2.SinceEpoch).Ticks;
             Received = exchange.T4;
             Greatest = (exchange.T4.SinceEpoch - exchange.T3.SinceEpoch).Ticks;
+            HalfResolution = exchange.Resolution.Ticks / 2;
         }
 
         /// <summary>t1, when <see cref="Least"/> held.</summary>
@@ -23,5 +24,8 @@ namespace Nowpose.Sync
         public HeadsetTime Received { get; }
 
         public long Greatest { get; }
+
+        /// <summary>Half the resolution that the control clock said: by so much each bound may be wrong.</summary>
+        public long HalfResolution { get; }
     }
 }

@@ -56,6 +56,9 @@ namespace Nowpose.Tests
         /// <summary>Steps in which the control clock advances, floored and said in each exchange.</summary>
         public TimeSpan Resolution { get; set; }
 
+        /// <summary>What the exchanges say of it where that is not true; null where it is.</summary>
+        public TimeSpan? SaidResolution { get; set; }
+
         /// <returns>False when the exchange was lost.</returns>
         public bool TryExchange(HeadsetTime at, out SyncExchange exchange)
         {
@@ -63,7 +66,7 @@ namespace Nowpose.Tests
             var arrival = at + _up.Next() + Ms(load.UpMs + LongerUpMs);
             var sent = arrival + Ms(0.02);
             var back = sent + _down.Next() + Ms(load.DownMs);
-            exchange = new SyncExchange(at, Stamp(arrival), Stamp(sent), back, Resolution);
+            exchange = new SyncExchange(at, Stamp(arrival), Stamp(sent), back, SaidResolution ?? Resolution);
             return _random.NextDouble() >= _lossChance;
         }
 
