@@ -1,4 +1,4 @@
-using System.Buffers.Text;
+using Base64Url = System.Buffers.Text.Base64Url;
 using System.Security.Cryptography;
 using System.Text;
 using Nowpose.Pairing;

@@ -83,7 +83,8 @@ static class SessionLines
         return new SampleLine(
             HeadsetTime.FromNanoseconds(line.Whole("arrival_ns")), ControlTime.FromNanoseconds(line.Whole("stamp_ns")), names,
             line.Numbers("position", names.Length), Optional(line, "velocity", names.Length),
-            Optional(line, "acceleration", names.Length), line.TextOr("dropped", null));
+            Optional(line, "acceleration", names.Length), line.TextOr("dropped", null),
+            line.Has("control_arrival_ns") ? ControlTime.FromNanoseconds(line.Whole("control_arrival_ns")) : null);
     }
 
     static PlanLine ReadPlan(LineFields line)

@@ -1,7 +1,9 @@
 using System.Net;
+using System.Net.Security;
 using System.Net.Sockets;
 using System.Net.WebSockets;
 using System.Security.Cryptography;
+using System.Security.Cryptography.X509Certificates;
 using System.Text;
 
 namespace Nowpose.Headless.Tests.Network;
@@ -24,12 +26,16 @@ sealed class FakeWebSocketServer : IDisposable
     }
 
     /// <summary>The same, for frames that no library would send.</summary>
-    public async Task<NetworkStream> AcceptStreamAsync()
+    public async Task<NetworkStream> AcceptStreamAsync() => (NetworkStream)await AcceptStreamAsync(null);
+
+    /// <param name="certificate">For TLS; null for none.</param>
+    public async Task<Stream> AcceptStreamAsync(X509Certificate2 certificate)
     {
         var client = await _listener.AcceptTcpClientAsync().WaitAsync(TimeSpan.FromSeconds(20));
         lock (_clients) _clients.Add(client);
         client.NoDelay = true;
-        var stream = client.GetStream();
+        Stream stream = client.GetStream();
+        if (certificate != null) stream = await EncryptAsync(stream, certificate);
         var head = await ReadHeadAsync(stream);
         var key = head.Split("\r\n").Single(line => line.StartsWith("Sec-WebSocket-Key:", StringComparison.OrdinalIgnoreCase)).Split(": ")[1];
 #pragma warning disable CA5350 // RFC 6455 prescribes SHA-1.
@@ -55,7 +61,14 @@ sealed class FakeWebSocketServer : IDisposable
             foreach (var client in _clients) client.Dispose();
     }
 
-    static async Task<string> ReadHeadAsync(NetworkStream stream)
+    static async Task<Stream> EncryptAsync(Stream stream, X509Certificate2 certificate)
+    {
+        var secure = new SslStream(stream);
+        await secure.AuthenticateAsServerAsync(certificate);
+        return secure;
+    }
+
+    static async Task<string> ReadHeadAsync(Stream stream)
     {
         var head = new StringBuilder();
         var one = new byte[1];

@@ -88,16 +88,11 @@ public class FrameAllocationTests
     static string WordsOf(MrilSession session) => session.GetComponentInChildren<PoseAppearance>()
         .GetComponentsInChildren<TextMesh>().Single(text => text.name == "Words").text;
 
-    // On a loaded machine one frame in some ten thousand is booked bytes that do not come again; those of a script would.
-    long Measure(Means means) => MeasureOnce(means) == 0 ? 0 : MeasureOnce(means);
-
-    long MeasureOnce(Means means)
+    long Measure(Means means) => _cell.AllocatedIn(() =>
     {
-        _cell.Allocated = 0;
         _shown = 0;
         Run(MeasuredSeconds, means);
-        return _cell.Allocated;
-    }
+    });
 
     void Run(double seconds, Means means) => _cell.Run(seconds, _session, () => Next(means));
 

@@ -274,15 +274,12 @@ public sealed class LatencyNudgeTests
         Run(8);
         _nudge.enabled = false;
         Run(12);
-        _cell.Allocated = 0;
-        Run(4);
-        var without = _cell.Allocated;
+        var without = _cell.AllocatedIn(() => Run(4));
 
         _nudge.enabled = true;
         Run(4);
-        _cell.Allocated = 0;
-        Run(4);
+        var allocated = _cell.AllocatedIn(() => Run(4));
 
-        Assert.That(_cell.Allocated, Is.EqualTo(without));
+        Assert.That(allocated, Is.EqualTo(without));
     }
 }

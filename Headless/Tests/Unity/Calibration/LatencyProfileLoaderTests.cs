@@ -213,15 +213,12 @@ public sealed class LatencyProfileLoaderTests
         _cell.Run(11, _session);
         _loader.enabled = false;
         _cell.Run(1, _session);
-        _cell.Allocated = 0;
-        _cell.Run(3, _session);
-        var without = _cell.Allocated;
+        var without = _cell.AllocatedIn(() => _cell.Run(3, _session));
 
         _loader.enabled = true;
         _cell.Run(11, _session);
-        _cell.Allocated = 0;
-        _cell.Run(3, _session);
+        var allocated = _cell.AllocatedIn(() => _cell.Run(3, _session));
 
-        Assert.That(_cell.Allocated, Is.EqualTo(without));
+        Assert.That(allocated, Is.EqualTo(without));
     }
 }

@@ -187,17 +187,14 @@ public sealed class LoadSweepTests
     {
         Play(seconds: 60);
         Run(10);
-        _cell.Allocated = 0;
-        Run(2);
-        var without = _cell.Allocated;
+        var without = _cell.AllocatedIn(() => Run(2));
         _sweep.StartSweep();
         Run(1);
-        _cell.Allocated = 0;
 
-        Run(2);
+        var allocated = _cell.AllocatedIn(() => Run(2));
 
         Assert.That(_sweep.Words, Does.StartWith("load 1 of 5"));
-        Assert.That(_cell.Allocated, Is.EqualTo(without));
+        Assert.That(allocated, Is.EqualTo(without));
     }
 
     [Test]

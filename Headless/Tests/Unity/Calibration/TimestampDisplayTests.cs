@@ -155,17 +155,14 @@ public sealed class TimestampDisplayTests
         Play(20, rewrites);
         _display.enabled = false;
         _cell.Run(1, _session);
-        _cell.Allocated = 0;
-        _cell.Run(3, _session);
-        var without = _cell.Allocated;
+        var without = _cell.AllocatedIn(() => _cell.Run(3, _session));
         _display.enabled = true;
         _cell.Run(1, _session);
-        _cell.Allocated = 0;
 
-        _cell.Run(3, _session);
+        var allocated = _cell.AllocatedIn(() => _cell.Run(3, _session));
 
         Assert.That(_display.FrameStart, Is.Not.Null);
-        Assert.That(_cell.Allocated, Is.EqualTo(without));
+        Assert.That(allocated, Is.EqualTo(without));
     }
 
     [Test]

@@ -344,12 +344,7 @@ public class CellPairingTests
         Assert.That(with - Measured(), Is.LessThan(600 * 8));
     }
 
-    long Measured()
-    {
-        _cell.Allocated = 0;
-        Frames(600);
-        return _cell.Allocated;
-    }
+    long Measured() => _cell.AllocatedIn(() => Frames(600));
 
     [Test]
     public void NoSession_IsSaid()

@@ -75,17 +75,14 @@ public sealed class SessionRecordingTests
         _cell.Run(3, _session);
         _recording.enabled = false;
         _cell.Run(1, _session);
-        _cell.Allocated = 0;
-        _cell.Run(3, _session);
-        var without = _cell.Allocated;
+        var without = _cell.AllocatedIn(() => _cell.Run(3, _session));
 
         _recording.enabled = true;
         _cell.Run(1, _session);
-        _cell.Allocated = 0;
-        _cell.Run(3, _session);
+        var allocated = _cell.AllocatedIn(() => _cell.Run(3, _session));
 
         Assert.That(_recording.IsRecording);
-        Assert.That(_cell.Allocated, Is.EqualTo(without));
+        Assert.That(allocated, Is.EqualTo(without));
     }
 
     [Test]

@@ -3,6 +3,9 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket")]
 [assembly: InternalsVisibleTo("Nowpose.Cli")]
 
+// It writes session files by the same classes.
+[assembly: InternalsVisibleTo("Nowpose.Gateway")]
+
 // What tells an overtaken sample from a clock that went back has laws of its own, which a whole session would blur.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]
 

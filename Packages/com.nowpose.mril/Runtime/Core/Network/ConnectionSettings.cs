@@ -15,11 +15,13 @@ namespace Nowpose.Network
         /// <param name="token">What proves this headset to the gateway; null for none. Travels over TLS or loopback only.</param>
         /// <param name="insecureLan">Allows plain connections beyond loopback; the status says so.</param>
         /// <param name="headsetName">Names this headset in its diagnostics.</param>
+        /// <param name="publishesDisplayed">Tells the gateway what is shown, for those who watch from outside.</param>
+        /// <param name="clockSource">Whom to ask for the control time; by ROS's time nothing uses the sync port.</param>
         /// <exception cref="InputException">A value is out of range, or plain text would leave this machine unasked.</exception>
         public ConnectionSettings(
             string host, int syncPort = ProtocolLimits.SyncPort, int webSocketPort = ProtocolLimits.WebSocketPort,
             CertificatePin pin = null, bool deviceTrust = false, string token = null, bool insecureLan = false,
-            string headsetName = "headset")
+            string headsetName = "headset", bool publishesDisplayed = true, ControlClockSource clockSource = ControlClockSource.ClockSync)
         {
             if (Uri.CheckHostName(host) == UriHostNameType.Unknown)
                 throw new InputException("host: '" + host + "' is neither a host name nor an address");
@@ -30,6 +32,8 @@ namespace Nowpose.Network
             Security = pin != null ? TransportSecurity.Pinned : deviceTrust ? TransportSecurity.DeviceTrust : TransportSecurity.Plain;
             Token = RequireToken(token);
             HeadsetName = RequireName(headsetName);
+            PublishesDisplayed = publishesDisplayed;
+            ClockSource = RequireSource(clockSource);
             if (Security == TransportSecurity.Plain && !IsLoopback) RequirePlainIsWanted(insecureLan);
         }
 
@@ -45,6 +49,10 @@ namespace Nowpose.Network
         public string Token { get; }
 
         public string HeadsetName { get; }
+        public ControlClockSource ClockSource { get; }
+
+        /// <summary>Whether the displayed joints are published, up to 20 times a second.</summary>
+        public bool PublishesDisplayed { get; }
 
         /// <summary>Whether the gateway runs on this machine.</summary>
         public bool IsLoopback => Host == "localhost" || (IPAddress.TryParse(Host, out var address) && IPAddress.IsLoopback(address));
@@ -68,6 +76,13 @@ namespace Nowpose.Network
                 throw new InputException(
                     "headset name: is " + (name?.Length ?? 0) + " characters long; allowed are 1 to " + ProtocolLimits.NameLength);
             return name;
+        }
+
+        static ControlClockSource RequireSource(ControlClockSource source)
+        {
+            if (source != ControlClockSource.ClockSync && source != ControlClockSource.RosTime)
+                throw new InputException("clock source: there is no choice " + (int)source + "; allowed are 0 (clock sync) and 1 (ROS time)");
+            return source;
         }
 
         static string RequireToken(string token)

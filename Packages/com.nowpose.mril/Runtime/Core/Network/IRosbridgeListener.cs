@@ -20,6 +20,9 @@ namespace Nowpose.Network
 
         void Dropped(DropReason reason);
 
+        /// <summary>What is shown, up to twenty times a second; null while there is nothing to say, or nothing new.</summary>
+        JointStateMessage Displayed();
+
         /// <summary>The headset's state for the once-a-second publication; null while there is nothing to say.</summary>
         DiagnosticsMessage Diagnostics();
     }

@@ -7,14 +7,24 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Subscribes to the joint positions, the set-points ahead and the robot description over rosbridge and publishes this headset's diagnostics; reconnects for ever.</summary>
+    /// <summary>
+    /// Subscribes to the joint positions, the set-points ahead and the robot description over rosbridge and publishes this headset's
+    /// diagnostics and what it shows; reconnects for ever.
+    /// </summary>
     public sealed class RosbridgeClient : IDisposable
     {
-        static readonly TimeSpan DiagnosticsInterval = TimeSpan.FromSeconds(1);
+        static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1);
+
+        /// <summary>Smooth to the eye, and a small part of what a headset receives.</summary>
+        static readonly TimeSpan DisplayedInterval = ClockTicks.Span(0.05);
+
+        static readonly TimeSpan TimerStep = new TimeSpan(TimeSpan.TicksPerMillisecond);
 
         readonly Func<IWebSocketLink> _newLink;
         readonly IHeadsetClock _clock;
         readonly IRosbridgeListener _listener;
+        readonly bool _publishesDisplayed;
+        readonly RosTimeExchanges _rosTime;
         readonly CancellationTokenSource _stop = new CancellationTokenSource();
         readonly NewestInBackground _descriptions;
         readonly Task _running;
@@ -24,17 +34,35 @@ namespace Nowpose.Network
 
         /// <summary>Starts at once, on threads of the pool: no frame ever waits for it.</summary>
         /// <param name="newLink">Makes the link of each attempt.</param>
-        public RosbridgeClient(Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener)
+        /// <param name="publishesDisplayed">Whether the listener is asked what it shows.</param>
+        public RosbridgeClient(Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener, bool publishesDisplayed = true)
+            : this(newLink, clock, listener, publishesDisplayed, null) { }
+
+        /// <param name="rosTime">Asks the same server for its time; null where the clock is asked for elsewhere.</param>
+        internal RosbridgeClient(
+            Func<IWebSocketLink> newLink, IHeadsetClock clock, IRosbridgeListener listener, bool publishesDisplayed, RosTimeExchanges rosTime)
         {
+            _publishesDisplayed = publishesDisplayed;
             _newLink = newLink;
             _clock = clock;
             _listener = listener;
+            _rosTime = rosTime;
             _descriptions = new NewestInBackground(Describe);
             // Away from the caller's synchronisation context: under Unity, continuations there wait for the next frame.
             _running = Task.Run(RunAsync);
         }
 
         public LinkStatus Status => _ending == null ? _status : LinkStatus.Idle;
+
+        /// <summary>Where the clock exchanges over this connection stand; idle where there are none.</summary>
+        public LinkStatus ClockStatus
+        {
+            get
+            {
+                var status = _rosTime == null ? LinkStatus.Idle : Status;
+                return status.State == LinkState.Connected ? _rosTime.Status : status;
+            }
+        }
 
         /// <summary>Completes when the client has been disposed of and its socket and tasks are gone; nobody has to wait for it.</summary>
         public Task Ended => _ending ?? _running;
@@ -83,19 +111,22 @@ namespace Nowpose.Network
         async Task ServeAsync(Backoff backoff)
         {
             using (var link = _newLink())
+            using (var sender = new LinkSender(link, _clock))
             using (var end = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
             {
                 await OpenAsync(link).ConfigureAwait(false);
-                await SubscribeAsync(link, end.Token).ConfigureAwait(false);
+                await SubscribeAsync(sender, end.Token).ConfigureAwait(false);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
-                var tending = TendAsync(link, end.Token);
-                var first = await Task.WhenAny(receiving, tending).ConfigureAwait(false);
+                var tending = TendAsync(sender, end.Token);
+                var asking = _rosTime == null ? tending : _rosTime.RunAsync(sender, end.Token);
+                var all = new[] { receiving, tending, asking, WatchAsync(end.Token) };
+                var first = await Task.WhenAny(all).ConfigureAwait(false);
                 end.Cancel();
                 link.Dispose();
+                foreach (var one in all) await EndOfAsync(one).ConfigureAwait(false);
+                // One that ends takes the others down; a limit that was broken is the reason even if its victim was quicker.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
-                var tended = await EndOfAsync(tending).ConfigureAwait(false);
-                // One that ends takes the other down; a limit that was broken is the reason even if its victim was quicker.
-                var reason = received is MessageLimitException || first == receiving ? received : tended;
+                var reason = received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
                 if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
             }
         }
@@ -117,13 +148,15 @@ namespace Nowpose.Network
             Heard(_clock.Now);
         }
 
-        static async Task SubscribeAsync(IWebSocketLink link, CancellationToken cancel)
+        async Task SubscribeAsync(LinkSender sender, CancellationToken cancel)
         {
-            await link.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, RosTopics.JointStateType), cancel).ConfigureAwait(false);
-            await link.SendAsync(
+            await sender.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStates, RosTopics.JointStateType), cancel).ConfigureAwait(false);
+            await sender.SendAsync(
                 RosbridgeWriter.Subscribe(RosTopics.JointTrajectory, RosTopics.JointTrajectoryType), cancel).ConfigureAwait(false);
-            await link.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, RosTopics.StringType), cancel).ConfigureAwait(false);
-            await link.SendAsync(RosbridgeWriter.Advertise(RosTopics.Diagnostics, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
+            await sender.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, RosTopics.StringType), cancel).ConfigureAwait(false);
+            await sender.SendAsync(RosbridgeWriter.Advertise(RosTopics.Diagnostics, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
+            if (_publishesDisplayed)
+                await sender.SendAsync(RosbridgeWriter.Advertise(RosTopics.Displayed, RosTopics.JointStateType), cancel).ConfigureAwait(false);
         }
 
         async Task ReceiveAsync(IWebSocketLink link, Backoff backoff, CancellationToken cancel)
@@ -156,7 +189,9 @@ namespace Nowpose.Network
 
         void Take(in ReceivedText received)
         {
-            if (!RosbridgeReader.TryRead(received.Text, out var message, out var reason)) _listener.Dropped(reason);
+            var isRead = RosbridgeReader.TryRead(received.Text, out var message, out var reason);
+            if (message?.Op == RosbridgeOp.ServiceResponse) _rosTime?.Answered(message, reason, received.Arrival);
+            if (!isRead) _listener.Dropped(reason);
             else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival);
             else if (message.JointTrajectory != null) _listener.Planned(message.JointTrajectory, received.Arrival);
             else if (message.Data != null) _descriptions.Add(message.Data);
@@ -175,24 +210,48 @@ namespace Nowpose.Network
             }
         }
 
+        async Task TendAsync(LinkSender sender, CancellationToken cancel)
+        {
+            var next = _clock.Now + DiagnosticsInterval;
+            while (true)
+            {
+                await Task.Delay(_publishesDisplayed ? DisplayedInterval : DiagnosticsInterval, cancel).ConfigureAwait(false);
+                var displayed = _publishesDisplayed ? _listener.Displayed() : null;
+                if (displayed != null)
+                    await sender.SendAsync(
+                        RosbridgeWriter.PublishJointState(RosTopics.Displayed, displayed, RosTimeForm.Sec), cancel).ConfigureAwait(false);
+                var now = _clock.Now;
+                if (now < next && _publishesDisplayed) continue;
+                next = now + DiagnosticsInterval;
+                await ReportAsync(sender, cancel).ConfigureAwait(false);
+            }
+        }
+
         // Publishes diagnostics, and asks the time of a gateway that has been silent: the answer tells a quiet plant from a
         // connection that is gone without a word, as WiFi connections go.
-        async Task TendAsync(IWebSocketLink link, CancellationToken cancel)
+        async Task ReportAsync(LinkSender sender, CancellationToken cancel)
+        {
+            if (Silence >= ProtocolLimits.PingInterval)
+                await sender.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime), cancel).ConfigureAwait(false);
+            var diagnostics = _listener.Diagnostics();
+            if (diagnostics != null)
+                await sender.SendAsync(
+                    RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
+        }
+
+        // Apart from all that sends: over a connection that is gone a send may take for ever.
+        async Task WatchAsync(CancellationToken cancel)
         {
             while (true)
             {
-                await Task.Delay(DiagnosticsInterval, cancel).ConfigureAwait(false);
-                var silence = _clock.Now - new HeadsetTime(new TimeSpan(Interlocked.Read(ref _lastHeard)));
-                if (silence > ProtocolLimits.PongTimeout)
-                    throw new IOException("nothing heard for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
-                if (silence >= ProtocolLimits.PingInterval)
-                    await link.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime), cancel).ConfigureAwait(false);
-                var diagnostics = _listener.Diagnostics();
-                if (diagnostics != null)
-                    await link.SendAsync(
-                        RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
+                var left = ProtocolLimits.PongTimeout - Silence;
+                if (left < TimeSpan.Zero) throw new IOException("nothing heard for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
+                // A timer's least step longer: it counts whole ones, and would ask again and again within the last.
+                await Task.Delay(left + TimerStep, cancel).ConfigureAwait(false);
             }
         }
+
+        TimeSpan Silence => _clock.Now - new HeadsetTime(new TimeSpan(Interlocked.Read(ref _lastHeard)));
 
         void Heard(HeadsetTime at) => Interlocked.Exchange(ref _lastHeard, at.SinceEpoch.Ticks);
 

@@ -21,6 +21,9 @@ namespace Nowpose.Protocol
         /// <summary>Not complete within <see cref="ProtocolLimits.MessageTimeout"/>.</summary>
         TooSlow,
 
+        /// <summary>More messages within a second than the receiver takes from one client.</summary>
+        TooManyMessages,
+
         /// <summary>A field the message needs is not there, or is empty.</summary>
         MissingField,
 

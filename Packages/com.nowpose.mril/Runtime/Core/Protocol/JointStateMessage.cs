@@ -9,9 +9,11 @@ namespace Nowpose.Protocol
         /// <param name="positions">rad or m, as many as <paramref name="names"/>, finite.</param>
         /// <param name="velocities">rad/s or m/s, as many as <paramref name="names"/>, NaN where absent; null when all are.</param>
         /// <param name="accelerations">rad/s² or m/s², as many as <paramref name="names"/>, NaN where absent; null when all are.</param>
+        /// <param name="frameId">See <see cref="FrameId"/>.</param>
         /// <exception cref="ArgumentException">The lengths differ.</exception>
         public JointStateMessage(
-            ControlTime stamp, string[] names, double[] positions, double[] velocities = null, double[] accelerations = null)
+            ControlTime stamp, string[] names, double[] positions, double[] velocities = null, double[] accelerations = null,
+            string frameId = "")
         {
             if (positions.Length != names.Length)
                 throw new ArgumentException(positions.Length + " positions for " + names.Length + " joints", nameof(positions));
@@ -24,6 +26,7 @@ namespace Nowpose.Protocol
             Positions = positions;
             Velocities = velocities;
             Accelerations = accelerations;
+            FrameId = frameId;
         }
 
         /// <summary>t_k: when the joints were there, on the control clock C1.</summary>
@@ -42,5 +45,12 @@ namespace Nowpose.Protocol
         /// systems that publish their set-points.
         /// </summary>
         public double[] Accelerations { get; }
+
+        /// <summary>Of what a headset shows: its name. Empty elsewhere.</summary>
+        public string FrameId { get; }
+
+        /// <summary>The same positions at another time; shares the arrays.</summary>
+        public JointStateMessage At(ControlTime stamp) =>
+            new JointStateMessage(stamp, Names, Positions, Velocities, Accelerations, FrameId);
     }
 }

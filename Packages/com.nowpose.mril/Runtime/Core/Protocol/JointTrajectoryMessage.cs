@@ -19,5 +19,8 @@ namespace Nowpose.Protocol
 
         /// <summary>Each later than the one before. None: what was planned for these joints is off.</summary>
         public IReadOnlyList<JointTrajectoryPoint> Points { get; }
+
+        /// <summary>The same set-points counted from another time; shares them.</summary>
+        public JointTrajectoryMessage At(ControlTime stamp) => new JointTrajectoryMessage(stamp, Names, Points);
     }
 }

@@ -34,6 +34,9 @@ namespace Nowpose.Protocol
         /// <summary>No pong for this long closes the WebSocket.</summary>
         public static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
+        /// <summary>How long the answer to a close may take to get out.</summary>
+        public static readonly TimeSpan GoodbyeTimeout = TimeSpan.FromSeconds(1);
+
         /// <summary>Usual time from one sync exchange to the next, ms.</summary>
         public const double SyncIntervalMs = 200;
 

@@ -11,7 +11,7 @@ namespace Nowpose.Protocol
         public static void Write(JsonWriter json, JointStateMessage message, RosTimeForm form)
         {
             json.WriteStartObject();
-            Header(json, message.Stamp, form);
+            Header(json, message.Stamp, form, message.FrameId);
             Texts(json, "name", message.Names);
             Positions(json, "position", message.Positions);
             OptionalNumbers(json, "velocity", message.Velocities);
@@ -91,7 +91,7 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         }
 
-        static void Header(JsonWriter json, ControlTime stamp, RosTimeForm form)
+        static void Header(JsonWriter json, ControlTime stamp, RosTimeForm form, string frame = "")
         {
             json.WritePropertyName("header");
             json.WriteStartObject();
@@ -104,7 +104,7 @@ namespace Nowpose.Protocol
 
             json.WritePropertyName("stamp");
             Write(json, stamp.Nanoseconds, form);
-            Text(json, "frame_id", "");
+            Text(json, "frame_id", frame);
             json.WriteEndObject();
         }
 

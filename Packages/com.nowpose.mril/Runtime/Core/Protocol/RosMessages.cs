@@ -15,15 +15,32 @@ namespace Nowpose.Protocol
         public static bool Read(JsonCursor cursor, RosbridgeMessage into)
         {
             if (into.Op == RosbridgeOp.ServiceResponse)
-                return into.Service == RosTopics.GetTime && into.Result ? ReadTime(cursor, into) : cursor.Skip();
+                return ReadResponse(cursor, into);
             switch (into.Topic)
             {
-                case RosTopics.JointStates: return ReadState(cursor, into);
+                case RosTopics.JointStates: into.JointState = ReadState(cursor, isNamed: false); return into.JointState != null;
+                case RosTopics.Displayed: into.Displayed = ReadState(cursor, isNamed: true); return into.Displayed != null;
                 case RosTopics.JointTrajectory: return ReadTrajectory(cursor, into);
                 case RosTopics.RobotDescription: return ReadData(cursor, into);
                 case RosTopics.Diagnostics: return DiagnosticsReader.Read(cursor, into);
                 default: return cursor.Skip();
             }
+        }
+
+        static bool ReadResponse(JsonCursor cursor, RosbridgeMessage into)
+        {
+            if (!into.Result) return ReadFailure(cursor, into);
+            if (into.Service == RosTopics.GetTime) return ReadTime(cursor, into);
+            return into.Service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) ? PlantTimeReader.Read(cursor, into) : cursor.Skip();
+        }
+
+        // Why, in words; or whatever a server likes to put there.
+        static bool ReadFailure(JsonCursor cursor, RosbridgeMessage into)
+        {
+            if (!cursor.IsText) return cursor.Skip();
+            var isRead = cursor.Text(out var text);
+            into.Text = text;
+            return isRead;
         }
 
         static bool ReadTime(JsonCursor cursor, RosbridgeMessage into)
@@ -42,28 +59,33 @@ namespace Nowpose.Protocol
             return isRead;
         }
 
-        static bool ReadState(JsonCursor cursor, RosbridgeMessage into)
+        // Null when it is refused.
+        static JointStateMessage ReadState(JsonCursor cursor, bool isNamed)
         {
             var stamp = default(ControlTime);
+            var frame = "";
             var names = new List<string>();
             var positions = new List<double>();
             var velocities = new List<double>();
             var accelerations = new List<double>();
             var isRead = cursor.Object(StateFields, 0b111, field => field switch
             {
-                0 => RosTime.ReadHeader(cursor, out stamp),
+                0 => isNamed ? RosTime.ReadNamedHeader(cursor, out stamp, out frame) : RosTime.ReadHeader(cursor, out stamp),
                 1 => ReadNames(cursor, names),
                 2 => cursor.FiniteNumbers(positions),
                 3 => cursor.IsNull || cursor.OptionalNumbers(velocities),
                 _ => cursor.IsNull || cursor.OptionalNumbers(accelerations),
             });
             if (!isRead || !HaveLength(cursor, names.Count, positions, velocities) || !HaveLength(cursor, names.Count, positions, accelerations))
-                return false;
+                return null;
             if (names.Count == 0)
-                return cursor.Fail(DropReason.MissingField);
-            into.JointState = new JointStateMessage(
-                stamp, names.ToArray(), positions.ToArray(), OrNull(velocities), OrNull(accelerations));
-            return true;
+            {
+                cursor.Fail(DropReason.MissingField);
+                return null;
+            }
+
+            return new JointStateMessage(
+                stamp, names.ToArray(), positions.ToArray(), OrNull(velocities), OrNull(accelerations), frame);
         }
 
         static bool ReadTrajectory(JsonCursor cursor, RosbridgeMessage into)

@@ -8,6 +8,7 @@ namespace Nowpose.Protocol
         const long NanosecondsPerSecond = 1_000_000_000;
 
         static readonly string[] Header = { "stamp" };
+        static readonly string[] NamedHeader = { "stamp", "frame_id" };
         static readonly string[] Parts = { "secs", "nsecs", "sec", "nanosec" };
 
         /// <summary>The stamp of a header, which must be one: zero means "none" to ROS.</summary>
@@ -16,6 +17,17 @@ namespace Nowpose.Protocol
             var read = default(ControlTime);
             var isRead = cursor.Object(Header, 1, _ => ReadStamp(cursor, out read));
             stamp = read;
+            return isRead;
+        }
+
+        /// <summary>The stamp of a header, and whose it is.</summary>
+        public static bool ReadNamedHeader(JsonCursor cursor, out ControlTime stamp, out string frame)
+        {
+            var read = default(ControlTime);
+            var name = default(string);
+            var isRead = cursor.Object(NamedHeader, 0b11, field => field == 0 ? ReadStamp(cursor, out read) : cursor.Name(out name));
+            stamp = read;
+            frame = name;
             return isRead;
         }
 

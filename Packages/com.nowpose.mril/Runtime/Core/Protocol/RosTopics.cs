@@ -9,12 +9,22 @@ namespace Nowpose.Protocol
         public const string JointTrajectory = "/joint_trajectory";
         public const string RobotDescription = "/robot_description";
         public const string Diagnostics = "/nowpose/diagnostics";
-        public const string GetTime = "/rosapi/get_time";
 
-        public const string JointStateType = "sensor_msgs/msg/JointState";
-        public const string JointTrajectoryType = "trajectory_msgs/msg/JointTrajectory";
-        public const string StringType = "std_msgs/msg/String";
-        public const string DiagnosticsType = "diagnostic_msgs/msg/DiagnosticArray";
+        /// <summary>What each headset shows: sensor_msgs/JointState, stamped with the moment of light; its frame_id is the headset's name.</summary>
+        public const string Displayed = "/nowpose/displayed";
+
+        public const string GetTime = "/rosapi/get_time";
+        public const string GetTopics = "/rosapi/topics";
+
+        /// <summary>Services of adapters, each with the name of a clock behind it: they tell the time of a control system.</summary>
+        public const string PlantTime = "/nowpose/plant_time/";
+
+        // In ROS 1's spelling, which the rosbridge of ROS 2 understands as well; that of ROS 1 refuses the other one, and tells only its log.
+        public const string JointStateType = "sensor_msgs/JointState";
+        public const string JointTrajectoryType = "trajectory_msgs/JointTrajectory";
+        public const string StringType = "std_msgs/String";
+        public const string DiagnosticsType = "diagnostic_msgs/DiagnosticArray";
+        public const string PlantTimeType = "nowpose/PlantTime";
 
         /// <summary>ROS 1 spells a type package/Name, ROS 2 package/msg/Name; a client that names none gets the newer form.</summary>
         public static RosTimeForm TimeFormOf(string type) =>

@@ -24,11 +24,14 @@ namespace Nowpose.Protocol
         /// <summary>Of a status: error, warning, info or none.</summary>
         public string Level { get; internal set; }
 
-        /// <summary>Of a status: what it says.</summary>
+        /// <summary>Of a status: what it says. Of the response of a failed call: why.</summary>
         public string Text { get; internal set; }
 
         /// <summary>Of a publication on /joint_states.</summary>
         public JointStateMessage JointState { get; internal set; }
+
+        /// <summary>Of a publication on /nowpose/displayed: what a headset shows, which is no sample of the robot.</summary>
+        public JointStateMessage Displayed { get; internal set; }
 
         /// <summary>Of a publication on /joint_trajectory.</summary>
         public JointTrajectoryMessage JointTrajectory { get; internal set; }
@@ -44,5 +47,8 @@ namespace Nowpose.Protocol
 
         /// <summary>Of a response of /rosapi/get_time: the control time; null elsewhere and when the call failed.</summary>
         public ControlTime? Time { get; internal set; }
+
+        /// <summary>Of a response of a service below <see cref="RosTopics.PlantTime"/>; null elsewhere and when the call failed.</summary>
+        public PlantTimeMessage PlantTime { get; internal set; }
     }
 }

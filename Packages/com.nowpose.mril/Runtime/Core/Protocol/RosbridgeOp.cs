@@ -13,6 +13,14 @@ namespace Nowpose.Protocol
         Publish,
         CallService,
         ServiceResponse,
+
+        /// <summary>From a plant's adapter: it answers a service from now on.</summary>
+        AdvertiseService,
+
+        UnadvertiseService,
         Status,
+
+        /// <summary>Which statuses a client wants to be told.</summary>
+        SetLevel,
     }
 }

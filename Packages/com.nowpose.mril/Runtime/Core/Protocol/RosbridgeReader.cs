@@ -96,7 +96,10 @@ namespace Nowpose.Protocol
                 case "publish": return RosbridgeOp.Publish;
                 case "call_service": return RosbridgeOp.CallService;
                 case "service_response": return RosbridgeOp.ServiceResponse;
+                case "advertise_service": return RosbridgeOp.AdvertiseService;
+                case "unadvertise_service": return RosbridgeOp.UnadvertiseService;
                 case "status": return RosbridgeOp.Status;
+                case "set_level": return RosbridgeOp.SetLevel;
                 default: return RosbridgeOp.Unknown;
             }
         }
@@ -107,8 +110,11 @@ namespace Nowpose.Protocol
             {
                 case RosbridgeOp.Unknown: return DropReason.UnknownOp;
                 case RosbridgeOp.CallService:
+                case RosbridgeOp.AdvertiseService:
+                case RosbridgeOp.UnadvertiseService:
                 case RosbridgeOp.ServiceResponse: return Need(message.Service);
                 case RosbridgeOp.Status: return Need(message.Text);
+                case RosbridgeOp.SetLevel: return Need(message.Level);
                 default: return Need(message.Topic);
             }
         }

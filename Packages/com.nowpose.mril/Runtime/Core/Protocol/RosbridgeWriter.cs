@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text;
@@ -61,6 +62,23 @@ namespace Nowpose.Protocol
                 json.WriteStartObject();
                 json.WritePropertyName("time");
                 RosMessageWriter.Write(json, time.Nanoseconds, form);
+                json.WriteEndObject();
+            });
+
+        /// <summary>The response of /rosapi/topics.</summary>
+        /// <param name="types">Of each topic.</param>
+        public static string TopicsResponse(string service, string id, IReadOnlyCollection<KeyValuePair<string, string>> types) =>
+            Response(service, id, true, json =>
+            {
+                json.WriteStartObject();
+                json.WritePropertyName("topics");
+                json.WriteStartArray();
+                foreach (var topic in types) json.WriteValue(topic.Key);
+                json.WriteEndArray();
+                json.WritePropertyName("types");
+                json.WriteStartArray();
+                foreach (var topic in types) json.WriteValue(topic.Value);
+                json.WriteEndArray();
                 json.WriteEndObject();
             });
 

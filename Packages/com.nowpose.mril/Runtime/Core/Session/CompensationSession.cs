@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Concurrent;
+using System.Linq;
 using System.Threading.Tasks;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
@@ -47,6 +48,8 @@ namespace Nowpose.Session
         volatile string _descriptionFault;
         SyncClient _syncClient;
         RosbridgeClient _rosbridgeClient;
+        readonly string[] _jointNames;
+        ControlTime _told;
         bool _wasKnown;
         int _steps;
         long _samples;
@@ -62,6 +65,7 @@ namespace Nowpose.Session
             _clock = clock;
             _newLink = newLink ?? WebSocketLinks.Create;
             Robot = robot;
+            _jointNames = robot.MovingJoints.Select(joint => joint.Name).ToArray();
             _light = new MomentOfLight(settings.Visualisation, settings.Profile);
             _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
             _monitor = new ConstantLatencyMonitor(settings.Range);
@@ -172,30 +176,36 @@ namespace Nowpose.Session
         /// <summary>Completes when the connections that were ended are gone, sockets, threads and all; nobody has to wait for it.</summary>
         public Task Ended { get; private set; } = Task.CompletedTask;
 
-        /// <summary>Where the connection of the clock sync stands. Any thread.</summary>
-        public LinkStatus SyncLink => _syncClient?.Status ?? LinkStatus.Idle;
+        /// <summary>Where the connection of the clock sync stands, or the exchanges of ROS's time. Any thread.</summary>
+        public LinkStatus SyncLink => _syncClient?.Status ?? _rosbridgeClient?.ClockStatus ?? LinkStatus.Idle;
 
         /// <summary>Where the connection of the joint positions stands. Any thread.</summary>
         public LinkStatus SampleLink => _rosbridgeClient?.Status ?? LinkStatus.Idle;
 
-        /// <summary>Starts both connections; they come up, and come back, by themselves. Does nothing while connected.</summary>
+        /// <summary>
+        /// Starts the connections, both or, by ROS's time, one; they come up, and come back, by themselves. Does nothing while connected.
+        /// </summary>
         /// <remarks>Neither this nor <see cref="Disconnect"/> nor <see cref="Dispose"/> waits for the network.</remarks>
         public void Connect()
         {
-            if (_syncClient != null) return;
-            _syncClient = new SyncClient(_settings.Connection, _clock, _synchroniser, SyncFaults, NewExchangePace(new Random()));
-            _rosbridgeClient = new RosbridgeClient(() => _newLink(_settings.Connection, _clock), _clock, this);
+            if (_rosbridgeClient != null) return;
+            var (connection, pace) = (_settings.Connection, NewExchangePace(new Random()));
+            var isRos = connection.ClockSource == ControlClockSource.RosTime;
+            if (!isRos) _syncClient = new SyncClient(connection, _clock, _synchroniser, SyncFaults, pace);
+            _rosbridgeClient = new RosbridgeClient(
+                () => _newLink(connection, _clock), _clock, this, connection.PublishesDisplayed,
+                isRos ? new RosTimeExchanges(_clock, _synchroniser, SyncFaults, pace) : null);
         }
 
         /// <summary>
-        /// Ends both connections; returns at once. What is known stays: the pose is held, the clock goes into holdover.
+        /// Ends the connections; returns at once. What is known stays: the pose is held, the clock goes into holdover.
         /// </summary>
         public void Disconnect()
         {
-            if (_syncClient == null) return;
+            if (_rosbridgeClient == null) return;
             _rosbridgeClient.Dispose();
-            _syncClient.Dispose();
-            Ended = Task.WhenAll(Ended, _rosbridgeClient.Ended, _syncClient.Ended);
+            _syncClient?.Dispose();
+            Ended = Task.WhenAll(Ended, _rosbridgeClient.Ended, _syncClient?.Ended ?? Task.CompletedTask);
             _rosbridgeClient = null;
             _syncClient = null;
         }
@@ -220,7 +230,7 @@ namespace Nowpose.Session
                 while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
                 var seen = _light.LightOf(start, isComparable: isLast && _monitor.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
-                _frame.Update(start, light, IsTrusted(clock), _monitor.State, _light.IsDoubted);
+                _frame.Update(start, light, _settings.Clock.Trusts(clock), _monitor.State, _light.IsDoubted);
                 _hindcast.Shown(_frame, clock.ErrorBound);
                 Ticked?.Invoke(_frame);
                 return _frame;
@@ -336,6 +346,21 @@ namespace Nowpose.Session
                 statistics, _settings.Connection.HeadsetName, statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
         }
 
+        /// <summary>
+        /// What the newest frame shows, stamped with its moment of light; null while that is not known, a joint of the arm is missing,
+        /// or the frame was told already. Any thread: a frame does nothing for it.
+        /// </summary>
+        public JointStateMessage Displayed()
+        {
+            lock (_gate)
+            {
+                if (!(_frame.DisplayTime is ControlTime light) || !_frame.IsTimeTrusted || _frame.State == PoseState.Incomplete) return null;
+                if (light == _told) return null;
+                _told = light;
+                return new JointStateMessage(light, _jointNames, _frame.Joints.ToArray(), frameId: _settings.Connection.HeadsetName);
+            }
+        }
+
         // Stamps from before a step belong to another time line, and stamps from before the first exchange were never
         // checked: one from the future would hold the display for as long.
         void ForgetWhatAnotherClockStamped(HeadsetTime now, in ClockModel clock)
@@ -348,9 +373,6 @@ namespace Nowpose.Session
             _hindcast.Reset();
             StartedAnew?.Invoke(now, clock);
         }
-
-        bool IsTrusted(in ClockModel clock) => clock.State == ClockState.Synchronised
-            || (clock.State == ClockState.Holdover && clock.ErrorBound <= _settings.Clock.GreatestHoldoverError);
 
         void TakeArrivals(in ClockModel clock)
         {

@@ -19,7 +19,7 @@ namespace Nowpose.Session
             }
             void AddMs(string key, TimeSpan? length) => AddNumber(key, length?.TotalMilliseconds);
 
-            Add("state", statistics.Clock.State.ToString().ToLowerInvariant());
+            Add("state", statistics.Clock.State.Word());
             if (statistics.Offset.HasValue)
             {
                 var nanoseconds = statistics.Offset.Value.HeadsetMinusControl.Ticks * (decimal)ClockTicks.NanosecondsPerTick;

@@ -41,8 +41,6 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Something went wrong; the words say what.")]
         UnityEvent _onProblem = new UnityEvent();
 
-        const int GreatestName = 64;
-
         readonly AppliedCell _applied = new AppliedCell();
         readonly CodesInView _view = new CodesInView();
         MrilSession _source;
@@ -103,7 +101,7 @@ namespace Nowpose.Unity
                 return;
             }
             _target = _anchor != null ? _anchor : _source.GetComponentInChildren<BaseAnchor>(true);
-            _name = NameOf(_headsetName.Length > 0 ? _headsetName : SystemInfo.deviceName);
+            _name = HeadsetName.Of(_headsetName);
             _path = Path.Combine(Application.persistentDataPath, _fileName);
             Flow = new PairingFlow(PairedCellsFile.Load(_path, out _fileProblem), _name, SendInBackground);
             if (_fileProblem != null) ConsoleLog.Warn(this, _fileProblem);
@@ -176,14 +174,5 @@ namespace Nowpose.Unity
 
         static bool IsTokenRefused(MrilSession session) =>
             session.Session != null && (session.Session.SampleLink.IsTokenRefused || session.Session.SyncLink.IsTokenRefused);
-
-        // What a device calls itself is not ours to complain about.
-        static string NameOf(string name)
-        {
-            var trimmed = (name ?? "").Trim();
-            if (trimmed.Length == 0) return "headset";
-            if (trimmed.Length <= GreatestName) return trimmed;
-            return trimmed.Substring(0, char.IsHighSurrogate(trimmed[GreatestName - 1]) ? GreatestName - 1 : GreatestName);
-        }
     }
 }

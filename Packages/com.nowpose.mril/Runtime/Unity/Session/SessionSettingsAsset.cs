@@ -37,8 +37,13 @@ namespace Nowpose.Unity
             + "status panel says so.")]
         bool _insecureLan = false;
 
-        [SerializeField, Tooltip("Names this headset in its diagnostics, 1 to 128 characters.")]
-        string _headsetName = "headset";
+        [SerializeField, Tooltip("Names this headset in its diagnostics, 1 to 128 characters; no two at one gateway may share theirs. Empty: the name that "
+            + "the device has in its system settings.")]
+        string _headsetName = "";
+
+        [SerializeField, Tooltip("Tell the gateway up to 20 times a second which joints are shown, about 9 kB/s, so that its page of operations can "
+            + "draw them beside the robot. On: no frame does anything for it.")]
+        bool _publishDisplayed = true;
 
         [Header("Display")]
         [SerializeField, Tooltip("L_visu in ms, 0 to 500: from the start of a frame until its light reaches the eye. Calibrate it for your "
@@ -94,6 +99,10 @@ namespace Nowpose.Unity
         double _jerkRadians = 0;
 
         [Header("Clock")]
+        [SerializeField, Tooltip("Whom to ask for the control time. Clock Sync: the gateway, on the Sync Port. Ros Time: a rosbridge server without a "
+            + "gateway, by its service /rosapi/get_time; nothing uses the Sync Port then, and the time is less exact.")]
+        ControlClockSource _clockSource = ControlClockSource.ClockSync;
+
         [SerializeField, Tooltip("default or ransac: how the offset of the headset's clock is found. ransac is the paper's; default is 5 to 15 "
             + "times closer over WiFi and follows clocks that step.")]
         string _clockEstimator = ClockEstimators.Default;
@@ -131,6 +140,7 @@ namespace Nowpose.Unity
         ConnectionSettings Connection(string token) => new ConnectionSettings(
             _host, _syncPort, _webSocketPort,
             string.IsNullOrWhiteSpace(_pin) ? null : CertificatePin.Parse(_pin), _deviceTrust,
-            string.IsNullOrEmpty(token) ? null : token, _insecureLan, _headsetName);
+            string.IsNullOrEmpty(token) ? null : token, _insecureLan,
+            string.IsNullOrEmpty(_headsetName) ? HeadsetName.Of(null) : _headsetName, _publishDisplayed, _clockSource);
     }
 }

@@ -16,8 +16,14 @@ namespace Nowpose.Recording
 
         public static void Fill(CompensationSession session, double[] numbers)
         {
-            for (var i = 0; i < Reasons.Count; i++) numbers[i] = session.Drops[(DropReason)i];
+            Fill(session.Drops, numbers);
             for (var i = 0; i < Faults.Count; i++) numbers[Reasons.Count + i] = session.SyncFaults[(SyncExchangeFault)i];
+        }
+
+        /// <summary>Of messages alone.</summary>
+        public static void Fill(DropCounters drops, double[] numbers)
+        {
+            for (var i = 0; i < Reasons.Count; i++) numbers[i] = drops[(DropReason)i];
         }
 
         public static void Write(JsonLine line, ReadOnlySpan<double> numbers)

@@ -26,6 +26,22 @@ namespace Nowpose.Recording
             line.End();
         }
 
+        /// <summary>The first line of a file that a gateway writes: no settings of a session, but those by which one would predict.</summary>
+        /// <param name="robot">Null where none was described.</param>
+        public static void WriteOfGateway(JsonLine line, string cell, RobotModel robot, DateTime startedUtc)
+        {
+            line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);
+            line.Add("package", SessionFormat.Package).Add("recorded_by", "gateway");
+            if (cell != null) line.Add("cell", cell);
+            line.Add("started_utc", startedUtc.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture));
+            if (robot != null) WriteRobot(line, robot);
+            else line.Open("robot", '{').Add("name", "not described").Open("joints", '[').Close(']').Close('}');
+            var prediction = PredictionSettings.Default;
+            line.Open("settings", '{').Add("predictor", prediction.Predictor).Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds)
+                .Add("maximum_gap_ms", prediction.MaximumGap.TotalMilliseconds).Add("blend_ms", prediction.Blend.TotalMilliseconds).Close('}');
+            line.End();
+        }
+
         static void WriteRobot(JsonLine line, RobotModel robot)
         {
             line.Open("robot", '{').Add("name", robot.Name).Add("description_sha256", robot.SourceHash.ToString());

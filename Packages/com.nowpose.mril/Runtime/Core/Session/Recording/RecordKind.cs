@@ -26,5 +26,8 @@ namespace Nowpose.Recording
 
         /// <summary>What was dropped by reason: once a second while it changes.</summary>
         Drops,
+
+        /// <summary>What a headset or an adapter says of itself. In a gateway's file only.</summary>
+        Diagnostics,
     }
 }

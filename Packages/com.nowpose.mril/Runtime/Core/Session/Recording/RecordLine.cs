@@ -40,6 +40,7 @@ namespace Nowpose.Recording
                 case RecordKind.Clock: WriteClock(record); break;
                 case RecordKind.Display: WriteDisplay(record); break;
                 case RecordKind.Statistics: WriteStatistics(record); break;
+                case RecordKind.Diagnostics: WriteDiagnostics(record); break;
                 default: WriteDrops(record); break;
             }
             _line.End();
@@ -61,8 +62,9 @@ namespace Nowpose.Recording
         void WriteSample(SessionRecord record)
         {
             var message = record.Arrival.Message;
-            _line.Begin("sample").Add("arrival_ns", record.Arrival.At.Nanoseconds).Add("stamp_ns", message.Stamp.Nanoseconds)
-                .Add("names", message.Names).Add("position", message.Positions);
+            _line.Begin("sample").Add("arrival_ns", record.Arrival.At.Nanoseconds).Add("stamp_ns", message.Stamp.Nanoseconds);
+            if (record.ControlArrival.HasValue) _line.Add("control_arrival_ns", record.ControlArrival.Value.Nanoseconds);
+            _line.Add("names", message.Names).Add("position", message.Positions);
             if (message.Velocities != null) _line.Add("velocity", message.Velocities);
             if (message.Accelerations != null) _line.Add("acceleration", message.Accelerations);
             AddReason(record);
@@ -109,6 +111,14 @@ namespace Nowpose.Recording
             _line.Begin("statistics").Add("at_ns", record.At.Nanoseconds);
             AddClock(record);
             _statistics.Write(_line, record.Numbers);
+        }
+
+        void WriteDiagnostics(SessionRecord record)
+        {
+            var message = record.Diagnostics;
+            _line.Begin("diagnostics").Add("at_ns", record.At.Nanoseconds).Add("name", message.HardwareId).Open("values", '{');
+            for (var i = 0; i < message.Values.Count; i++) _line.Add(message.Values[i].Key, message.Values[i].Value);
+            _line.Close('}');
         }
 
         void WriteDrops(SessionRecord record)

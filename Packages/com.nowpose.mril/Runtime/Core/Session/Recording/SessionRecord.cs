@@ -20,7 +20,7 @@ namespace Nowpose.Recording
 
         public RecordKind Kind { get; set; }
 
-        /// <summary>Clock, display, statistics and drops: when. Frame: its start.</summary>
+        /// <summary>Clock, display, statistics, drops and diagnostics: when. Frame: its start.</summary>
         public HeadsetTime At { get; set; }
 
         /// <summary>Sync.</summary>
@@ -34,6 +34,12 @@ namespace Nowpose.Recording
 
         /// <summary>Sample. The message is kept, not copied: nobody writes into it.</summary>
         public SampleArrival Arrival { get; set; }
+
+        /// <summary>Sample, in a gateway's file: when it arrived, on the control clock.</summary>
+        public ControlTime? ControlArrival { get; set; }
+
+        /// <summary>Diagnostics. Kept, likewise; arrived at <see cref="At"/>.</summary>
+        public DiagnosticsMessage Diagnostics { get; set; }
 
         /// <summary>Plan. Kept, likewise.</summary>
         public PlanArrival Plan { get; set; }

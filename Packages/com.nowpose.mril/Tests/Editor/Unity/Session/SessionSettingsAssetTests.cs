@@ -25,6 +25,7 @@ namespace Nowpose.Tests
             ("_deviceTrust", true, s => s.Connection.Security, TransportSecurity.DeviceTrust),
             ("_token", "secret", s => s.Connection.Token, "secret"),
             ("_headsetName", "left door", s => s.Connection.HeadsetName, "left door"),
+            ("_publishDisplayed", false, s => s.Connection.PublishesDisplayed, false),
             ("_visualisationMs", 33.25, s => s.Visualisation.Length.TotalMilliseconds, 33.25),
             ("_predictor", "cubic", s => s.Prediction.Predictor, "cubic"),
             ("_horizonCapMs", 250.5, s => s.Prediction.HorizonCap.TotalMilliseconds, 250.5),
@@ -34,6 +35,7 @@ namespace Nowpose.Tests
             ("_speedPercent", 40.0, s => s.Prediction.SpeedShare, 0.4),
             ("_accelerationRadians", 7.5, s => s.Prediction.AccelerationLimit, 7.5),
             ("_jerkRadians", 75.0, s => s.Prediction.JerkLimit, 75.0),
+            ("_clockSource", ControlClockSource.RosTime, s => s.Connection.ClockSource, ControlClockSource.RosTime),
             ("_clockEstimator", "ransac", s => s.ClockEstimator, "ransac"),
             ("_syncIntervalMs", 150.0, s => s.SyncInterval.TotalMilliseconds, 150.0),
             ("_outsideRange", OutsideRangeResponse.Hold, s => s.OutsideRange, OutsideRangeResponse.Hold),
@@ -125,6 +127,11 @@ namespace Nowpose.Tests
             Assert.That(asset.ToSettings().Connection.Token, Is.Null, "nothing is written back");
         }
 
+        [TestCase(null)]
+        [TestCase("")]
+        public void HeadsetName_NotGiven_IsTheDevices(string name) =>
+            Assert.That(Asset().With("_headsetName", name).ToSettings().Connection.HeadsetName, Is.EqualTo(SystemInfo.deviceName));
+
         [TestCase("_host", "no host", "host", "'no host'", "name", "address")]
         [TestCase("_host", "", "host", "''", "name", "address")]
         [TestCase("_syncPort", 0, "sync port", "0", "1 to 65535")]
@@ -132,7 +139,6 @@ namespace Nowpose.Tests
         [TestCase("_pin", "sha256/AAAA", "pin", "sha256/AAAA", "32 bytes")]
         [TestCase("_token", "with blank", "token", "ASCII")]
         [TestCase("_headsetName", " ", "headset name", "1 to 128")]
-        [TestCase("_headsetName", null, "headset name", "0 characters", "1 to 128")]
         [TestCase("_visualisationMs", -1.0, "visualisation latency", "-1 ms", "0 to 500 ms")]
         [TestCase("_visualisationMs", 500.5, "visualisation latency", "500.5 ms", "0 to 500 ms")]
         [TestCase("_visualisationMs", double.NaN, "visualisation latency", "NaN ms", "0 to 500 ms")]
@@ -147,6 +153,7 @@ namespace Nowpose.Tests
         [TestCase("_jerkRadians", double.NaN, "jerk limit", "NaN rad/s³", "0.01 to 1000000")]
         [TestCase("_maximumGapMs", 0.5, "maximum gap", "0.5 ms", "1 to 60000 ms")]
         [TestCase("_blendMs", 250.0, "blend", "250 ms", "0 to 200 ms")]
+        [TestCase("_clockSource", (ControlClockSource)2, "clock source", "no choice 2", "0 (clock sync) and 1 (ROS time)")]
         [TestCase("_clockEstimator", "paper", "clock estimator", "'paper'", "default, ransac")]
         [TestCase("_syncIntervalMs", 19.0, "sync interval", "19 ms", "20 to 10000 ms")]
         public void ToSettings_BadValue_IsOneLineThatNamesAssetFieldValueAndRange(string field, object value, params string[] named)

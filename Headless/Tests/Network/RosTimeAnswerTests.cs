@@ -1,0 +1,21 @@
+using Nowpose.Network;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Network;
+
+public class RosTimeAnswerTests
+{
+    [Test]
+    public void Problem_OfAFailedCall_IsOneShortLineThatSaysWhatToDo()
+    {
+        var said = "Service /rosapi/get_time\\r\\ndoes not exist" + new string('.', 1000);
+        RosbridgeReader.TryRead($$"""{"op":"service_response","service":"/rosapi/get_time","values":"{{said}}","result":false}""", out var response, out var fault);
+
+        var answer = new RosTimeAnswer(response, fault, HeadsetTime.FromSeconds(1));
+
+        Assert.That(answer.Time, Is.Null);
+        Assert.That(answer.Problem, Does.StartWith("Service /rosapi/get_time  does not exist").And.EndWith("as rosbridge's launch file does"));
+        Assert.That(answer.Problem, Has.Length.LessThan(400));
+    }
+}

@@ -1,0 +1,83 @@
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Network;
+
+/// <summary>A link whose sends no longer come back, as with a full buffer and nobody at the other end.</summary>
+[Parallelizable(ParallelScope.All)]
+public class StuckSendTests
+{
+    const string Text = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":5,"nsecs":0}},"name":["a"],"position":[1]}}""";
+
+    /// <summary>More than are sent within two seconds.</summary>
+    const int ForTwoSeconds = 45;
+
+    /// <summary>What is subscribed to and advertised.</summary>
+    const int AtTheBeginning = 5;
+
+    [TestCase(0, false, false, "nothing could be sent for 6 s")]
+    [TestCase(ForTwoSeconds, false, false, "nothing heard for 6 s")]
+    [TestCase(AtTheBeginning, true, false, "nothing could be sent for 6 s")]
+    [TestCase(AtTheBeginning, true, true, "did not answer within 2 s")]
+    public async Task Send_ThatNeverComesBack_EndsTheConnectionAndAnotherIsMade(int taken, bool hears, bool asksTime, string reason)
+    {
+        var clock = new StopwatchHeadsetClock();
+        var exchanges = asksTime ? Exchanges(clock) : null;
+        var links = 0;
+        // What the second one told would hide why the first ended.
+        IWebSocketLink Next() => Interlocked.Increment(ref links) == 1 ? new StuckLink(clock, taken, hears) : new ClosedDoor();
+
+        using var client = new RosbridgeClient(Next, clock, new Listener(), true, exchanges);
+
+        await Soon.BecomesAsync(() => Volatile.Read(ref links) > 1, "another connection");
+        Assert.That(client.Status.Detail, Does.Contain(reason));
+        client.Dispose();
+        await client.Ended.Bounded();
+    }
+
+    static RosTimeExchanges Exchanges(IHeadsetClock clock) => new(
+        clock, new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default), new SyncFaultCounters(),
+        new ExchangePace(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(5), new Random(1)));
+
+    sealed class StuckLink(IHeadsetClock clock, int taken, bool hears) : IWebSocketLink
+    {
+        static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(100);
+
+        readonly TaskCompletionSource _gone = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        int _sent;
+
+        public Task OpenAsync(CancellationToken cancel) => Task.CompletedTask;
+
+        public Task SendAsync(string text, CancellationToken cancel) =>
+            Interlocked.Increment(ref _sent) <= taken ? Task.CompletedTask : new TaskCompletionSource().Task;
+
+        public async Task<ReceivedText> ReceiveAsync(CancellationToken cancel)
+        {
+            if (!hears) await _gone.Task;
+            await Task.Delay(Interval, cancel);
+            return ReceivedText.Message(Text, clock.Now);
+        }
+
+        public void Dispose() => _gone.TrySetException(new ObjectDisposedException(nameof(StuckLink)));
+    }
+
+    sealed class ClosedDoor : IWebSocketLink
+    {
+        public Task OpenAsync(CancellationToken cancel) => Task.Delay(Timeout.Infinite, cancel);
+        public Task SendAsync(string text, CancellationToken cancel) => throw new NotSupportedException();
+        public Task<ReceivedText> ReceiveAsync(CancellationToken cancel) => throw new NotSupportedException();
+        public void Dispose() { }
+    }
+
+    sealed class Listener : IRosbridgeListener
+    {
+        public void Received(JointStateMessage message, HeadsetTime arrival) { }
+        public void Planned(JointTrajectoryMessage message, HeadsetTime arrival) { }
+        public void Described(string urdf) { }
+        public void Dropped(DropReason reason) { }
+        public DiagnosticsMessage Diagnostics() => null;
+        public JointStateMessage Displayed() => new(ControlTime.FromSeconds(5), ["a"], [0.5]);
+    }
+}

@@ -1,0 +1,223 @@
+using System.Net;
+using System.Net.Sockets;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Robots;
+using Nowpose.Headless.Tests.Gateway;
+using Nowpose.Latency;
+using Nowpose.Motion;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Ros;
+
+/// <summary>A headset at a rosbridge server, without a gateway: clock by /rosapi/get_time.</summary>
+public class RosDirectTests
+{
+    static readonly TimeSpan Bracket = TimeSpan.FromMicroseconds(50);
+
+    readonly StopwatchHeadsetClock _headsetClock = new();
+    StopwatchControlClock _control;
+    RosGraph _graph;
+    RosbridgeDouble _rosbridge;
+    SimulatedCell _cell;
+    CompensationSession _session;
+
+    void Start(RosFlavour flavour, TimeSpan resolution = default, TimeSpan before = default, TimeSpan after = default, bool hasRosapi = true)
+    {
+        _control = new StopwatchControlClock(ControlTime.FromSeconds(1_700_000_000), 20e-6)
+            { Resolution = resolution == default ? new TimeSpan(1) : resolution };
+        _graph = new RosGraph(flavour, _control) { HasRosapi = hasRosapi };
+        _rosbridge = new RosbridgeDouble(_graph) { BeforeReading = before, AfterReading = after };
+        _session = NewSession(_rosbridge.Port);
+        _session.Connect();
+    }
+
+    CompensationSession NewSession(int port, int syncPort = ProtocolLimits.SyncPort) => new(
+        new SessionSettings(
+            new ConnectionSettings("127.0.0.1", syncPort, port, headsetName: "left", clockSource: ControlClockSource.RosTime),
+            new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
+        RobotFiles.Load("youbot"), _headsetClock);
+
+    void Move()
+    {
+        var form = _graph.Flavour == RosFlavour.Ros1 ? RosTimeForm.Secs : RosTimeForm.Sec;
+        _cell = new SimulatedCell(
+            new PickAndPlaceMotion(RobotFiles.Load("youbot")), _control,
+            new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
+        var hub = new MessageHub();
+        hub.Subscribe(RosTopics.JointStates, message =>
+            _graph.Publish(RosTopics.JointStates, RosTopics.JointStateType, System.Text.Encoding.UTF8.GetString(message.Utf8(form).Span)));
+        _cell.PublishInto(hub);
+    }
+
+    [TearDown]
+    public void Stop()
+    {
+        _session?.Dispose();
+        _cell?.Dispose();
+        _rosbridge?.Dispose();
+        _cell = null;
+    }
+
+    PoseState Tick() => _session.Tick(_headsetClock.Now).State;
+
+    TimeSpan ClockError(out ClockModel model)
+    {
+        while (true)
+        {
+            model = _session.Clock.ModelAt(_headsetClock.Now);
+            var before = _headsetClock.Now;
+            var truth = _control.Now;
+            var between = _headsetClock.Now - before;
+            // A thread that is held up between its looks at the clocks would take that for their difference.
+            if (between < Bracket) return model.ToControl(before + between / 2) - truth;
+        }
+    }
+
+    Task SynchronisedAsync() => Soon.BecomesAsync(
+        () => { Tick(); return _session.Clock.ModelAt(_headsetClock.Now).State == ClockState.Synchronised; }, "synchronised");
+
+    [TestCase(RosFlavour.Ros1)]
+    [TestCase(RosFlavour.Ros2)]
+    public async Task Session_AtRosbridge_ShowsTheRobotWhereItWillBe(RosFlavour flavour)
+    {
+        Start(flavour);
+        _graph.Publish(
+            RosTopics.RobotDescription, RosTopics.StringType,
+            RosbridgeWriter.PublishString(RosTopics.RobotDescription, RobotFiles.LoadText("youbot")), isLatched: true);
+        Move();
+
+        await Soon.BecomesAsync(() => Tick() == PoseState.Current, "current");
+        _session.RestartErrorRun();
+        await Soon.BecomesAsync(
+            () => { Tick(); return _session.Statistics(_headsetClock.Now).ToolErrorOfRun is { Frames: > 300, HoldRms: > 5 }; }, "a run with motion");
+
+        var statistics = _session.Statistics(_headsetClock.Now);
+        var error = ClockError(out var model);
+        TestContext.Out.WriteLine(
+            $"{flavour}: clock off by {error.TotalMilliseconds:F3} ms, bound {model.ErrorBound.TotalMilliseconds:F3} ms, tool "
+            + $"{statistics.ToolErrorOfRun.Value.Rms:F2} mm for {statistics.ToolErrorOfRun.Value.HoldRms:F2} mm held");
+        Assert.That(error.Duration(), Is.LessThanOrEqualTo(model.ErrorBound));
+        Assert.That(statistics.ToolErrorOfRun.Value.Reduction, Is.GreaterThan(0.5));
+        Assert.That(statistics.RobotDescriptionMatch, Is.EqualTo(RobotDescriptionMatch.Same));
+        Assert.That(statistics.SyncLink.State, Is.EqualTo(LinkState.Connected));
+        await Soon.BecomesAsync(() => _graph.Published.Any(sent => sent.Topic == RosTopics.Diagnostics), "the headset's diagnostics");
+        Assert.That(_graph.Log, Is.Empty, "rosbridge had nothing to complain of");
+    }
+
+    [Test]
+    public async Task Connect_RosTime_OpensNoConnectionForTheClock()
+    {
+        Start(RosFlavour.Ros2);
+        using var syncPort = new TcpListener(IPAddress.Loopback, 0);
+        syncPort.Start();
+        using var session = NewSession(_rosbridge.Port, ((IPEndPoint)syncPort.LocalEndpoint).Port);
+
+        session.Connect();
+        await Soon.BecomesAsync(() => session.Clock.ModelAt(_headsetClock.Now).State == ClockState.Synchronised, "synchronised");
+
+        Assert.That(syncPort.Pending(), Is.False);
+    }
+
+    [TestCase(20, 0)]
+    [TestCase(0, 20)]
+    [TestCase(10, 10)]
+    public async Task Clock_ServerTakesItsTimeOnOneSide_ErrsWithinItsBound(int beforeMs, int afterMs)
+    {
+        Start(RosFlavour.Ros2, before: TimeSpan.FromMilliseconds(beforeMs), after: TimeSpan.FromMilliseconds(afterMs));
+
+        await Soon.BecomesAsync(() => _session.Clock.Exchanges > 20, "exchanges");
+
+        var error = ClockError(out var model);
+        TestContext.Out.WriteLine(
+            $"{beforeMs} ms before and {afterMs} ms after: off by {error.TotalMilliseconds:F3} ms, bound {model.ErrorBound.TotalMilliseconds:F3} ms");
+        Assert.That(error.Duration(), Is.LessThanOrEqualTo(model.ErrorBound));
+        Assert.That(model.ErrorBound.TotalMilliseconds, Is.GreaterThan(9), "half of what a call takes cannot be known");
+    }
+
+    [Test]
+    public async Task Clock_SimulatedTimeInSteps_SaysItsResolution()
+    {
+        var step = TimeSpan.FromMilliseconds(10);
+        Start(RosFlavour.Ros2, resolution: step);
+
+        await Soon.BecomesAsync(() => _session.Clock.Exchanges > 30, "exchanges");
+
+        // The model means the time between the steps; what the clock shows is up to one behind.
+        var error = ClockError(out var model);
+        Assert.That(_session.Clock.Resolution, Is.EqualTo(step));
+        Assert.That(error, Is.InRange(-model.ErrorBound, model.ErrorBound + step));
+    }
+
+    [Test]
+    public async Task Exchanges_SlowServer_AreNeverTwoInFlight()
+    {
+        Start(RosFlavour.Ros1, before: TimeSpan.FromMilliseconds(120));
+
+        await Soon.BecomesAsync(() => _session.Clock.Exchanges > 10, "exchanges");
+
+        Assert.That(_rosbridge.MostInFlight, Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Exchanges_AnswersNobodyWaitsFor_AreCountedAndChangeNothing()
+    {
+        Start(RosFlavour.Ros2);
+        await SynchronisedAsync();
+        var offset = _session.Clock.ModelAt(_headsetClock.Now).OffsetAt(_headsetClock.Now);
+
+        foreach (var number in new[] { "1", "999999", "-1", "" })
+            _rosbridge.Send(RosbridgeWriter.TimeResponse(RosTopics.GetTime, "nowpose time " + number, ControlTime.FromSeconds(5), RosTimeForm.Sec));
+        await Soon.BecomesAsync(() => _session.SyncFaults[SyncExchangeFault.WrongSequence] == 4, "counted");
+
+        Assert.That(
+            (_session.Clock.ModelAt(_headsetClock.Now).OffsetAt(_headsetClock.Now) - offset).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(5)));
+        Assert.That(_session.Clock.Steps, Is.Zero);
+    }
+
+    [TestCase(RosFlavour.Ros1)]
+    [TestCase(RosFlavour.Ros2)]
+    public async Task Status_RosapiIsMissing_SaysWhatToStartAndGoesOnByItself(RosFlavour flavour)
+    {
+        Start(flavour, hasRosapi: false);
+
+        await Soon.BecomesAsync(() => _session.SyncLink.State == LinkState.Waiting && _session.SampleLink.State == LinkState.Connected, "refused");
+        Assert.That(_session.SyncLink.Detail, Does.Contain("Service /rosapi/get_time does not exist").And.Contain("start the node rosapi"));
+
+        _graph.HasRosapi = true;
+        await SynchronisedAsync();
+        Assert.That(_session.SyncLink.State, Is.EqualTo(LinkState.Connected));
+        Assert.That(_rosbridge.Connections, Is.EqualTo(1), "the joint positions' connection stays");
+    }
+
+    [Test]
+    public async Task Status_TimeIsZero_PointsToTheSimulatedClock()
+    {
+        _control = new StopwatchControlClock(default) { Resolution = TimeSpan.FromDays(1) };
+        _graph = new RosGraph(RosFlavour.Ros2, _control);
+        _rosbridge = new RosbridgeDouble(_graph);
+        _session = NewSession(_rosbridge.Port);
+
+        _session.Connect();
+
+        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("use_sim_time") && _session.SyncLink.Detail.Contains("/clock"), "said");
+    }
+
+    [Test]
+    public async Task Status_NoAnswerComes_EndsTheConnectionAndComesBack()
+    {
+        Start(RosFlavour.Ros2);
+        _rosbridge.IsMute = true;
+
+        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("did not answer within 2 s"), "said");
+
+        _rosbridge.IsMute = false;
+        await SynchronisedAsync();
+        Assert.That(_rosbridge.Connections, Is.GreaterThan(1));
+    }
+}

@@ -1,0 +1,99 @@
+using Nowpose.Gateway.Robots;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Session;
+
+/// <summary>What a headset tells of what it shows.</summary>
+public class DisplayedJointsTests
+{
+    static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
+
+    readonly CompensationSession _session = new(
+        new SessionSettings(new ConnectionSettings("127.0.0.1", headsetName: "left door"), new VisualisationLatency(Visualisation)),
+        RobotFiles.Load("youbot"), new StopwatchHeadsetClock());
+
+    [OneTimeTearDown]
+    public void TearDown() => _session.Dispose();
+
+    [Test, Order(1)]
+    public void Displayed_WithoutTheClock_IsNothing()
+    {
+        _session.Received(Sample(HeadsetTime.FromSeconds(9)), HeadsetTime.FromSeconds(9));
+
+        _session.Tick(HeadsetTime.FromSeconds(9));
+
+        Assert.That(_session.Displayed(), Is.Null);
+    }
+
+    [Test, Order(2)]
+    public void Displayed_EachFrame_IsToldOnceWithItsMomentOfLight()
+    {
+        var now = HeadsetTime.FromSeconds(10);
+        for (var i = 0; i < 60; i++) Frame(now += TimeSpan.FromMilliseconds(50));
+        var frame = _session.Tick(now);
+
+        var told = _session.Displayed();
+
+        Assert.That(told.Stamp, Is.EqualTo(frame.DisplayTime));
+        Assert.That((told.Stamp - new ControlTime(now.SinceEpoch) - Visualisation).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(1)));
+        Assert.That(told.FrameId, Is.EqualTo("left door"));
+        Assert.That(told.Names, Is.EqualTo(_session.Robot.MovingJoints.Select(joint => joint.Name)));
+        Assert.That(told.Positions, Is.EqualTo(frame.Joints.ToArray()).And.Some.Not.EqualTo(0));
+        Assert.That(_session.Displayed(), Is.Null, "the same frame again");
+    }
+
+    [Test, Order(3)]
+    public void Displayed_AskedForWhileFramesGoOn_CostsTheirThreadNothing()
+    {
+        var now = HeadsetTime.FromSeconds(20);
+        for (var i = 0; i < 200; i++) Frame(now += TimeSpan.FromMilliseconds(16));
+        var told = 0;
+        using var stop = new CancellationTokenSource();
+        var background = Task.Run(() =>
+        {
+            while (!stop.IsCancellationRequested)
+            {
+                if (_session.Displayed() != null) Interlocked.Increment(ref told);
+                // Who takes the session's lock without a pause leaves the frames waiting for it.
+                Thread.Sleep(1);
+            }
+        });
+        var allocated = 0L;
+        // The other thread may begin late on a loaded machine.
+        for (var i = 0; i < 2000 || Volatile.Read(ref told) == 0 && !background.IsCompleted; i++)
+        {
+            Feed(now += TimeSpan.FromMilliseconds(16));
+            var before = GC.GetAllocatedBytesForCurrentThread();
+            _session.Tick(now);
+            allocated += GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+
+        stop.Cancel();
+        background.Bounded().GetAwaiter().GetResult();
+
+        Assert.That(allocated, Is.EqualTo(0));
+        Assert.That(told, Is.GreaterThan(0));
+    }
+
+    void Frame(HeadsetTime now)
+    {
+        Feed(now);
+        _session.Tick(now);
+    }
+
+    void Feed(HeadsetTime now)
+    {
+        var control = new ControlTime(now.SinceEpoch);
+        _session.Clock.Add(new SyncExchange(now, control, control, now), out _);
+        _session.Received(Sample(now), now);
+    }
+
+    JointStateMessage Sample(HeadsetTime now) => new(
+        new ControlTime(now.SinceEpoch) - TimeSpan.FromMilliseconds(80), [.. _session.Robot.MovingJoints.Select(joint => joint.Name)],
+        [.. _session.Robot.MovingJoints.Select((_, i) => 0.01 * Math.Sin(now.SinceEpoch.TotalSeconds + i))]);
+}

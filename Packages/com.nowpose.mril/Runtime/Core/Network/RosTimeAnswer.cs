@@ -1,0 +1,34 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Network
+{
+    /// <summary>What a rosbridge server answered to a call of /rosapi/get_time.</summary>
+    sealed class RosTimeAnswer
+    {
+        const int LongestReason = 200;
+
+        public RosTimeAnswer(RosbridgeMessage response, DropReason fault, HeadsetTime arrival)
+        {
+            Time = fault == DropReason.None ? response.Time : null;
+            Arrival = arrival;
+            Problem = Time == null ? ProblemOf(response, fault) : null;
+        }
+
+        /// <summary>Null when there is none in it.</summary>
+        public ControlTime? Time { get; }
+
+        /// <summary>When its last byte was read.</summary>
+        public HeadsetTime Arrival { get; }
+
+        /// <summary>Why there is no time, and what to do; null when there is one.</summary>
+        public string Problem { get; }
+
+        static string ProblemOf(RosbridgeMessage response, DropReason fault)
+        {
+            if (fault == DropReason.StampZero) return "the time is zero; with use_sim_time, something has to publish /clock";
+            if (response.Result) return "the answer holds no time (" + fault + ")";
+            var reason = InputException.OneLine(response.Text ?? "the call failed", LongestReason);
+            return reason + "; start the node rosapi beside rosbridge, as rosbridge's launch file does";
+        }
+    }
+}
