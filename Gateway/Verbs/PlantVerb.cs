@@ -1,6 +1,6 @@
 using System.CommandLine;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Robots;
 using Nowpose.Kinematics;
 using Nowpose.Motion;

@@ -19,7 +19,7 @@ sealed record DemoRun(
         var links = $"joint positions {Statistics.SampleLink}; clock sync {Statistics.SyncLink}";
         if (Statistics.Samples == 0) return $"no sample was used, {Statistics.Dropped} were dropped; {links}";
         if (Frames.Rows.Any(row => row.Clock.State == ClockState.Synchronised)) return null;
-        var state = Statistics.Clock.State.ToString().ToLowerInvariant();
+        var state = Statistics.Clock.State.Word();
         return FormattableString.Invariant($"the clock was still {state} after {Settings.Seconds} s: run longer (--seconds); {links}");
     }
 }

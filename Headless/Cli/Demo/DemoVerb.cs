@@ -1,7 +1,7 @@
 using System.CommandLine;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Robots;
 using Nowpose.Latency;
 using Nowpose.Motion;

@@ -1,5 +1,5 @@
 using Nowpose.Cli.Replay;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Recommend;
 

@@ -2,7 +2,7 @@ using System.CommandLine;
 using Nowpose.Cli.Replay;
 using Nowpose.Cli.Sessions;
 using Nowpose.Gateway.Options;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Recommend;
 

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Sessions;
+using Nowpose.Kinematics;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Replay;
@@ -12,23 +13,30 @@ sealed class RecordedSession
     // Never reached a predictor, so that none is shown them.
     static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
 
+    /// <summary>Of frames that stand in for a headset's.</summary>
+    static readonly TimeSpan FrameInterval = new(TimeSpan.TicksPerSecond / 60);
+
     readonly string _path;
     readonly Dictionary<string, int> _joints;
     readonly List<Event> _events = [];
     readonly List<Value> _values = [];
     readonly List<double> _displayed = [];
     readonly List<PlannedMotion> _plans = [];
+    readonly bool _namesJoints;
     int _timeLine;
     long _planned;
+    ControlTime? _nextFrame;
 
     RecordedSession(string path, SessionHeader header)
     {
         _path = path;
         Header = header;
+        _namesJoints = header.Joints.Count > 0;
         _joints = Enumerable.Range(0, header.Joints.Count).ToDictionary(i => header.Joints[i].Name);
     }
 
-    public SessionHeader Header { get; }
+    /// <summary>As it stands in the file; with the joints that the samples name where no robot was described.</summary>
+    public SessionHeader Header { get; private set; }
 
     public IReadOnlyList<Event> Events => _events;
 
@@ -43,6 +51,7 @@ sealed class RecordedSession
         using var file = new SessionFileReader(path);
         var session = new RecordedSession(path, file.Header);
         foreach (var line in file.Lines()) session.Add(line);
+        session.NameJoints();
         return session;
     }
 
@@ -61,7 +70,7 @@ sealed class RecordedSession
             case SampleLine sample when Array.IndexOf(NeverTaken, sample.Dropped) < 0: Add(sample); break;
             case PlanLine { Dropped: null } plan: Add(plan); break;
             case FrameLine frame: Add(frame); break;
-            case ClockLine { IsNewStart: true }: _timeLine++; break;
+            case ClockLine { IsNewStart: true }: StartTimeLine(); break;
             case LostLine lost: Lost += lost.Count; break;
         }
         if (_values.Count + _displayed.Count + _planned > MostNumbers)
@@ -73,11 +82,42 @@ sealed class RecordedSession
 
     void Add(SampleLine sample)
     {
+        if (sample.ControlArrival is { } arrival) AddFramesUntil(arrival);
+        if (!_namesJoints)
+            foreach (var name in sample.Names) _joints.TryAdd(name, _joints.Count);
         var first = _values.Count;
         for (var i = 0; i < sample.Names.Length; i++)
             if (_joints.TryGetValue(sample.Names[i], out var joint)) _values.Add(new Value(
                 joint, sample.Positions[i], sample.Velocities?[i] ?? double.NaN, sample.Accelerations?[i] ?? double.NaN));
         _events.Add(new Event(EventKind.Sample, sample.Stamp, true, _timeLine, first, _values.Count - first));
+    }
+
+    // A gateway displays nothing: frames stand in for those of a headset that has what arrives at once, and shows it at once.
+    void AddFramesUntil(ControlTime arrival)
+    {
+        var next = _nextFrame ?? arrival;
+        // Nothing is displayed of a source that was away.
+        if (next + Header.Prediction.MaximumGap < arrival) next = arrival;
+        for (; next < arrival; next += FrameInterval)
+        {
+            Frames++;
+            _events.Add(new Event(EventKind.Frame, next, true, _timeLine, _displayed.Count, 0));
+        }
+        _nextFrame = next;
+    }
+
+    void StartTimeLine()
+    {
+        _timeLine++;
+        _nextFrame = null;
+    }
+
+    void NameJoints()
+    {
+        if (!_namesJoints) Header = Header with
+        {
+            Joints = [.. _joints.OrderBy(joint => joint.Value).Select(joint => new SessionHeader.Joint(joint.Key, "rad", JointLimits.None))],
+        };
     }
 
     void Add(PlanLine line)

@@ -1,4 +1,4 @@
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Replay;

@@ -1,7 +1,7 @@
 using System.CommandLine;
 using Nowpose.Cli.Sessions;
 using Nowpose.Gateway.Options;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Replay;
 

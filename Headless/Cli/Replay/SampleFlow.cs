@@ -1,4 +1,4 @@
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Replay;
 

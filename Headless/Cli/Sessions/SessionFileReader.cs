@@ -1,5 +1,5 @@
 using System.Text.Json;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Recording;
 
 namespace Nowpose.Cli.Sessions;

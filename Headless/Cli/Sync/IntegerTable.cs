@@ -1,7 +1,7 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Sync;
 

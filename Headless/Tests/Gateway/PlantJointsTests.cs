@@ -1,6 +1,6 @@
 using NUnit.Framework;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Kinematics;
 using Nowpose.Motion;

@@ -1,5 +1,5 @@
 using NUnit.Framework;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Robots;
 using Nowpose.Headless.Tests.Cli;
 using RecordedPlant = Nowpose.Gateway.Plants.RecordedMotion;

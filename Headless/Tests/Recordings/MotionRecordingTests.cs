@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.IO.Compression;
 using System.Text;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests;

@@ -1,5 +1,5 @@
 using Nowpose.Cli.Replay;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests;

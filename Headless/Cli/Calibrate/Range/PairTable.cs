@@ -1,7 +1,7 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
-using Nowpose.Gateway.Recordings;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;

@@ -1,6 +1,6 @@
 using System.IO.Compression;
 
-namespace Nowpose.Gateway.Recordings;
+namespace Nowpose.Gateway.MotionRecordings;
 
 /// <summary>Opens text files that users name, compressed or not, with errors a user understands.</summary>
 public static class RecordingText

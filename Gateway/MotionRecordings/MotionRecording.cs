@@ -1,4 +1,4 @@
-namespace Nowpose.Gateway.Recordings;
+namespace Nowpose.Gateway.MotionRecordings;
 
 /// <summary>Joint positions over time as a user recorded them; between two rows they move on a straight line.</summary>
 /// <remarks>

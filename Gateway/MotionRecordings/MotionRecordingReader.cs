@@ -2,7 +2,7 @@ using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
 
-namespace Nowpose.Gateway.Recordings;
+namespace Nowpose.Gateway.MotionRecordings;
 
 /// <summary>Reads one motion recording row by row and says where it is wrong.</summary>
 sealed class MotionRecordingReader : IDisposable
