@@ -8,7 +8,7 @@ namespace Nowpose.Vision;
 /// <summary>A process under Node.js that looks at one picture at a time. Not thread-safe.</summary>
 sealed class VisionWorker : IDisposable
 {
-    const string Needed = "Node.js 18 or newer is needed to read pictures";
+    const string Needed = "Node.js 20 or newer is needed to read pictures";
     const int ErrorsKept = 4000;
 
     static readonly string Script = Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs");

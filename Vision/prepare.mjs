@@ -1,4 +1,4 @@
-// What a build of Vision.csproj runs; sources and outputs are its VisionSource and BundledWorker.
+// What a build of Vision.csproj runs; sources and outputs are its BundleSource and Bundled.
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { prepare } from '../Web/preparation.mjs';

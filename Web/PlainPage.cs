@@ -24,7 +24,7 @@ static class PlainPage
     }
 
     public static string End(StringBuilder html) =>
-        html.Append("<p>This page has no plots: Nowpose was built without Node.js. Install Node.js 18 or newer with npm, ")
+        html.Append("<p>This page has no plots: Nowpose was built without Node.js. Install Node.js 20 or newer with npm, ")
             .Append("build again, and the next page has them.</p>\n</body>\n</html>\n").ToString();
 
     public static void Table(StringBuilder html, string caption, IEnumerable<string> header, IEnumerable<IEnumerable<string>> rows)

@@ -24,7 +24,7 @@ public static class PlainReport
         AppendSummary(page, report);
         AppendFacts(page, report, "facts", "Measured");
         AppendFacts(page, report, "settings", "Settings");
-        return page.Append("<p>This page has no plots: Nowpose was built without Node.js. Install Node.js 18 or newer with npm, ")
+        return page.Append("<p>This page has no plots: Nowpose was built without Node.js. Install Node.js 20 or newer with npm, ")
             .Append("build again, and the next report has them.</p>\n</body>\n</html>\n").ToString();
     }
 

@@ -1,4 +1,4 @@
-// Makes dist/report.html, figures.html, calibration.html, vlc.html and pairing.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
+// Makes dist/report.html, figures.html, calibration.html, vlc.html, pairing.html and operations.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -7,13 +7,37 @@ import { build } from 'esbuild';
 const web = dirname(fileURLToPath(import.meta.url));
 const read = path => readFileSync(join(web, path), 'utf8');
 
-const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts', vlc: 'src/vlc/main.ts', pairing: 'src/pairing/main.ts' };
+const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration: 'src/calibration/main.ts', vlc: 'src/vlc/main.ts', pairing: 'src/pairing/main.ts', operations: 'src/operations/main.ts' };
 const withPlots = 'src/page.html';
-const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html', pairing: 'src/pairing/pairing.html' };
+const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html', pairing: 'src/pairing/pairing.html', operations: 'src/operations/operations.html' };
 
+// The licence of what is copied into a page goes with it.
 // qrcode-generator says who made it in its source and that it is MIT; the words of that licence are those of our own.
 const mit = read('../LICENSE').replace(/^[^]*?(?=Permission is hereby granted)/, '');
 const maker = /Copyright \(c\) [^\r\n]*/.exec(read('node_modules/qrcode-generator/dist/qrcode.mjs'))[0];
+
+const readme = read('node_modules/urdf-loader/README.md');
+const licences = {
+  uPlot: read('node_modules/uplot/LICENSE'),
+  'qrcode-generator': `${maker}\n\n${mit}`,
+  'three.js': read('node_modules/three/LICENSE'),
+  // Its words are the same in every package that has them.
+  'urdf-loader': `${readme.slice(readme.indexOf('Copyright ©')).trim()}\n\n${read('node_modules/playwright-core/LICENSE').replace(/(?<=END OF TERMS AND CONDITIONS)[^]*/, '')}`,
+};
+const plots = ['uPlot'], robots = ['three.js', 'urdf-loader'];
+const contents = {
+  report: [...plots, ...robots], figures: plots, calibration: plots, vlc: [], pairing: ['qrcode-generator'],
+  operations: [...plots, ...robots, 'qrcode-generator'],
+};
+
+// Meshes of a robot lie nowhere a page could load them from.
+const noMeshes = {
+  name: 'no-meshes',
+  setup(build) {
+    build.onResolve({ filter: /^three\/examples\/jsm\/loaders\// }, ({ path }) => ({ path, namespace: 'no-meshes' }));
+    build.onLoad({ filter: /.*/, namespace: 'no-meshes' }, () => ({ contents: 'export class STLLoader {}\nexport class ColladaLoader {}' }));
+  },
+};
 
 const { outputFiles } = await build({
   absWorkingDir: web,
@@ -25,18 +49,17 @@ const { outputFiles } = await build({
   target: 'es2020',
   format: 'iife',
   charset: 'utf8',
+  legalComments: 'none',
+  plugins: [noMeshes],
 });
+const licenceText = names => names.map(name => `<!-- Contains ${name}.\n${licences[name].replaceAll('--', '- -')}\n-->`).join('\n');
 const output = name => outputFiles.find(f => f.path.endsWith(name)).text;
 
 mkdirSync(join(web, 'dist'), { recursive: true });
 for (const [name, template] of Object.entries(templates)) {
   const parts = {
-    ...(template === withPlots ? {
-      // The licence of what is copied into the page goes with it.
-      '<!--LICENCE-->': `<!-- Contains uPlot.\n${read('node_modules/uplot/LICENSE').replaceAll('--', '- -')}-->`,
-      '<!--NAME-->': name,
-    } : {}),
-    ...(name === 'pairing' ? { '<!--LICENCE-->': `<!-- Contains qrcode-generator.\n${maker}\n\n${mit}-->` } : {}),
+    ...(template === withPlots ? { '<!--NAME-->': name } : {}),
+    ...(contents[name].length > 0 ? { '<!--LICENCE-->': licenceText(contents[name]) } : {}),
     '/*STYLE*/': output(`${name}.css`).replaceAll('</style', '<\\/style'),
     '/*SCRIPT*/': output(`${name}.js`).replaceAll('</script', '<\\/script'),
   };

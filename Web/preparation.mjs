@@ -1,4 +1,4 @@
-// What builds of Web.csproj and Vision.csproj run: installs the pinned packages when package-lock.json changed and bundles when
+// What builds of projects with bundling.targets run: installs the pinned packages when package-lock.json changed and bundles when
 // a source changed. Builds that run at the same time take turns.
 // Status: 0 done, 3 the packages cannot be had here (the build goes on without), 1 the sources are at fault.
 import { execSync } from 'node:child_process';
@@ -63,8 +63,8 @@ function isCurrent(folder, sources, outputs) {
  * @param outputs What bundle.mjs writes to dist.
  */
 export async function prepare({ folder, sources, outputs }) {
-  if (Number(process.versions.node.split('.')[0]) < 18) {
-    console.error(`Node.js ${process.versions.node} is too old; 18 or newer is needed`);
+  if (Number(process.versions.node.split('.')[0]) < 20) {
+    console.error(`Node.js ${process.versions.node} is too old; 20 or newer is needed`);
     return unavailable;
   }
   const lock = join(folder, 'obj', 'prepare.lock');

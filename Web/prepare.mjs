@@ -1,4 +1,4 @@
-// What a build of Web.csproj runs; sources and outputs are its PageSource and BundledPage.
+// What a build of Web.csproj runs; sources and outputs are its BundleSource and Bundled.
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { prepare } from './preparation.mjs';
@@ -6,5 +6,5 @@ import { prepare } from './preparation.mjs';
 process.exitCode = await prepare({
   folder: dirname(fileURLToPath(import.meta.url)),
   sources: ['src', 'package-lock.json', 'bundle.mjs', 'prepare.mjs', 'preparation.mjs'],
-  outputs: ['report.html', 'figures.html', 'calibration.html', 'vlc.html', 'pairing.html'],
+  outputs: ['report.html', 'figures.html', 'calibration.html', 'vlc.html', 'pairing.html', 'operations.html'],
 });

@@ -44,6 +44,22 @@ export class Chart {
     this.setRange(this.full.x, this.full.y);
   }
 
+  /** Puts the cursor on a place of the horizontal axis; takes it away where that is not shown. */
+  pointAt(x: number): void {
+    const left = this.plot.valToPos(x, 'x'), isShown = left >= 0 && left <= this.plot.over.clientWidth;
+    this.plot.setCursor(isShown ? { left, top: this.plot.over.clientHeight / 2 } : { left: -10, top: -10 });
+  }
+
+  /** Other data, over a stretch of x that is shown unless somebody has zoomed. */
+  show(data: uPlot.AlignedData, x: [number, number]): void {
+    const isFull = this.range('x').every((end, i) => end === this.full.x[i]);
+    this.full.x = x;
+    this.plot.batch(() => {
+      this.plot.setData(data, false);
+      if (isFull) this.plot.setScale('x', { min: x[0], max: x[1] });
+    });
+  }
+
   fit(): void {
     const width = Math.floor(this.element.clientWidth);
     if (width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: this.options.height });

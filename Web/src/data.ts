@@ -11,6 +11,7 @@ export interface Report {
   clock?: ClockData | null;
   latency?: LatencyData | null;
   range?: RangeData | null;
+  playback?: PlaybackData | null;
 }
 
 export type Value = number | null;
@@ -78,6 +79,16 @@ export interface RangeData {
   visu_ms: Value[];
   limit_ms?: Value;
   alarms?: [from: number, to: number][] | null;
+}
+
+/** Seconds since start; for each instant one position of each joint, rad or m. */
+export interface PlaybackData {
+  urdf: string;
+  names: string[];
+  t: number[];
+  truth: number[][];
+  displayed: number[][];
+  hold: number[][];
 }
 
 export function hasPoints(values: ArrayLike<unknown> | null | undefined): boolean {

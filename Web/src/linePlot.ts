@@ -4,6 +4,7 @@ import type { Ink } from './theme';
 import { colour } from './theme';
 import { Legend } from './legend';
 import { format } from './numbers';
+import type { Playhead } from './playhead';
 import type { Trace } from './traces';
 
 export interface Quantity {
@@ -35,6 +36,8 @@ export interface LinePlotOptions {
   band?: Ink;
   /** The vertical axis begins at 0. */
   fromZero?: boolean;
+  /** Shared with other plots over the same time. */
+  playhead?: Playhead;
   /** The vertical axis is this long both ways, whatever runs out of it. */
   yExtent?: number;
 }
@@ -65,10 +68,12 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
     onCursor: (u, inside) => {
       if (!inside) return legend.show('');
       const time = u.posToVal(u.cursor.left!, 'x');
+      options.playhead?.move(time, chart);
       const { x } = options;
       legend.show(x ? `${x.name} ${format(time, x.unit)}` : `t = ${time.toFixed(3)} s`, entries.map(e => format(valueAt(e.trace, time), unit)));
     },
   });
+  options.playhead?.follow((time, mover) => { if (mover !== chart) chart.pointAt(time); });
   return { chart, legend };
 }
 

@@ -1,9 +1,12 @@
 import 'uplot/dist/uPlot.min.css';
 import './report.css';
+import './robot/robot.css';
 import { hasPoints, readReport, type Report, type SummaryRow } from './data';
 import { el } from './dom';
 import { PAPER } from './figures';
 import { format } from './numbers';
+import { Playback } from './playback';
+import { Playhead } from './playhead';
 import { rangeSection } from './rangeSection';
 import { clockSection, errorSection, fieldSection, jointSection, latencySection } from './sections';
 import { factTable, reductionOf, summaryTable } from './tables';
@@ -39,16 +42,18 @@ function facts(report: Report): HTMLElement {
 function page(report: Report): Node[] {
   const hint = 'Drag across a plot to zoom, double-click to reset, point at it to read values; '
     + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.';
+  const playhead = hasPoints(report.playback?.t) ? new Playhead() : undefined;
   return [
     el('header', {}, el('h1', {}, report.title || 'Nowpose report'), report.subtitle ? el('p', {}, report.subtitle) : null),
     el('main', {},
-      el('div', { class: 'first' }, overview(report), errorSection(report.error)),
+      el('div', { class: 'first' }, overview(report), errorSection(report.error, playhead)),
       el('p', { class: 'hint' }, hint),
-      jointSection(report.joint),
+      playhead ? new Playback(report.playback!, playhead).element : null,
+      jointSection(report.joint, playhead),
       fieldSection(report.field),
-      clockSection(report.clock),
+      clockSection(report.clock, playhead),
       latencySection(report.latency),
-      report.range ? rangeSection(report.range) : null,
+      report.range ? rangeSection(report.range, playhead) : null,
       facts(report)),
     el('footer', {}, el('p', {}, 'Method: M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop '
       + 'simulations of production systems”, Production Engineering (2022), ',

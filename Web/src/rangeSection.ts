@@ -2,11 +2,12 @@ import type { RangeData } from './data';
 import { figure, type FigureOptions, notMeasured } from './figures';
 import { linePlot } from './linePlot';
 import { format } from './numbers';
+import type { Playhead } from './playhead';
 import { inWords, numbersOf, trace } from './sections';
 import { LOOKS } from './traces';
 
 /** What a load does to render time and visualisation latency, and what the runtime said meanwhile. */
-export function rangeSection(range: RangeData): HTMLElement {
+export function rangeSection(range: RangeData, playhead?: Playhead): HTMLElement {
   const options: FigureOptions = {
     id: 'range',
     title: 'Constant-latency range',
@@ -24,7 +25,7 @@ export function rangeSection(range: RangeData): HTMLElement {
     : spans.map(([from, to]) => `Alarm from ${format(from)} to ${format(to, 's')}.`).join(' ');
   const plot = (what: string, yLabel: string, traces: typeof render) => linePlot({
     description: `${what} of each frame over time. ${inWords(traces, 'ms')} ${alarms}`,
-    height: 220, yLabel, unit: 'ms', traces, spans, fromZero: true });
+    height: 220, yLabel, unit: 'ms', traces, spans, playhead, fromZero: true });
   return figure(options,
     [plot('Render time', 'render time (ms)', [...render, ...limit]), plot('Visualisation latency', 'L_visu (ms)', visu)],
     numbersOf('Display', 'ms', [...render, ...visu]));

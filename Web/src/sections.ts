@@ -5,10 +5,11 @@ import { figure, type FigureOptions, notMeasured } from './figures';
 import { histogram } from './histogram';
 import { linePlot } from './linePlot';
 import { format, statistics } from './numbers';
+import type { Playhead } from './playhead';
 import { factTable, statisticsTable } from './tables';
 import { LOOKS, type Trace } from './traces';
 
-export function errorSection(error: ErrorData | null | undefined): HTMLElement {
+export function errorSection(error: ErrorData | null | undefined, playhead?: Playhead): HTMLElement {
   const options: FigureOptions = {
     id: 'error',
     title: 'Tool error over time',
@@ -21,11 +22,11 @@ export function errorSection(error: ErrorData | null | undefined): HTMLElement {
   ].flat();
   if (traces.length === 0) return notMeasured(options);
   const description = `Distance between the drawn and the true tool over time. ${inWords(traces, 'mm')}`;
-  return figure(options, [linePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, fromZero: true })],
+  return figure(options, [linePlot({ description, height: 300, yLabel: 'tool error (mm)', unit: 'mm', traces, playhead, fromZero: true })],
     numbersOf('Tool error', 'mm', traces));
 }
 
-export function jointSection(joint: JointData | null | undefined): HTMLElement {
+export function jointSection(joint: JointData | null | undefined, playhead?: Playhead): HTMLElement {
   const options: FigureOptions = {
     id: 'joint',
     title: joint?.name ? `Joint position: ${joint.name}` : 'Joint position',
@@ -41,7 +42,7 @@ export function jointSection(joint: JointData | null | undefined): HTMLElement {
   if (traces.length === 0) return notMeasured(options);
   const unit = joint!.unit;
   const description = `Position of joint ${joint!.name} over control time. ${inWords(traces, unit)}`;
-  return figure(options, [linePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces })],
+  return figure(options, [linePlot({ description, height: 300, yLabel: `position (${unit})`, unit, traces, playhead })],
     numbersOf('Joint position', unit, traces));
 }
 
@@ -63,7 +64,7 @@ export function fieldSection(field: FieldData | null | undefined): HTMLElement {
     statisticsTable('Latency of the operating points', 'ms', rows.map(([label, s]) => [label, s])));
 }
 
-export function clockSection(clock: ClockData | null | undefined): HTMLElement {
+export function clockSection(clock: ClockData | null | undefined, playhead?: Playhead): HTMLElement {
   const options: FigureOptions = {
     id: 'clock',
     title: 'Clock synchronisation',
@@ -84,10 +85,10 @@ export function clockSection(clock: ClockData | null | undefined): HTMLElement {
   const plots = [];
   if (offset.length > 0) plots.push(linePlot({
     description: `Clock offset relative to the first estimate, over time. ${inWords(offset, 'µs')}`,
-    height: 200, yLabel: 'offset (µs)', unit: 'µs', traces: offset }));
+    height: 200, yLabel: 'offset (µs)', unit: 'µs', traces: offset, playhead }));
   if (error.length > 0) plots.push(linePlot({
     description: `Error of the clock offset with its bound, over time. ${inWords(error, 'µs')}${note}`,
-    height: 260, yLabel: 'offset error (µs)', unit: 'µs', traces: error, yExtent: extent,
+    height: 260, yLabel: 'offset error (µs)', unit: 'µs', traces: error, playhead, yExtent: extent,
     band: error.some(t => t.mirror) ? '--band' : undefined }));
   return figure({ ...options, claim: options.claim + note }, plots, numbersOf('Clock', 'µs', [...offset, ...error]));
 }

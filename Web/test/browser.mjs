@@ -5,7 +5,12 @@ import { delimiter, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+// Without a graphics card the processor draws what WebGL asks for.
+// Plots it draws worse and more slowly that way.
+export const WEBGL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-accelerated-2d-canvas'];
+export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
+
+const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync'];
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'chrome'];
 const read = name => readFileSync(new URL(`../dist/${name}.html`, import.meta.url), 'utf8');
@@ -31,12 +36,15 @@ export function render(data, name = 'report') {
 }
 
 export class Browser {
-  /** @param name Of the page: report or figures. */
-  static async start(name = 'report') {
+  /**
+   * @param name Of the page: report or figures.
+   * @param graphics WEBGL, NO_WEBGL, or those of a page that draws plots only.
+   */
+  static async start(name = 'report', graphics = ['--disable-gpu']) {
     const self = new Browser();
     self.name = name;
     self.folder = mkdtempSync(join(tmpdir(), 'nowpose-web-'));
-    self.browser = await chromium.launch({ executablePath: executable(), args: FLAGS });
+    self.browser = await chromium.launch({ executablePath: executable(), args: [...FLAGS, ...graphics] });
     return self;
   }
 

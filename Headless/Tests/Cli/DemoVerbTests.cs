@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
@@ -32,7 +33,9 @@ public class DemoVerbTests
         Assert.That(hindcast, Is.EqualTo(result.GetProperty("tool_error_mm").GetProperty("reduction").GetDouble()).Within(0.03), "measured without the truth");
         Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(600));
         Assert.That(result.GetProperty("network").GetString(), Is.EqualTo("wifi"));
-        Assert.That(File.ReadAllText(Path.Combine(_folder, "report.html")), Does.Contain("Nowpose demo: youbot"));
+        var report = File.ReadAllText(Path.Combine(_folder, "report.html"));
+        Assert.That(report, Does.Contain("Nowpose demo: youbot"));
+        if (Nowpose.Web.ReportPage.HasPlots) AssertPlayback(report);
         Assert.That(run.Output, Does.Contain("report.html").And.Contain("uncompensated"));
         Assert.That(run.Errors, Does.Contain("of 10 s"), "progress");
     }
@@ -164,4 +167,20 @@ public class DemoVerbTests
     }
 
     static string Names(JsonElement element) => string.Join(' ', element.EnumerateObject().Select(property => property.Name));
+
+    // The instants that the page plays back: as many of each, at most every second frame, and what was displayed nearer to the truth.
+    static void AssertPlayback(string report)
+    {
+        var json = Regex.Match(report, "id=\"report-data\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value;
+        var playback = JsonDocument.Parse(json).RootElement.GetProperty("playback");
+        double[][] Track(string name) => playback.GetProperty(name).Deserialize<double[][]>();
+        var (truth, displayed, hold) = (Track("truth"), Track("displayed"), Track("hold"));
+        var names = playback.GetProperty("names").GetArrayLength();
+
+        Assert.That(playback.GetProperty("urdf").GetString(), Does.Contain("<robot"));
+        Assert.That(playback.GetProperty("t").GetArrayLength(), Is.EqualTo(truth.Length).And.GreaterThan(30));
+        Assert.That(truth.Concat(displayed).Concat(hold), Has.All.Length.EqualTo(names));
+        double Off(double[][] shown) => truth.Zip(shown).Skip(truth.Length / 2).Sum(at => Math.Abs(at.First[0] - at.Second[0]));
+        Assert.That(Off(displayed), Is.LessThan(Off(hold)));
+    }
 }

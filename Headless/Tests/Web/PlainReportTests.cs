@@ -49,7 +49,7 @@ public sealed class PlainReportTests
     [Test]
     public void Render_NoNode_SaysHowToGetPlots()
     {
-        Assert.That(Render("{}"), Does.Contain("Install Node.js 18 or newer"));
+        Assert.That(Render("{}"), Does.Contain("Install Node.js 20 or newer"));
     }
 
     static string Render(string json)

@@ -9,20 +9,34 @@ let text = '';
 let endsAt = 0;
 let trouble = '';
 
-/** Shows the gateway's code, for how long it is worth something, and the next one when it is used or too old. */
-export function startToken(): void {
-  byId('renew').addEventListener('click', () => void show({ renew: '' }));
-  setInterval(tick, 500);
-  void poll();
+/**
+ * Shows the gateway's code, for how long it is worth something, and the next one when it is used or too old.
+ * @returns What ends it: no code is shown then, and none is asked for.
+ */
+export function startToken(): () => void {
+  const end = new AbortController();
+  byId('renew').addEventListener('click', () => void show({ renew: '' }, end.signal), { signal: end.signal });
+  const ticking = setInterval(tick, 500);
+  void poll(end.signal);
+  return () => {
+    end.abort();
+    clearInterval(ticking);
+    text = '';
+    byId('token').replaceChildren();
+  };
 }
 
-async function poll(): Promise<void> {
-  await show({});
-  setTimeout(() => void poll(), POLL_MS);
+async function poll(end: AbortSignal): Promise<void> {
+  while (!end.aborted) {
+    await show({}, end);
+    await new Promise(resolve => setTimeout(resolve, POLL_MS));
+  }
 }
 
-async function show(fields: Record<string, string>): Promise<void> {
+async function show(fields: Record<string, string>, end: AbortSignal): Promise<void> {
   const answer: Answer<ShownCode> = await ask('code', fields);
+  // Hidden meanwhile: the secret must not come back.
+  if (end.aborted) return;
   if ('trouble' in answer) trouble = answer.trouble;
   else {
     trouble = '';

@@ -1,0 +1,43 @@
+using Nowpose.Session;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>The session for the report's 3D playback: where all joints were, were displayed and would have been held.</summary>
+/// <remarks>At most 3600 instants, about two minutes of 30 a second: a page that is sent by mail must not grow with the run.</remarks>
+sealed class DemoPlayback(DemoRun run, ControlTime start)
+{
+    const int GreatestInstants = 3600;
+
+    /// <summary>Every second frame shows a motion as well as each.</summary>
+    const int LeastStep = 2;
+
+    readonly int _joints = run.Settings.Robot.MovingJoints.Count;
+
+    /// <summary>The fields are those of <c>Web/src/data.ts</c>; null when nothing was displayed.</summary>
+    public object Instants()
+    {
+        var rows = run.Frames.Rows;
+        var shown = Enumerable.Range(0, rows.Count).Where(i => rows[i].State != PoseState.Incomplete).ToList();
+        var step = Math.Max(LeastStep, (shown.Count + GreatestInstants - 1) / GreatestInstants);
+        var frames = shown.Where((_, i) => i % step == 0).ToList();
+        return frames.Count == 0 ? null : new
+        {
+            Urdf = run.Settings.RobotText,
+            Names = run.Settings.Robot.MovingJoints.Select(joint => joint.Name),
+            T = frames.Select(frame => Math.Round((rows[frame].TrueLight - start).TotalSeconds, 4)),
+            Truth = frames.Select(TruthAt),
+            Displayed = frames.Select(frame => Joints(joint => run.Frames.Displayed(frame, joint))),
+            Hold = frames.Select(frame => Joints(joint => run.Frames.Held(frame, joint))),
+        };
+    }
+
+    double[] TruthAt(int frame)
+    {
+        var joints = new double[_joints];
+        run.Truth.JointsAt(run.Frames.Rows[frame].TrueLight, joints);
+        return Joints(joint => joints[joint]);
+    }
+
+    // A tenth of a millimetre at two metres.
+    double[] Joints(Func<int, double> position) => [.. Enumerable.Range(0, _joints).Select(joint => Math.Round(position(joint), 5))];
+}

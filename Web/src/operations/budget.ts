@@ -1,0 +1,47 @@
+import { el } from '../dom';
+import { format } from '../numbers';
+import { type Column, LiveTable } from './liveTable';
+import { type Headset, type Hop, HOPS } from './state';
+
+const MEANING: Record<Hop, string> = {
+  plant: 'from the sample to its arrival at the gateway', gateway: 'within the gateway', network: 'half the round trip',
+  queue: 'waiting on the way', render: 'the render job', display: 'from the rendered picture to its light',
+};
+
+/** Where the latency of each headset comes from, hop by hop: as numbers, and as a bar for the eye. */
+export class Budget {
+  readonly element: HTMLElement;
+  private readonly bars = new Map<string, HTMLElement>();
+  private readonly table: LiveTable<Headset>;
+
+  constructor() {
+    const columns: Column<Headset>[] = HOPS.map(hop => ({ label: `${hop} (ms)`, isNumber: true, cell: h => format(h.budget_ms?.[hop]) }));
+    this.table = new LiveTable<Headset>('Latency by hop', [...columns, { label: 'together (ms)', isNumber: true, cell: h => format(totalOf(h)) }],
+      headset => headset.name, 'No headset has told its latency yet.', name => this.barOf(name), 'Headset');
+    const legend = HOPS.map(hop => el('li', {}, el('span', { class: `hop ${hop}`, 'aria-hidden': 'true' }), `${hop}: ${MEANING[hop]}`));
+    this.element = el('div', {}, el('ul', { class: 'hops' }, ...legend), this.table.element);
+  }
+
+  show(headsets: Headset[]): void {
+    const told = headsets.filter(h => totalOf(h) != null);
+    this.table.show(told);
+    const longest = Math.max(1, ...told.map(h => totalOf(h)!));
+    for (const headset of told) {
+      const spans = this.bars.get(headset.name)!.children as HTMLCollectionOf<HTMLElement>;
+      HOPS.forEach((hop, i) => { spans[i].style.width = `${(100 * (headset.budget_ms?.[hop] ?? 0)) / longest}%`; });
+    }
+    for (const name of this.bars.keys()) if (!told.some(h => h.name === name)) this.bars.delete(name);
+  }
+
+  private barOf(name: string): Node {
+    const bar = el('div', { class: 'stack', 'aria-hidden': 'true' }, ...HOPS.map(hop => el('span', { class: `hop ${hop}` })));
+    this.bars.set(name, bar);
+    return el('div', {}, name, bar);
+  }
+}
+
+/** Null where no hop is known. */
+function totalOf(headset: Headset): number | null {
+  const known = HOPS.map(hop => headset.budget_ms?.[hop]).filter((v): v is number => v != null);
+  return known.length === 0 ? null : known.reduce((a, b) => a + b, 0);
+}

@@ -1,0 +1,66 @@
+import { el } from '../dom';
+import { format } from '../numbers';
+import { LiveTable } from './liveTable';
+import { type Headset, numberOf, textOf } from './state';
+
+/** Silent for longer than this, what it said is no news. */
+const SILENT_S = 3;
+
+const number = (label: string, key: string, digits = (v: number) => v) => ({
+  label, isNumber: true, cell: (headset: Headset) => { const v = numberOf(headset, key); return format(v == null ? null : digits(v)); },
+});
+
+/** What each headset says of itself; one of them is chosen, for plots and the view of the robot. */
+export class Headsets {
+  readonly element: HTMLElement;
+  private chosenName: string | null = null;
+  private readonly table: LiveTable<Headset>;
+
+  constructor(private readonly chosenChanged: (name: string | null) => void) {
+    this.table = new LiveTable<Headset>('Headsets', [
+      { label: 'Clock', cell: headset => stateOf(headset) },
+      number('Clock within (µs)', 'error_bound_us'),
+      number('Error (mm)', 'error_mm'),
+      number('Held (mm)', 'error_mm_hold'),
+      number('Error reduction (%)', 'reduction', v => 100 * v),
+      number('RTT (ms)', 'rtt_ms'),
+      number('L_app (ms)', 'l_app_ms'),
+      number('L_visu (ms)', 'l_visu_ms'),
+      { label: 'Render time', cell: headset => rangeOf(headset) },
+      number('Samples', 'samples'),
+      number('Dropped', 'dropped'),
+    ], headset => headset.name, 'No headset is connected.', name => this.choiceOf(name), 'Shown');
+    this.element = this.table.element;
+  }
+
+  get chosen(): string | null { return this.chosenName; }
+
+  show(headsets: Headset[]): void {
+    this.table.show(headsets);
+    if (!headsets.some(h => h.name === this.chosenName)) this.choose(headsets[0]?.name ?? null);
+  }
+
+  private choose(name: string | null): void {
+    if (name === this.chosenName) return;
+    this.chosenName = name;
+    for (const input of this.element.querySelectorAll('input')) input.checked = input.value === name;
+    this.chosenChanged(name);
+  }
+
+  private choiceOf(name: string): Node {
+    const input = el('input', { type: 'radio', name: 'headset', value: name });
+    input.addEventListener('change', () => this.choose(name));
+    return el('label', {}, input, name);
+  }
+}
+
+function stateOf(headset: Headset): string {
+  return headset.seen_s_ago > SILENT_S ? `silent for ${Math.round(headset.seen_s_ago)} s` : textOf(headset, 'state') || 'not known';
+}
+
+function rangeOf(headset: Headset): string {
+  const range = textOf(headset, 'range');
+  const word = range === 'inside' ? 'in range' : range === 'outside' ? 'OUT OF RANGE' : range || 'no range known';
+  const render = numberOf(headset, 'render_ms');
+  return render == null ? word : `${word}, ${format(render, 'ms')}`;
+}

@@ -1,0 +1,69 @@
+import type uPlot from 'uplot';
+import { Chart } from '../chart';
+import { plotBlock } from '../figures';
+import { Legend } from '../legend';
+import { format } from '../numbers';
+import { colour } from '../theme';
+import type { Look } from '../traces';
+
+/** So much of the past is shown, in seconds. */
+export const WINDOW_S = 120;
+
+export interface LiveTrace {
+  label: string;
+  look: Look;
+}
+
+/** Numbers of the last two minutes, one of each trace a second. */
+export class LivePlot {
+  readonly element: HTMLElement;
+  private readonly chart: Chart;
+  private readonly legend: Legend;
+  private times: number[] = [];
+  private values: (number | null)[][];
+
+  /** @param description Says in words what the plot shows. */
+  constructor(description: string, yLabel: string, private readonly unit: string, private readonly traces: LiveTrace[]) {
+    this.values = traces.map(() => []);
+    this.legend = new Legend(traces.map(({ label, look }, i) => ({ label, look, toggle: show => this.chart.plot.setSeries(i + 1, { show }) })));
+    this.chart = new Chart({
+      description, height: 200, xLabel: 'time (s), 0 is now', yLabel,
+      data: this.data(),
+      series: [{}, ...traces.map(({ label, look }): uPlot.Series => ({
+        label, width: look.width, dash: look.dash, stroke: () => colour(look.ink), points: { show: u => u.data[0].length < 3 },
+      }))],
+      scales: { x: { range: (_u, min, max) => [min ?? -WINDOW_S, max ?? 0] }, y: { range: { min: { pad: 0.1, soft: 0, mode: 1 }, max: { pad: 0.1, soft: 0.1, mode: 2 } } } },
+      onCursor: (u, inside) => this.tell(inside ? u.cursor.idx ?? null : null),
+    });
+    this.element = plotBlock({ chart: this.chart, legend: this.legend });
+    this.chart.show(this.data(), [-WINDOW_S, 0]);
+  }
+
+  add(time: number, values: (number | null)[]): void {
+    this.times.push(time);
+    values.forEach((value, i) => this.values[i].push(value));
+    const old = this.times.findIndex(t => t >= time - WINDOW_S);
+    for (const list of [this.times, ...this.values]) list.splice(0, old);
+    this.chart.show(this.data(), [-WINDOW_S, 0]);
+    if ((this.chart.plot.cursor.left ?? -1) < 0) this.tell(null);
+  }
+
+  /** Of another headset is another story. */
+  clear(): void {
+    this.times = [];
+    this.values = this.traces.map(() => []);
+    this.chart.show(this.data(), [-WINDOW_S, 0]);
+  }
+
+  private data(): uPlot.AlignedData {
+    const now = this.times[this.times.length - 1] ?? 0;
+    return [this.times.map(t => t - now), ...this.values] as uPlot.AlignedData;
+  }
+
+  // The newest where nobody points.
+  private tell(at: number | null): void {
+    const i = at ?? this.times.length - 1;
+    const { plot } = this.chart;
+    this.legend.show(at == null ? '' : `${format(plot.data[0][at], 's')}`, this.values.map(v => format(v[i], this.unit)));
+  }
+}

@@ -1,0 +1,69 @@
+import { el } from '../dom';
+import { scrollable } from '../tables';
+
+export interface Column<T> {
+  label: string;
+  /** Text, or something that is made once for each row. */
+  cell: (item: T) => string;
+  /** Numbers stand to the right. */
+  isNumber?: boolean;
+}
+
+/** A table whose rows stay what they are while their text changes: the focus and a reader's place in it are not lost. */
+export class LiveTable<T> {
+  readonly element: HTMLElement;
+  private readonly table: HTMLTableElement;
+  private readonly rows = new Map<string, { body: HTMLElement; cells: HTMLElement[]; note: HTMLElement }>();
+  private readonly none: HTMLElement;
+
+  /**
+   * @param key Names a row, and no other.
+   * @param head Makes what stands first in a row, once.
+   * @param noteOf What is too long for a column, as a line below the row; none where it is empty.
+   */
+  constructor(
+    private readonly caption: string, private readonly columns: Column<T>[], private readonly key: (item: T) => string,
+    none: string, private readonly head: (key: string) => Node | string = name => name, first = 'Name',
+    private readonly noteOf: (item: T) => string = () => '') {
+    this.none = el('p', { class: 'missing' }, none);
+    const labels = [el('th', { scope: 'col' }, first), ...columns.map(c => el('th', { scope: 'col', class: c.isNumber ? 'n' : null }, c.label))];
+    this.table = el('table', {}, el('caption', {}, caption), el('thead', {}, el('tr', {}, ...labels)));
+    this.element = el('div', { class: 'live' }, scrollable(this.caption, this.table), this.none);
+  }
+
+  show(items: T[]): void {
+    const wanted = new Set(items.map(this.key));
+    for (const [key, { body }] of this.rows) {
+      if (wanted.has(key)) continue;
+      body.remove();
+      this.rows.delete(key);
+    }
+    items.forEach((item, place) => this.fill(item, place));
+    (this.element.firstElementChild as HTMLElement).hidden = items.length === 0;
+    this.none.hidden = items.length > 0;
+  }
+
+  private fill(item: T, place: number): void {
+    const key = this.key(item);
+    let entry = this.rows.get(key);
+    if (!entry) this.rows.set(key, entry = this.entryOf(key));
+    const { body, cells, note } = entry, present = this.table.tBodies[place];
+    if (present !== body) this.table.insertBefore(body, present ?? null);
+    this.columns.forEach((column, i) => setText(cells[i], column.cell(item)));
+    const text = this.noteOf(item);
+    setText(note.querySelector('p')!, text);
+    note.hidden = text === '';
+  }
+
+  // A body for each item: its note moves with it.
+  private entryOf(key: string) {
+    const cells = this.columns.map(c => el('td', { class: c.isNumber ? 'n' : null }));
+    const note = el('tr', { class: 'note', hidden: true }, el('td', { colspan: 1 + cells.length }, el('p')));
+    return { body: el('tbody', {}, el('tr', {}, el('th', { scope: 'row' }, this.head(key)), ...cells), note), cells, note };
+  }
+}
+
+/** Only what is new: what has not changed is not read out again. */
+export function setText(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}

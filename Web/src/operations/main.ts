@@ -1,0 +1,97 @@
+import 'uplot/dist/uPlot.min.css';
+import '../report.css';
+import './operations.css';
+import { byId } from '../pairing/elements';
+import { Budget } from './budget';
+import { Headsets } from './headsets';
+import { setText } from './liveTable';
+import { Login } from './login';
+import { startPairing } from './pairing';
+import { clockWords, Plants } from './plants';
+import { Plots } from './plots';
+import { Recorder } from './recorder';
+import { RobotPanel } from './robotPanel';
+import { Rosbridge } from './rosbridge';
+import { ask, type State } from './state';
+
+const POLL_MS = 1000;
+
+/** While nobody is logged in: each question is one that the gateway refuses, counts and logs. */
+const REFUSED_POLL_MS = 10_000;
+
+const link = new Rosbridge();
+const robot = new RobotPanel(link, matchMedia('(prefers-reduced-motion: reduce)').matches);
+const plots = new Plots();
+const budget = new Budget();
+const plants = new Plants();
+const headsets = new Headsets(() => plots.chooseAnother());
+const recorder = new Recorder(() => void read());
+const login = new Login(() => {
+  // Who may see what has changed.
+  link.close();
+  void read().then(() => wake());
+});
+let isRefused = false;
+let wake = () => {};
+
+byId('headsets').append(headsets.element);
+byId('robot').append(robot.element);
+byId('budget').append(budget.element);
+byId('plots').append(plots.element);
+byId('plants').append(plants.element);
+startPairing();
+void poll();
+
+async function poll(): Promise<void> {
+  for (;;) {
+    const began = performance.now();
+    await read();
+    await new Promise<void>(resolve => {
+      wake = resolve;
+      setTimeout(resolve, isRefused ? REFUSED_POLL_MS : Math.max(POLL_MS / 4, POLL_MS - (performance.now() - began)));
+    });
+  }
+}
+
+let asked = 0;
+
+async function read(): Promise<void> {
+  const own = ++asked;
+  const answer = await ask<State>('state');
+  // Overtaken by one that was asked after logging in or out.
+  if (own !== asked) return;
+  isRefused = 'trouble' in answer && answer.status === 401;
+  login.show(isRefused);
+  if (isRefused) link.close();
+  if ('value' in answer) {
+    link.open();
+    show(answer.value);
+  } else lose(isRefused ? 'Log in to see how the gateway does.' : answer.trouble);
+}
+
+let seen = '';
+
+function show(state: State): void {
+  seen = new Date().toLocaleTimeString('en-GB');
+  byId('content').classList.remove('stale');
+  setText(byId('trouble'), '');
+  setText(byId('cell'), state.cell || 'Operations');
+  setText(byId('clock'), clockWords(state));
+  setText(byId('forwarding'), state.forward_ms ? `${state.forward_ms.p50.toFixed(2)} ms, P99 ${state.forward_ms.p99.toFixed(2)} ms` : 'nothing forwarded');
+  setText(byId('connections'), Object.entries(state.connections ?? {}).map(([name, { open }]) => `${open} ${name}`).join(', ') || 'none');
+  setText(byId('drops'), Object.entries(state.drops ?? {}).map(([why, count]) => `${why} ${count}`).join(', ') || 'none');
+  setText(byId('role'), state.role ?? '–');
+  byId('pairing').hidden = !state.pairs_headsets;
+  headsets.show(state.headsets ?? []);
+  robot.choose(state.headsets?.find(h => h.name === headsets.chosen) ?? null);
+  budget.show(state.headsets ?? []);
+  plots.add(performance.now() / 1000, state, headsets.chosen);
+  plants.show(state);
+  recorder.show(state);
+}
+
+// Said once: what is still there must not be taken for news.
+function lose(why: string): void {
+  byId('content').classList.add('stale');
+  setText(byId('trouble'), seen ? `${why}. What is shown is of ${seen}.` : `${why}`);
+}

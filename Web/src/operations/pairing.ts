@@ -1,0 +1,15 @@
+import { byId } from '../pairing/elements';
+import { startToken } from '../pairing/token';
+
+/** Shows the secret code that pairs a headset while somebody wants it: whoever walks past the screen could use it. */
+export function startPairing(): void {
+  const button = byId('show-code');
+  let stop: (() => void) | null = null;
+  button.addEventListener('click', () => {
+    if (stop) stop();
+    stop = stop ? null : startToken();
+    byId('code').hidden = stop === null;
+    button.textContent = stop ? 'Hide the code' : 'Show the code';
+    button.setAttribute('aria-expanded', String(stop !== null));
+  });
+}

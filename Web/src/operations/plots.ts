@@ -1,0 +1,43 @@
+import { el } from '../dom';
+import { LOOKS } from '../traces';
+import { LivePlot } from './livePlot';
+import { numberOf, type State } from './state';
+
+const DASHED = { ink: '--quadratic', width: 2, dash: [8, 4] } as const;
+
+/** The chosen headset and the plant over the last two minutes. */
+export class Plots {
+  readonly element: HTMLElement;
+  private readonly latency = new LivePlot('Latencies of the shown headset over the last two minutes.', 'latency (ms)', 'ms', [
+    { label: 'L_app', look: LOOKS.compensated }, { label: 'L_visu', look: LOOKS.hold }, { label: 'round trip', look: { ...DASHED, dash: [8, 4] } },
+  ]);
+  private readonly clock = new LivePlot('How wrong the clocks may be over the last two minutes.', 'clock bound (µs)', 'µs', [
+    { label: 'shown headset', look: LOOKS.compensated }, { label: 'control clock', look: LOOKS.hold },
+  ]);
+  private readonly error = new LivePlot('Tool error of the shown headset over the last two minutes, as it measures it by itself.', 'tool error (mm)', 'mm', [
+    { label: 'held', look: LOOKS.hold }, { label: 'compensated', look: LOOKS.compensated },
+  ]);
+  private readonly rate = new LivePlot(
+    'Messages of joint positions a second over the last two minutes, of the fastest and of the slowest source.', 'rate (Hz)', 'Hz', [
+      { label: 'fastest source', look: LOOKS.compensated }, { label: 'slowest source', look: LOOKS.hold },
+    ]);
+
+  constructor() {
+    this.element = el('div', { class: 'plots' }, ...[this.latency, this.clock, this.error, this.rate].map(plot => plot.element));
+  }
+
+  /** @param time Of this machine, in seconds. */
+  add(time: number, state: State, chosen: string | null): void {
+    const headset = state.headsets?.find(h => h.name === chosen);
+    const of = (key: string) => (headset ? numberOf(headset, key) : null);
+    const rates = (state.sources ?? []).map(s => s.rate_hz);
+    this.latency.add(time, [of('l_app_ms'), of('l_visu_ms'), of('rtt_ms')]);
+    this.clock.add(time, [of('error_bound_us'), state.clock?.error_bound_us ?? null]);
+    this.error.add(time, [of('error_mm_hold'), of('error_mm')]);
+    this.rate.add(time, rates.length === 0 ? [null, null] : [Math.max(...rates), Math.min(...rates)]);
+  }
+
+  chooseAnother(): void {
+    for (const plot of [this.latency, this.clock, this.error]) plot.clear();
+  }
+}

@@ -1,0 +1,112 @@
+import { el } from '../dom';
+import { format } from '../numbers';
+import { JointTracks } from '../robot/tracks';
+import { RobotView } from '../robot/view';
+import { setText } from './liveTable';
+import { LiveClock } from './liveClock';
+import { readJointState, type Rosbridge } from './rosbridge';
+import { type Headset, numberOf } from './state';
+
+/** Shown is what was so long ago: by then the samples on both sides of it, and what the headset showed, have arrived. */
+const BEHIND_S = 0.5;
+const KEEP_S = 5;
+const JOINT_STATE = 'sensor_msgs/msg/JointState';
+const NUMBERS_MS = 500;
+
+/** From one picture to the next: smooth to the eye, and half the work of as often as possible. */
+const PICTURE_MS = 30;
+
+// Finer is what a prediction cannot be.
+const apart = (mm: number) => (mm < 0.1 ? 'less than 0.1\u00a0mm' : format(mm, 'mm'));
+
+const about = (mm: number) => (mm < 0.1 ? '' : 'about ') + apart(mm);
+
+const seconds = () => performance.now() / 1000;
+
+/** The robot as it truly was half a second ago, and what the chosen headset showed at the same moment. */
+export class RobotPanel {
+  readonly element: HTMLElement;
+  private readonly view = new RobotView('The robot as it was half a second ago, and what the shown headset displayed for the same moment.');
+  private readonly words = el('p', { class: 'apart' }, 'No robot description has arrived.');
+  private readonly truth = new JointTracks(KEEP_S);
+  private displayed = new JointTracks(KEEP_S);
+  private readonly clock = new LiveClock();
+  private headset: Headset | null = null;
+  private spoken = 0;
+  private drawn = 0;
+
+  constructor(link: Rosbridge, isCalm: boolean) {
+    this.element = el('div', {}, this.words, this.view.element);
+    link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
+    // Fast enough for the eye, whatever the plant's rate; several may wait, for arm and gripper often publish apart.
+    link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
+    link.subscribe('/nowpose/displayed', JOINT_STATE, text => this.shown(text), 0, 256);
+    if (isCalm) setInterval(() => this.draw(), 1000);
+    else this.animate();
+  }
+
+  /** Which headset's picture is laid over the robot. */
+  choose(headset: Headset | null): void {
+    if (headset?.name !== this.headset?.name) this.displayed = new JointTracks(KEEP_S);
+    this.headset = headset;
+  }
+
+  private describe(text: string): void {
+    const { data } = JSON.parse(text).msg;
+    if (typeof data === 'string') this.view.describe(data);
+  }
+
+  private sample(text: string): void {
+    const state = readJointState(text);
+    if (!state) return;
+    this.clock.add(state.stamp, seconds());
+    this.truth.add(state.stamp, state.names, state.positions);
+  }
+
+  private shown(text: string): void {
+    if (!this.headset || !text.includes(JSON.stringify(this.headset.name))) return;
+    const state = readJointState(text);
+    if (state?.frame === this.headset.name) this.displayed.add(state.stamp, state.names, state.positions);
+  }
+
+  private animate(): void {
+    requestAnimationFrame(() => {
+      if (performance.now() - this.drawn >= PICTURE_MS) this.draw();
+      this.animate();
+    });
+  }
+
+  private draw(): void {
+    this.drawn = performance.now();
+    const { bodies } = this.view, now = this.clock.at(seconds());
+    if (!bodies || now === null) return;
+    const time = now - BEHIND_S;
+    const poses = { truth: this.truth.at(time), displayed: this.recent(time), hold: this.held(time) };
+    for (const part of ['truth', 'displayed', 'hold'] as const) bodies.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
+    this.view.ask();
+    if (performance.now() - this.spoken < NUMBERS_MS) return;
+    this.spoken = performance.now();
+    // Held beyond its last sample, the truth is none.
+    if ((this.truth.last ?? 0) < time) setText(this.words, 'Joint positions come too late to compare anything with them.');
+    else this.speak(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
+  }
+
+  // A headset that has fallen silent shows nothing here.
+  private recent(time: number) {
+    const { last } = this.displayed;
+    return last === undefined || last < time - 0.5 ? null : this.displayed.at(time);
+  }
+
+  // What had arrived by then, by the latencies that the headset measured.
+  private held(time: number) {
+    const late = this.headset && [numberOf(this.headset, 'l_app_ms'), numberOf(this.headset, 'l_visu_ms')];
+    return !late || late[0] == null || late[1] == null ? null : this.truth.heldAt(time - (late[0] + late[1]) / 1000);
+  }
+
+  private speak(displayed: number | null, hold: number | null): void {
+    const name = this.headset?.name;
+    if (!name) return setText(this.words, 'No headset is shown.');
+    const shown = displayed == null ? `${name} does not tell what it shows` : `${name} shows the tool ${apart(displayed)} from where it was`;
+    setText(this.words, hold == null ? `${shown}.` : `${shown}; without compensation ${about(hold)}.`);
+  }
+}

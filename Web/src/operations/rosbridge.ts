@@ -1,0 +1,81 @@
+const FIRST_WAIT_MS = 500;
+const LONGEST_WAIT_MS = 5000;
+
+/** Seconds on the control clock, and where joints were. */
+export interface JointState {
+  stamp: number;
+  frame: string;
+  names: string[];
+  positions: number[];
+}
+
+interface Topic {
+  type: string;
+  throttleMs: number;
+  queue: number;
+  take: (text: string) => void;
+}
+
+/** The gateway's own WebSocket, which comes back by itself. Read only: this page publishes nothing. */
+export class Rosbridge {
+  private readonly topics = new Map<string, Topic>();
+  private socket: WebSocket | null = null;
+  private wait = FIRST_WAIT_MS;
+  private timer = 0;
+  private isWanted = false;
+
+  /** @param take Gets each message as text: who knows what it wants of it need not read it all. */
+  subscribe(topic: string, type: string, take: (text: string) => void, throttleMs = 0, queue = 0): void {
+    this.topics.set(topic, { type, take, throttleMs, queue });
+  }
+
+  /** Opens it, unless it is open or about to be. */
+  open(): void {
+    if (this.isWanted) return;
+    this.isWanted = true;
+    this.wait = FIRST_WAIT_MS;
+    this.connect();
+  }
+
+  /** Until it is opened again: whoever is not let in does not knock all day. */
+  close(): void {
+    this.isWanted = false;
+    clearTimeout(this.timer);
+    this.socket?.close();
+  }
+
+  private connect(): void {
+    if (this.socket) return;
+    const socket = this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/');
+    socket.addEventListener('open', () => {
+      this.wait = FIRST_WAIT_MS;
+      for (const [topic, { type, throttleMs, queue }] of this.topics) {
+        socket.send(JSON.stringify({ op: 'subscribe', topic, type, throttle_rate: throttleMs, queue_length: queue }));
+      }
+    });
+    socket.addEventListener('message', ({ data }) => { if (typeof data === 'string') this.take(data); });
+    socket.addEventListener('close', () => {
+      this.socket = null;
+      if (!this.isWanted) return;
+      this.timer = window.setTimeout(() => this.connect(), this.wait);
+      this.wait = Math.min(LONGEST_WAIT_MS, 2 * this.wait);
+    });
+  }
+
+  // Without reading all of it: what is not wanted is most of what comes.
+  private take(text: string): void {
+    const topic = /"topic":"([^"]+)"/.exec(text)?.[1];
+    if (topic) this.topics.get(topic)?.take(text);
+  }
+}
+
+/** Null for what is none. */
+export function readJointState(text: string): JointState | null {
+  try {
+    const { header, name, position } = JSON.parse(text).msg;
+    const stamp = header.stamp.sec + header.stamp.nanosec / 1e9;
+    return Number.isFinite(stamp) ? { stamp, frame: header.frame_id ?? '', names: name, positions: position } : null;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,101 @@
+/** What /operations/state answers; a field that is missing or null is not known. Units stand in the names. */
+export interface State {
+  cell?: string | null;
+  version?: string;
+  uptime_s?: number;
+  control_time_s?: number;
+  clock?: ClockState | null;
+  plant_clocks?: PlantClock[];
+  adapters?: Words[];
+  sources?: Source[];
+  headsets?: Headset[];
+  forward_ms?: { p50: number; p99: number } | null;
+  connections?: Record<string, { open: number; accepted: number }>;
+  drops?: Record<string, number>;
+  recording?: Recording | null;
+  pairs_headsets?: boolean;
+  role?: 'observer' | 'source' | 'operator';
+}
+
+export interface ClockState {
+  source: string;
+  state: string;
+  error_bound_us?: number | null;
+  skew_ppm?: number | null;
+  rtt_ms?: number | null;
+  resolution_us?: number | null;
+  steps?: number | null;
+}
+
+export interface PlantClock {
+  name: string;
+  connected: boolean;
+  is_control_clock: boolean;
+  state: string;
+  offset_to_control_ms?: number | null;
+  drift_ppm?: number | null;
+  rtt_ms?: number | null;
+  error_bound_us?: number | null;
+  resolution_us?: number | null;
+  exchanges?: number;
+  failures?: number;
+  last_failure?: string | null;
+}
+
+/** What somebody says of itself: words, and numbers where they are. */
+export type Words = { name: string; seen_s_ago: number } & Record<string, unknown>;
+
+export interface Source {
+  joints: string[];
+  rate_hz: number;
+  age_ms?: { p50: number; p95: number } | null;
+}
+
+export const HOPS = ['plant', 'gateway', 'network', 'queue', 'render', 'display'] as const;
+export type Hop = (typeof HOPS)[number];
+
+export type Headset = Words & { budget_ms?: Partial<Record<Hop, number | null>> | null };
+
+export interface Recording {
+  can: boolean;
+  on: boolean;
+  file?: string | null;
+  lines?: number;
+  bytes?: number;
+  lost?: number;
+  problem?: string | null;
+}
+
+/** The gateway's answer, or why there is none. */
+export type Answer<T> = { value: T } | { trouble: string; status: number };
+
+const PATIENCE_MS = 4000;
+
+/** Asks the gateway this page came from. */
+export async function ask<T>(path: string, fields?: Record<string, string>): Promise<Answer<T>> {
+  const patience = new AbortController();
+  const timer = setTimeout(() => patience.abort(), PATIENCE_MS);
+  try {
+    const response = await fetch(`/operations/${path}`, {
+      cache: 'no-store', signal: patience.signal,
+      ...(fields ? { method: 'POST', body: JSON.stringify(fields), headers: { 'Content-Type': 'application/json' } } : {}),
+    });
+    if (response.ok) return { value: (await response.json()) as T };
+    return { trouble: (await response.text()).trim(), status: response.status };
+  } catch {
+    return { trouble: 'the gateway does not answer', status: 0 };
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+/** A number of somebody's own words; null where it is none. */
+export function numberOf(words: Words, key: string): number | null {
+  const value = words[key];
+  return typeof value === 'number' && Number.isFinite(value) ? value : null;
+}
+
+export function textOf(words: Words, key: string): string {
+  const value = words[key];
+  return value == null ? '' : String(value);
+}

@@ -1,0 +1,109 @@
+import type { PlaybackData } from './data';
+import { el } from './dom';
+import { Legend } from './legend';
+import { format } from './numbers';
+import type { Playhead } from './playhead';
+import type { Part } from './robot/bodies';
+import { RobotView } from './robot/view';
+import type { Look } from './traces';
+
+const SPEEDS = [1, 0.5, 0.25, 0.1];
+
+const LEGEND: Record<Part, { label: string; look: Look }> = {
+  truth: { label: 'where it was', look: { ink: '--truth', width: 2, dash: [], mark: 'filled' } },
+  displayed: { label: 'compensated', look: { ink: '--compensated', width: 2, dash: [], mark: 'filled' } },
+  hold: { label: 'uncompensated', look: { ink: '--hold', width: 2, dash: [], mark: 'filled' } },
+};
+
+/** The session once more: the robot as it was, as it was displayed and as it would have been without compensation. */
+export class Playback {
+  readonly element: HTMLElement;
+  private readonly view = new RobotView('The robot of this session as it was, as it was displayed, and without compensation, at one moment.');
+  private readonly words = el('p', { class: 'apart' });
+  private readonly button = el('button', { type: 'button', class: 'play' }, 'Play');
+  private readonly slider: HTMLInputElement;
+  private readonly clock = el('output', { class: 'clock' });
+  private readonly speed = el('select', {}, ...SPEEDS.map(s => el('option', { value: s }, `${s} ×`)));
+  private readonly hidden = new Set<Part>();
+  private time: number;
+  private playedAt: number | null = null;
+
+  constructor(private readonly data: PlaybackData, private readonly playhead: Playhead) {
+    const { t } = data;
+    this.time = t[0];
+    this.slider = el('input', { type: 'range', min: t[0], max: t[t.length - 1], step: 0.02, value: t[0], 'aria-label': 'moment of the session' });
+    const legend = new Legend((Object.keys(LEGEND) as Part[]).map(part => ({ ...LEGEND[part], toggle: shown => this.toggle(part, shown) })));
+    this.element = el('section', { id: 'playback', 'aria-labelledby': 'playback-heading' },
+      el('h2', { id: 'playback-heading' }, 'Playback'),
+      el('p', { class: 'claim' }, 'The robot at one moment of the session; plots and playback move together.'),
+      legend.element, this.words, this.view.element,
+      el('div', { class: 'player' }, this.button, this.slider, this.clock, el('label', {}, 'Speed ', this.speed)));
+    this.button.addEventListener('click', () => this.toggleRun());
+    this.slider.addEventListener('input', () => {
+      this.stop();
+      playhead.move(Number(this.slider.value), this);
+    });
+    playhead.follow((time, mover) => {
+      if (mover !== this) this.stop();
+      this.show(time);
+    });
+    this.view.describe(data.urdf);
+    this.show(t[0]);
+  }
+
+  private toggleRun(): void {
+    if (this.playedAt !== null) return this.stop();
+    const { t } = this.data;
+    if (this.time >= t[t.length - 1]) this.playhead.move(t[0], this);
+    this.playedAt = performance.now();
+    this.button.textContent = 'Pause';
+    requestAnimationFrame(() => this.step());
+  }
+
+  private step(): void {
+    if (this.playedAt === null) return;
+    const now = performance.now(), end = this.data.t[this.data.t.length - 1];
+    const time = Math.min(end, this.time + ((now - this.playedAt) / 1000) * Number(this.speed.value));
+    this.playedAt = now;
+    this.playhead.move(time, this);
+    if (time >= end) this.stop();
+    else requestAnimationFrame(() => this.step());
+  }
+
+  private stop(): void {
+    this.playedAt = null;
+    this.button.textContent = 'Play';
+  }
+
+  private toggle(part: Part, shown: boolean): void {
+    if (shown) this.hidden.delete(part); else this.hidden.add(part);
+    this.show(this.time);
+  }
+
+  private show(time: number): void {
+    const { t, names, truth, displayed, hold } = this.data;
+    this.time = Math.min(t[t.length - 1], Math.max(t[0], time));
+    this.slider.value = String(this.time);
+    const words = `${this.time.toFixed(2)} s`;
+    this.clock.textContent = words;
+    this.slider.setAttribute('aria-valuetext', words);
+    const { bodies } = this.view;
+    if (!bodies) return;
+    const i = indexAt(t, this.time), poses = { truth, displayed, hold };
+    for (const part of Object.keys(poses) as Part[]) bodies.pose(part, names, poses[part][i]);
+    const [compensated, held] = [bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth')];
+    for (const part of this.hidden) bodies.pose(part, names, null);
+    this.view.ask();
+    this.words.textContent = `The tool is drawn ${format(compensated, 'mm')} from where it was; without compensation ${format(held, 'mm')}.`;
+  }
+}
+
+/** Of the newest instant at or before a time; the first where there is none. */
+function indexAt(t: number[], time: number): number {
+  let low = 0, high = t.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (t[middle] <= time) low = middle; else high = middle - 1;
+  }
+  return low;
+}

@@ -1,0 +1,109 @@
+import {
+  type Box3, type BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, MeshPhongMaterial,
+  type Object3D, Vector3,
+} from 'three';
+import { colour, type Ink } from '../theme';
+import { paint, readUrdf, type Robot, setJoints, toolPosition } from './urdf';
+
+/** What can be shown of one robot at one time. */
+export type Part = 'truth' | 'displayed' | 'hold';
+
+/** Drawn in the order of their places, the last over the others where they are the same. */
+export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> = {
+  truth: { ink: '--truth', opacity: 1, place: 2 },
+  displayed: { ink: '--compensated', opacity: 0.5, place: 1 },
+  hold: { ink: '--hold', opacity: 0.35, place: 0 },
+};
+
+/** Sets back by what nobody can see, a pixel along a slope and some 3 mm in depth where a robot of 1 m fills the picture. */
+const BACK = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 200 };
+
+/** The same robot several times, each in its colour and with joints of its own. */
+export class Bodies {
+  readonly group = new Group();
+  readonly robots: Record<Part, Robot>;
+  private readonly materials: Record<Part, MeshPhongMaterial>;
+  private readonly bones: Record<Part, LineSegments> | null = null;
+  private readonly points = { from: new Vector3(), to: new Vector3() };
+
+  /** @throws Error when the text is no URDF. */
+  constructor(urdf: string) {
+    const each = <T>(make: (part: Part) => T) => ({ truth: make('truth'), displayed: make('displayed'), hold: make('hold') });
+    this.robots = each(() => readUrdf(urdf));
+    this.materials = each(part => new MeshPhongMaterial({
+      transparent: PARTS[part].opacity < 1, opacity: PARTS[part].opacity, depthWrite: PARTS[part].opacity === 1,
+      // Colour over the grey of the truth would say that it is shown elsewhere.
+      ...(PARTS[part].opacity < 1 ? BACK : {}),
+    }));
+    for (const part of Object.keys(PARTS) as Part[]) {
+      paint(this.robots[part].root, this.materials[part], PARTS[part].place);
+      this.robots[part].root.visible = false;
+      this.group.add(this.robots[part].root);
+    }
+    if (this.robots.truth.meshes > 0) this.bones = each(part => this.boneOf(part));
+    this.recolour();
+  }
+
+  /** @param positions Null hides it. */
+  pose(part: Part, names: string[], positions: ArrayLike<number> | null): void {
+    this.robots[part].root.visible = positions !== null;
+    if (positions) setJoints(this.robots[part], names, positions);
+    if (this.bones) this.stretch(part);
+  }
+
+  isShown(part: Part): boolean {
+    return this.robots[part].root.visible;
+  }
+
+  /** Makes a box larger by what is shown. */
+  addTo(box: Box3): void {
+    for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
+  }
+
+  /** Between the tools of two of them, mm; null where one is not shown. */
+  distance(a: Part, b: Part): number | null {
+    if (!this.isShown(a) || !this.isShown(b)) return null;
+    return 1000 * toolPosition(this.robots[a], this.points.from).distanceTo(toolPosition(this.robots[b], this.points.to));
+  }
+
+  recolour(): void {
+    for (const part of Object.keys(PARTS) as Part[]) {
+      this.materials[part].color.set(colour(PARTS[part].ink));
+      (this.bones?.[part].material as LineBasicMaterial | undefined)?.color.set(colour(PARTS[part].ink));
+    }
+  }
+
+  /** Gives the graphics memory back; it is not shown again. */
+  dispose(): void {
+    this.group.traverse(object => (object as Partial<LineSegments>).geometry?.dispose());
+    for (const part of Object.keys(PARTS) as Part[]) {
+      this.materials[part].dispose();
+      (this.bones?.[part].material as LineBasicMaterial | undefined)?.dispose();
+    }
+  }
+
+  // Where meshes would be, lines from link to link.
+  private boneOf(part: Part): LineSegments {
+    const ends = 2 * Object.keys(this.robots[part].root.joints).length;
+    const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(3 * ends, 3));
+    const bones = new LineSegments(geometry, new LineBasicMaterial());
+    bones.frustumCulled = false;
+    bones.renderOrder = PARTS[part].place;
+    this.robots[part].root.add(bones);
+    return bones;
+  }
+
+  private stretch(part: Part): void {
+    const { root } = this.robots[part], places = this.bones![part].geometry.getAttribute('position') as BufferAttribute;
+    let at = 0;
+    for (const joint of Object.values(root.joints)) {
+      const link = joint.children.find(child => 'isURDFLink' in child);
+      for (const end of [joint.parent!, link ?? joint] as Object3D[]) {
+        const { x, y, z } = root.worldToLocal(end.getWorldPosition(this.points.from));
+        places.setXYZ(at++, x, y, z);
+      }
+    }
+    places.needsUpdate = true;
+    this.bones![part].geometry.computeBoundingBox();
+  }
+}

@@ -1,0 +1,98 @@
+import { Box3, PerspectiveCamera, Vector3 } from 'three';
+
+const STEP = Math.PI / 36;
+const STEEPEST = 1.5;
+const CLOSEST_M = 0.1;
+const START = { azimuth: -0.9, elevation: 0.4, zoom: 1 };
+
+/** Looks at the robot from around: turned by mouse, finger and keyboard. z is up. */
+export class OrbitCamera {
+  readonly camera = new PerspectiveCamera(35, 1, 0.01, 100);
+  private readonly framed = new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
+  private look = { ...START };
+  private readonly fingers = new Map<number, PointerEvent>();
+
+  /** @param changed Called when it looks from elsewhere. */
+  constructor(element: HTMLElement, private readonly changed: () => void) {
+    this.camera.up.set(0, 0, 1);
+    element.addEventListener('pointerdown', event => {
+      this.fingers.set(event.pointerId, event);
+      element.setPointerCapture(event.pointerId);
+    });
+    element.addEventListener('pointermove', event => this.drag(event));
+    for (const end of ['pointerup', 'pointercancel'] as const) element.addEventListener(end, event => this.fingers.delete(event.pointerId));
+    // With Ctrl only: a wheel that turns the page must not stop at the robot.
+    element.addEventListener('wheel', event => {
+      if (!event.ctrlKey) return;
+      event.preventDefault();
+      this.turn(0, 0, event.deltaY > 0 ? 1.1 : 1 / 1.1);
+    }, { passive: false });
+    element.addEventListener('dblclick', () => this.reset());
+  }
+
+  /** All of the box is seen, from wherever. */
+  frame(box: Box3): void {
+    this.framed.copy(box);
+    this.place();
+  }
+
+  reset(): void {
+    this.look = { ...START };
+    this.place();
+  }
+
+  /** @returns Whether it was one of its keys. */
+  onKey(key: string): boolean {
+    const turns: Record<string, () => void> = {
+      ArrowLeft: () => this.turn(-STEP, 0, 1), ArrowRight: () => this.turn(STEP, 0, 1),
+      ArrowUp: () => this.turn(0, STEP, 1), ArrowDown: () => this.turn(0, -STEP, 1),
+      '+': () => this.turn(0, 0, 1 / 1.2), '=': () => this.turn(0, 0, 1 / 1.2), '-': () => this.turn(0, 0, 1.2), '0': () => this.reset(),
+    };
+    if (!(key in turns)) return false;
+    turns[key]();
+    return true;
+  }
+
+  setAspect(aspect: number): void {
+    this.camera.aspect = aspect;
+    this.place();
+  }
+
+  private drag(event: PointerEvent): void {
+    const before = this.fingers.get(event.pointerId);
+    if (!before) return;
+    const [x, y] = [event.clientX - before.clientX, event.clientY - before.clientY];
+    this.fingers.set(event.pointerId, event);
+    if (this.fingers.size === 1) this.turn(-x * 0.008, y * 0.008, 1);
+    else this.turn(0, 0, 1 - y * 0.005);
+  }
+
+  private turn(azimuth: number, elevation: number, zoom: number): void {
+    this.look.azimuth += azimuth;
+    this.look.elevation = Math.min(STEEPEST, Math.max(-0.2, this.look.elevation + elevation));
+    this.look.zoom = Math.min(4, Math.max(0.3, this.look.zoom * zoom));
+    this.place();
+  }
+
+  private place(): void {
+    const { azimuth, elevation, zoom } = this.look, { camera } = this, centre = this.framed.getCenter(new Vector3());
+    camera.position.set(Math.cos(azimuth) * Math.cos(elevation), Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation)).add(centre);
+    camera.lookAt(centre);
+    const { x, y, z } = this.fitted(centre);
+    camera.position.copy(new Vector3(x, y, zoom * z).applyQuaternion(camera.quaternion).add(centre));
+    camera.updateProjectionMatrix();
+    this.changed();
+  }
+
+  // Where the camera sees all corners, the outermost as far from one edge of the picture as from the other: in its own axes, from the centre.
+  private fitted(centre: Vector3): Vector3 {
+    const turned = this.camera.quaternion.clone().invert(), { min, max } = this.framed;
+    const corners = [min.x, max.x].flatMap(x => [min.y, max.y].flatMap(y => [min.z, max.z].map(z => new Vector3(x, y, z))));
+    for (const corner of corners) corner.sub(centre).applyQuaternion(turned);
+    const high = Math.tan((this.camera.fov * Math.PI) / 360), wide = high * this.camera.aspect;
+    // What lies nearer stands further out.
+    const most = (axis: 'x' | 'y', sign: number, slope: number) => Math.max(...corners.map(corner => sign * corner[axis] + slope * corner.z));
+    const [left, right, low, top] = [most('x', -1, wide), most('x', 1, wide), most('y', -1, high), most('y', 1, high)];
+    return new Vector3((right - left) / 2, (top - low) / 2, Math.max(CLOSEST_M, (left + right) / (2 * wide), (low + top) / (2 * high)));
+  }
+}

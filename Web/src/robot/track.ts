@@ -1,0 +1,53 @@
+/** One joint's positions over time, the newest at the end. */
+export class JointTrack {
+  private times: number[] = [];
+  private values: number[] = [];
+
+  /** @param keep For how long, in seconds; everything where it is not said. */
+  constructor(private readonly keep = Infinity) {}
+
+  get last(): number | undefined { return this.times[this.times.length - 1]; }
+
+  /** What comes out of order is left out; what goes back by more than is kept belongs to another time line. */
+  add(time: number, position: number): void {
+    const last = this.last;
+    if (last !== undefined && time <= last) {
+      if (last - time < Math.min(this.keep, 2)) return;
+      this.times = [];
+      this.values = [];
+    }
+    this.times.push(time);
+    this.values.push(position);
+    let old = 0;
+    while (this.times[old] < time - this.keep) old++;
+    // In one go now and then: shifting each time would move them all.
+    if (old > 64) {
+      this.times.splice(0, old);
+      this.values.splice(0, old);
+    }
+  }
+
+  /** On the straight line between its neighbours; the newest beyond it, null before the first. */
+  at(time: number): number | null {
+    const i = this.indexAt(time);
+    if (i < 0) return null;
+    const from = this.values[i];
+    if (i === this.times.length - 1) return from;
+    return from + ((time - this.times[i]) / (this.times[i + 1] - this.times[i])) * (this.values[i + 1] - from);
+  }
+
+  /** The newest at or before a time; null before the first. */
+  heldAt(time: number): number | null {
+    const i = this.indexAt(time);
+    return i < 0 ? null : this.values[i];
+  }
+
+  private indexAt(time: number): number {
+    let low = 0, high = this.times.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.times[middle] <= time) low = middle + 1; else high = middle;
+    }
+    return low - 1;
+  }
+}

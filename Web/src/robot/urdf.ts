@@ -1,0 +1,71 @@
+import { MeshPhongMaterial, type Object3D, Vector3 } from 'three';
+import URDFLoader, { type URDFRobot } from 'urdf-loader';
+
+/** The link that works, as the headset finds it. */
+const TOOLS = ['tool_centre_point', 'tool0', 'flange'];
+
+const MOVING = ['revolute', 'continuous', 'prismatic'];
+
+/** A robot as its URDF describes it, with joints that can be set. */
+export interface Robot {
+  root: URDFRobot;
+  tool: Object3D;
+  /** How many of its visuals are meshes, which a page cannot load. */
+  meshes: number;
+}
+
+// A robot may call a joint what every object has.
+const has = (map: object, name: string) => Object.prototype.hasOwnProperty.call(map, name);
+
+/** @throws Error when the text is no URDF; says why in one line. */
+export function readUrdf(text: string): Robot {
+  const document = new DOMParser().parseFromString(text, 'text/xml');
+  const fault = document.querySelector('parsererror');
+  if (fault || document.documentElement.nodeName !== 'robot') throw new Error('the robot description is no URDF');
+  // Whatever names a file would be asked for over the network.
+  document.querySelectorAll('texture').forEach(texture => texture.remove());
+  let meshes = 0;
+  const loader = new URDFLoader();
+  loader.loadMeshCb = (_path, _manager, _material, _done) => { meshes++; };
+  const root = loader.parse(document);
+  // Shown is what was measured, even beyond its limits.
+  for (const joint of Object.values(root.joints)) joint.ignoreLimits = true;
+  return { root, tool: toolOf(root), meshes };
+}
+
+/** Joints it does not have are left out, as the headset does. */
+export function setJoints({ root }: Robot, names: string[], positions: ArrayLike<number>): void {
+  names.forEach((name, i) => {
+    if (has(root.joints, name) && Number.isFinite(positions[i])) root.joints[name].setJointValue(positions[i]);
+  });
+  root.updateMatrixWorld(true);
+}
+
+/** In metres, in the robot's base frame. */
+export function toolPosition(robot: Robot, into = new Vector3()): Vector3 {
+  return robot.root.worldToLocal(robot.tool.getWorldPosition(into));
+}
+
+function toolOf(root: URDFRobot): Object3D {
+  const named = TOOLS.find(name => has(root.links, name));
+  if (named) return root.links[named];
+  const depth = (link: Object3D): number => {
+    let moving = 0;
+    for (let at: Object3D | null = link; at; at = at.parent) {
+      const type = (at as { jointType?: string }).jointType;
+      if (type && MOVING.includes(type)) moving++;
+    }
+    return moving;
+  };
+  const leaves = Object.values(root.links).filter(link => !link.children.some(child => 'jointType' in child));
+  return leaves.reduce((best, leaf) => (depth(leaf) > depth(best) ? leaf : best), leaves[0] ?? root);
+}
+
+/** Materials of the loader's are shared between links; each that is painted gets one. */
+export function paint(root: Object3D, material: MeshPhongMaterial, renderOrder: number): void {
+  root.traverse(object => {
+    if (!('material' in object)) return;
+    (object as { material: MeshPhongMaterial }).material = material;
+    object.renderOrder = renderOrder;
+  });
+}

@@ -1,0 +1,181 @@
+// A gateway with a robot that swings and two headsets: what the page of operations asks for, and nothing else.
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { once } from 'node:events';
+
+const page = readFileSync(new URL('../dist/operations.html', import.meta.url));
+const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf', import.meta.url), 'utf8');
+export const JOINTS = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
+
+const REST = [2.9, 2, -1.5, 1.7, 2.9];
+
+/** All of the arm above its base. */
+export const UPRIGHT = [2.95, 1.13, -2.55, 1.79, 2.9];
+
+/** Where the joints are at a control time. */
+export const swing = (t, rest = REST) => rest.map((position, i) => position + (i === 0 ? 0.5 * Math.sin(t) : 0));
+
+const stamp = t => ({ sec: Math.floor(t), nanosec: Math.floor((t % 1) * 1e9) });
+const jointState = (topic, t, positions, frame = '', names = JOINTS) => JSON.stringify(
+  { op: 'publish', topic, msg: { header: { stamp: stamp(t), frame_id: frame }, name: names, position: positions, velocity: [], effort: [] } });
+
+/** A text frame of a server, which masks nothing. */
+function frame(text) {
+  const payload = Buffer.from(text);
+  const head = payload.length < 126 ? Buffer.from([0x81, payload.length])
+    : payload.length < 65536 ? Buffer.from([0x81, 126, payload.length >> 8, payload.length & 255])
+      : Buffer.concat([Buffer.from([0x81, 127, 0, 0, 0, 0]), Buffer.from([payload.length >> 24, payload.length >> 16, payload.length >> 8, payload.length].map(b => b & 255))]);
+  return Buffer.concat([head, payload]);
+}
+
+/** The texts of the masked frames in what a browser sent; it sends whole small ones. */
+function* textsOf(data) {
+  for (let at = 0; at + 6 <= data.length;) {
+    const opcode = data[at] & 15;
+    let length = data[at + 1] & 127, body = at + 2;
+    if (length === 126) { length = data.readUInt16BE(at + 2); body += 2; }
+    const mask = data.subarray(body, body + 4), payload = data.subarray(body + 4, body + 4 + length);
+    if (opcode === 1) yield Buffer.from(payload.map((byte, i) => byte ^ mask[i % 4])).toString();
+    at = body + 4 + length;
+  }
+}
+
+export class FakeGateway {
+  static async start() {
+    const self = new FakeGateway();
+    self.server = createServer((request, response) => self.answer(request, response));
+    self.server.on('upgrade', (request, socket) => self.upgrade(request, socket));
+    self.server.listen(0, '127.0.0.1');
+    await once(self.server, 'listening');
+    self.timer = setInterval(() => self.tick(), 50);
+    return self;
+  }
+
+  urdf = urdf;
+  sockets = new Map();
+  posts = [];
+  connects = 0;
+  /** How fast the joints swing; 0 for a robot that rests. */
+  pace = 1;
+  /** What the joints swing about. */
+  rest = REST;
+  /** The sets of joints that are published in turn. */
+  sets = [JOINTS];
+  /** How far what "left door" shows is turned from the truth, rad; null where it does not tell. */
+  turned = 0.1;
+  token = null;
+  isSilent = false;
+  /** What the code waits for that pairs a headset. */
+  codeIsLate = null;
+  began = Date.now();
+  ticks = 0;
+
+  get address() { return `http://127.0.0.1:${this.server.address().port}/operations`; }
+  get now() { return 1000 + (Date.now() - this.began) / 1000; }
+
+  state = {
+    cell: 'Press 3', version: '0.1.0', uptime_s: 12, control_time_s: 1012,
+    clock: { source: 'press', state: 'synchronised', error_bound_us: 120, skew_ppm: 3.1, rtt_ms: 1.2, resolution_us: 1000, steps: 0 },
+    plant_clocks: [
+      { name: 'press', connected: true, is_control_clock: true, state: 'synchronised', offset_to_control_ms: 0, drift_ppm: 0, rtt_ms: 1.2, error_bound_us: 120, resolution_us: 1000, exchanges: 60, failures: 0 },
+      { name: 'press_ads', connected: true, is_control_clock: false, state: 'synchronised', offset_to_control_ms: 12.5, drift_ppm: 4.2, rtt_ms: 0.8, error_bound_us: 90, resolution_us: 100, exchanges: 60, failures: 2, last_failure: 'no answer within 2 s' },
+    ],
+    adapters: [
+      { name: 'press', seen_s_ago: 0.4, kind: 'opcua', state: 'connected', endpoint: 'opc.tcp://plc:4840', security: 'SignAndEncrypt, Basic256Sha256', samples: 1200, refused: 0, reconnects: 0, sampling_ms: 10 },
+      { name: 'belt', seen_s_ago: 0.4, kind: 'ads', state: 'refused', reason: 'the router does not know this machine', samples: 0, refused: 3, reconnects: 7 },
+    ],
+    sources: [{ joints: JOINTS, rate_hz: 20, age_ms: { p50: 71, p95: 104 } }],
+    headsets: [
+      { name: 'left door', seen_s_ago: 0.3, state: 'synchronised', rtt_ms: 3.2, error_bound_us: 410, l_app_ms: 82, l_visu_ms: 40, render_ms: 11, range: 'inside', error_mm_hold: 31, error_mm: 2.1, reduction: 0.932, samples: 900, dropped: 1, budget_ms: { plant: 71, gateway: 0.3, network: 1.6, queue: 9.1, render: 11, display: 29 } },
+      { name: 'right door', seen_s_ago: 8, state: 'holdover', rtt_ms: 45, error_bound_us: 9000, l_app_ms: 140, l_visu_ms: 40, render_ms: 31, range: 'outside', error_mm_hold: 60, error_mm: 30, reduction: 0.5, samples: 400, dropped: 12, budget_ms: { plant: 71, gateway: 0.3, network: 22.5, queue: 46, render: 31, display: 9 } },
+    ],
+    forward_ms: { p50: 0.3, p99: 1.9 },
+    connections: { sync: { open: 2, accepted: 5, closures: {} }, websocket: { open: 3, accepted: 9, closures: {} } },
+    drops: { NotFinite: 2 },
+    recording: { can: true, on: false, lines: 0, bytes: 0, lost: 0 },
+    pairs_headsets: true,
+    role: 'operator',
+  };
+
+  async stop() {
+    clearInterval(this.timer);
+    for (const socket of this.sockets.keys()) socket.destroy();
+    this.server.closeAllConnections();
+    await new Promise(done => this.server.close(done));
+  }
+
+  /** Ends every WebSocket, as a gateway does that is started again. */
+  hangUp() {
+    for (const socket of this.sockets.keys()) socket.destroy();
+  }
+
+  send(topic, text) {
+    for (const [socket, topics] of this.sockets) if (topics.has(topic)) socket.write(frame(text));
+  }
+
+  /** Another description of the robot, to all that asked for one. */
+  describe(urdf) {
+    this.send('/robot_description', JSON.stringify({ op: 'publish', topic: '/robot_description', msg: { data: urdf } }));
+  }
+
+  tick() {
+    if (this.isSilent) return;
+    const t = this.now - 0.07, names = this.sets[this.ticks++ % this.sets.length], truth = swing(this.pace * t, this.rest);
+    this.send('/joint_states', jointState('/joint_states', t, names.map(name => truth[JOINTS.indexOf(name)]), '', names));
+    for (const [name, turned] of [['left door', this.turned], ['right door', 1]]) {
+      if (turned === null) continue;
+      const light = this.now + 0.04, [first, ...rest] = swing(this.pace * light, this.rest);
+      this.send('/nowpose/displayed', jointState('/nowpose/displayed', light, [first + turned, ...rest], name));
+    }
+  }
+
+  async answer(request, response) {
+    let body = '';
+    for await (const part of request) body += part;
+    const path = request.url, post = request.method === 'POST' ? JSON.parse(body || '{}') : null;
+    if (post) this.posts.push([path, post]);
+    const reply = (status, value) => {
+      const isText = typeof value === 'string';
+      response.writeHead(status, { 'Content-Type': isText ? 'text/plain' : 'application/json' });
+      response.end(isText ? value : JSON.stringify(value));
+    };
+    if (path === '/operations') return response.writeHead(200, { 'Content-Type': 'text/html' }).end(page);
+    if (path === '/operations/login') {
+      if (post.token !== this.token) return reply(401, 'not a token of this gateway');
+      response.setHeader('Set-Cookie', 'nowpose=abc; Path=/; HttpOnly; SameSite=Strict');
+      return reply(200, { role: 'operator' });
+    }
+    if (this.token && !request.headers.cookie?.includes('nowpose=abc')) return reply(401, 'no or an unknown bearer token');
+    if (this.isSilent) return request.destroy();
+    if (path === '/operations/state') return reply(200, this.state);
+    if (path === '/operations/logout') {
+      response.setHeader('Set-Cookie', 'nowpose=; Path=/; Max-Age=0');
+      return reply(200, {});
+    }
+    if (path === '/operations/recording') {
+      this.state.recording = { can: true, on: post.on === 'true', file: 'press-3.jsonl', lines: 12, bytes: 3400, lost: 0 };
+      return reply(200, this.state.recording);
+    }
+    if (path === '/pair/code') await this.codeIsLate;
+    if (path === '/pair/code') return reply(200, { text: 'nowpose:token/1?t=AAAAAAAAAAAAAAAAAAAAAA&x=1', left_s: 290, key: 'AB' });
+    return reply(404, 'nothing');
+  }
+
+  upgrade(request, socket) {
+    this.connects++;
+    const accept = createHash('sha1').update(request.headers['sec-websocket-key'] + '258EAFA5-E914-47DA-95CA-C5AB0DC85B11').digest('base64');
+    if (this.token && !request.headers.cookie?.includes('nowpose=abc')) return socket.end('HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n');
+    socket.write(`HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: ${accept}\r\n\r\n`);
+    this.sockets.set(socket, new Set());
+    socket.on('data', data => { for (const text of textsOf(data)) this.hear(socket, JSON.parse(text)); });
+    socket.on('close', () => this.sockets.delete(socket));
+    socket.on('error', () => socket.destroy());
+  }
+
+  hear(socket, { op, topic }) {
+    if (op !== 'subscribe') throw new Error(`the page ${op}s`);
+    this.sockets.get(socket).add(topic);
+    if (topic === '/robot_description') socket.write(frame(JSON.stringify({ op: 'publish', topic, msg: { data: this.urdf } })));
+  }
+}

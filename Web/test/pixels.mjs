@@ -1,0 +1,23 @@
+// What a 3D view shows: a screenshot of it, read back in the page, since a WebGL canvas forgets what it drew.
+
+/** How many pixels of an element are blue, orange and grey, as the robots are, and how many coloured ones stand at its edge. */
+export async function picture(page, locator) {
+  const png = (await locator.screenshot()).toString('base64');
+  return page.evaluate(async png => {
+    const bytes = Uint8Array.from(atob(png), c => c.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const canvas = new OffscreenCanvas(image.width, image.height), context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    const counts = { blue: 0, orange: 0, grey: 0, edge: 0, pixels: image.width * image.height };
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
+      const pixel = i / 4, x = pixel % image.width, y = (pixel - x) / image.width;
+      if (Math.abs(r - b) > 40 && (x < 4 || y < 4 || x >= image.width - 4 || y >= image.height - 4)) counts.edge++;
+      if (b > r + 40) counts.blue++;
+      else if (r > b + 40) counts.orange++;
+      else if (Math.abs(r - b) < 40 && r > 60 && r < 215) counts.grey++;
+    }
+    return counts;
+  }, png);
+}

@@ -1,0 +1,142 @@
+// The session's playback in the report: robot, controls and plots at one moment.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, describe, it } from 'node:test';
+import { Browser, NO_WEBGL, WEBGL } from './browser.mjs';
+import { settled } from './inks.mjs';
+import { picture } from './pixels.mjs';
+import { report } from './sample.mjs';
+
+const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf', import.meta.url), 'utf8');
+const names = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
+const SECONDS = 8;
+
+/** Swings about its base; drawn 0.01 rad beside it, without compensation 0.1 rad. */
+function withPlayback(change = {}) {
+  const t = Array.from({ length: SECONDS * 30 + 1 }, (_, i) => i / 30);
+  const at = beside => t.map(time => [2.9 + 0.8 * Math.sin(time) + beside, 2, -1.5, 1.7, 2.9]);
+  return { ...report({ seconds: SECONDS }), playback: { urdf, names, t, truth: at(0), displayed: at(0.01), hold: at(0.1), ...change } };
+}
+
+let browser;
+before(async () => { browser = await Browser.start('report', WEBGL); });
+after(() => browser.stop());
+
+const words = page => page.textContent('#playback .apart');
+const time = async page => Number.parseFloat(await page.textContent('#playback .clock'));
+const cursors = page => page.evaluate(() => ['error', 'joint', 'clock'].map(id => document.querySelector(`#${id} .position`).textContent));
+
+describe('the playback of a report', () => {
+  it('says how far the tool was drawn from where it was', async () => {
+    const page = await browser.open(withPlayback());
+
+    // The tool is 0.4809 m from the axis that it is turned about: so says the command line's kinematics.
+    const [compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
+    assert.ok(Math.abs(compensated - 4.809) < 0.02, `${compensated} mm`);
+    assert.ok(Math.abs(held - 48.07) < 1, `${held} mm`);
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+  it('draws all three robots, and hides what is switched off', async () => {
+    const page = await browser.open(withPlayback({ hold: withPlayback().playback.truth.map(joints => [joints[0] + 1, ...joints.slice(1)]) }));
+    const stage = page.locator('#playback .stage');
+    const all = await picture(page, stage);
+
+    await page.locator('#playback .legend button').nth(2).click();
+    await settled(page);
+    const without = await picture(page, stage);
+
+    assert.ok(all.blue > 500 && all.orange > 500, JSON.stringify(all));
+    assert.ok(without.orange < all.orange / 10, JSON.stringify(without));
+    assert.match(await words(page), /without compensation [\d.]+/, 'what is hidden is told all the same');
+    await page.context().close();
+  });
+
+  it('plays, pauses, ends, and plots go with it', async () => {
+    const page = await browser.open(withPlayback());
+
+    await page.locator('#playback .play').focus();
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => Number.parseFloat(document.querySelector('#playback .clock').textContent) > 0.5);
+    await page.keyboard.press('Enter');
+    const paused = await time(page);
+    await page.waitForTimeout(200);
+
+    assert.equal(await time(page), paused);
+    for (const position of await cursors(page)) assert.ok(Math.abs(Number(/t = ([\d.]+)/.exec(position)[1]) - paused) < 0.05, `${position} at ${paused}`);
+    await page.locator('#playback input[type=range]').fill(String(SECONDS - 0.1));
+    await page.click('#playback .play');
+    await page.waitForFunction(() => document.querySelector('#playback .play').textContent === 'Play');
+    assert.equal(await time(page), SECONDS);
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+  it('is scrubbed with the keyboard, and read out', async () => {
+    const page = await browser.open(withPlayback());
+    const slider = page.locator('#playback input[type=range]');
+
+    await slider.focus();
+    await page.keyboard.press('End');
+    await page.keyboard.press('ArrowLeft');
+
+    assert.ok(Math.abs((await time(page)) - SECONDS) < 0.1 && (await time(page)) < SECONDS);
+    assert.equal(await slider.getAttribute('aria-valuetext'), `${(await time(page)).toFixed(2)} s`);
+    await page.context().close();
+  });
+
+  it('goes where a plot is pointed at', async () => {
+    const page = await browser.open(withPlayback());
+    const over = page.locator('#joint .u-over');
+    await over.scrollIntoViewIfNeeded();
+    await over.hover();
+
+    const [error, joint] = await cursors(page);
+    const pointed = Number(/t = ([\d.]+)/.exec(joint)[1]);
+    assert.ok(Math.abs((await time(page)) - pointed) < 0.02, `${await time(page)} against ${pointed}`);
+    assert.ok(Math.abs(Number(/t = ([\d.]+)/.exec(error)[1]) - pointed) < 0.05);
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+  it('is missed in one sentence without WebGL, and everything else works', async () => {
+    const plain = await Browser.start('report', NO_WEBGL);
+    try {
+      const page = await plain.open(withPlayback());
+      assert.match(await page.textContent('#playback .missing'), /no WebGL/);
+      await page.locator('#playback input[type=range]').fill('3');
+      assert.match(await words(page), /4\.8/);
+      assert.equal(await page.locator('.plot').count(), 6);
+      assert.deepEqual(page.complaints, []);
+    } finally {
+      await plain.stop();
+    }
+  });
+
+  it('with a description that is none says so, and everything else works', async () => {
+    const page = await browser.open(withPlayback({ urdf: '</script><script>alert(1)</script>' }));
+
+    assert.match(await page.textContent('#playback .missing'), /no URDF/);
+    assert.equal(await page.locator('.plot').count(), 6);
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+  it('fits windows of both kinds, light and dark', async () => {
+    for (const [viewport, colorScheme] of [[{ width: 1280, height: 720 }, 'light'], [{ width: 390, height: 844 }, 'dark']]) {
+      const page = await browser.open(withPlayback(), { viewport, colorScheme });
+      const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      assert.ok(content <= window, `${content} px of content`);
+      const { blue } = await picture(page, page.locator('#playback .stage'));
+      assert.ok(blue > 200, `${colorScheme}: ${blue}`);
+      await page.context().close();
+    }
+  });
+
+  it('carries the licences of what draws it', () => {
+    const html = readFileSync(new URL('../dist/report.html', import.meta.url), 'utf8');
+    for (const author of ['three.js authors', 'California Institute of Technology', 'Apache License', 'Leon Sorokin']) assert.ok(html.includes(author), author);
+    assert.ok(html.length < 900_000, `${html.length} bytes`);
+  });
+});

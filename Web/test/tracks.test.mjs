@@ -1,0 +1,62 @@
+// Where the joints of the page's robot are, from messages that carry now these and now those of them.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { build } from 'esbuild';
+
+const source = fileURLToPath(new URL('../src/robot/tracks.ts', import.meta.url));
+const { outputFiles } = await build({ entryPoints: [source], bundle: true, format: 'esm', write: false });
+const { JointTracks } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`);
+
+const at = pose => Object.fromEntries(pose.names.map((name, i) => [name, pose.positions[i]]));
+
+describe('joints that are published in sets that overlap', () => {
+  it('have their newest values, whichever set carried them', () => {
+    const tracks = new JointTracks(5);
+    tracks.add(0.4, ['a', 'b'], [0.4, 4]);
+    tracks.add(0.5, ['a'], [0.5]);
+    for (let t = 1; t < 5; t++) tracks.add(t, ['a', 'b'], [t, 10 * t]);
+
+    assert.deepEqual(at(tracks.at(3.5)), { a: 3.5, b: 35 });
+    assert.deepEqual(at(tracks.heldAt(3.5)), { a: 3, b: 30 });
+    assert.equal(tracks.last, 4);
+  });
+
+  it('are each between their own neighbours', () => {
+    const tracks = new JointTracks(5);
+    tracks.add(1, ['a', 'b'], [1, 1]);
+    tracks.add(2, ['b'], [5]);
+    tracks.add(3, ['b', 'a'], [9, 3]);
+
+    assert.deepEqual(at(tracks.at(2)), { a: 2, b: 5 });
+    assert.deepEqual(at(tracks.at(9)), { a: 3, b: 9 }, 'what has not spoken since stays where it was');
+    assert.equal(tracks.at(0.5), null);
+  });
+
+  it('are known in whatever order and company they come', () => {
+    const tracks = new JointTracks(5), joints = ['a', 'b', 'c', 'd', 'e'];
+    // More sets than were ever told apart: each of the 120 orders.
+    const orders = rest => (rest.length === 0 ? [[]]
+      : rest.flatMap(one => orders(rest.filter(other => other !== one)).map(order => [one, ...order])));
+    orders(joints).forEach((names, i) => tracks.add(i, names, names.map(name => i + joints.indexOf(name) / 10)));
+
+    assert.deepEqual(at(tracks.at(119)), { a: 119, b: 119.1, c: 119.2, d: 119.3, e: 119.4 });
+  });
+
+  it('of which ever new ones come stay bounded, and those that speak stay known', () => {
+    const tracks = new JointTracks(5);
+    for (let i = 0; i < 5000; i++) tracks.add(i / 100, ['honest', `made up ${i}`], [i, i]);
+
+    const pose = at(tracks.at(49.99));
+    assert.ok(Object.keys(pose).length <= 512);
+    assert.equal(pose.honest, 4999);
+  });
+
+  it('are left alone by what is no number', () => {
+    const tracks = new JointTracks(5);
+    tracks.add(1, ['a', 'b'], [1, 1]);
+    tracks.add(2, ['a', 'b'], [2]);
+
+    assert.deepEqual(at(tracks.at(2)), { a: 2, b: 1 });
+  });
+});
