@@ -14,6 +14,8 @@ public sealed class VersionTests
     [TestCase("Web/package-lock.json", @"""version"": ""([^""]+)""")]
     [TestCase("Vision/package.json", @"""version"": ""([^""]+)""")]
     [TestCase("Vision/package-lock.json", @"""version"": ""([^""]+)""")]
+    [TestCase("Gateway/Adapters/package.json", @"""version"": ""([^""]+)""")]
+    [TestCase("Gateway/Adapters/package-lock.json", @"""version"": ""([^""]+)""")]
     [TestCase("CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
     [TestCase(RepositoryFiles.Package + "/CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
     public void Version_EveryPlace_IsThePackages(string path, string pattern)

@@ -1,0 +1,10 @@
+// What a build of Adapters.csproj runs; sources and outputs are its BundleSource and Bundled.
+import { dirname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { prepare } from '../../Web/preparation.mjs';
+
+process.exitCode = await prepare({
+  folder: dirname(fileURLToPath(import.meta.url)),
+  sources: ['src', 'licences', 'plant.schema.json', 'package-lock.json', 'bundle.mjs', 'prepare.mjs', '../../Web/preparation.mjs', '../../Packages/com.nowpose.mril/Runtime/Robots'],
+  outputs: ['plant.mjs', 'opcua.mjs', 'ads.mjs', 'ros.mjs', 'broker.mjs', 'plant.schema.json', 'adapter-licences.txt'],
+});

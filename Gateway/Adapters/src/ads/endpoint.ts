@@ -1,0 +1,25 @@
+/** Where a PLC is: the machine that takes the frames, and the AMS address that they are for. */
+export interface AdsEndpoint {
+  host: string;
+  tcpPort: number;
+  netId: string;
+  port: number;
+}
+
+const ROUTER_TCP_PORT = 48898;
+
+/** The forms of ads://HOST[:TCP PORT]/AMS NET ID:AMS PORT, for the schema's pattern too. */
+const FORM = /^ads:\/\/([^\s/@:]+)(?::(\d{1,5}))?\/((?:\d{1,3}\.){5}\d{1,3}):(\d{1,5})$/;
+
+/** Undefined when the text is no such address. */
+export function parseEndpoint(text: string): AdsEndpoint | undefined {
+  const match = FORM.exec(text);
+  if (match === null) return undefined;
+  const endpoint = { host: match[1], tcpPort: Number(match[2] ?? ROUTER_TCP_PORT), netId: match[3], port: Number(match[4]) };
+  return isNetId(endpoint.netId) && isPort(endpoint.tcpPort) && isPort(endpoint.port) ? endpoint : undefined;
+}
+
+/** Six numbers from 0 to 255. */
+export const isNetId = (text: string): boolean => /^(\d{1,3}\.){5}\d{1,3}$/.test(text) && text.split('.').every(part => Number(part) <= 255);
+
+const isPort = (port: number): boolean => port > 0 && port < 65536;

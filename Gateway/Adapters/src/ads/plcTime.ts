@@ -1,0 +1,109 @@
+import type { AdsSymbol } from 'ads-client';
+import { pause } from '../backoff';
+import type { ClockReading } from '../clock/plantClock';
+import type { TimeUnit } from '../samples/timeUnit';
+import { type Nanoseconds, ofFileTime } from '../times';
+import { timeOf } from './decoding';
+import type { ReadOnlyClient } from './readOnlyClient';
+
+const PROBES = 64, PROBE_EVERY_MS = 1;
+const LONGEST_WAIT_MS = 1500, MOST_EARLY = 64;
+
+/** The clock that stamps a PLC's values. */
+export interface PlcTime {
+  read(): Promise<ClockReading>;
+  /** Every stamp that arrives for a handle that is none of a joint's. */
+  saw(handle: number, stamp: bigint): void;
+}
+
+/**
+ * The clock of notification stamps. No request of ADS is answered with it, but each new notification is sampled, stamped and sent at
+ * once: its first stamp lies between the request for it and its arrival.
+ */
+export class NotificationTime implements PlcTime {
+  readonly #waiting = new Map<number, (stamp: bigint) => void>();
+  /** Of handles that nobody knows yet: a first notification may overtake the answer to its subscription. */
+  readonly #early = new Map<number, bigint>();
+  /** Handles that were ours: what still comes for them is of an earlier question, even where a PLC gives one away again. */
+  readonly #former: number[] = [];
+  #asking = 0;
+
+  /** @param place Of anything that can be notified of, preferably of what bears such stamps. */
+  constructor(readonly client: ReadOnlyClient, readonly place: Pick<AdsSymbol, 'indexGroup' | 'indexOffset' | 'size'>) {}
+
+  saw(handle: number, stamp: bigint): void {
+    const take = this.#waiting.get(handle);
+    if (take !== undefined) take(stamp);
+    else if (this.#asking > 0 && !this.#former.includes(handle) && this.#early.size < MOST_EARLY && !this.#early.has(handle))
+      this.#early.set(handle, stamp);
+  }
+
+  async read(): Promise<ClockReading> {
+    const { indexGroup, indexOffset, size } = this.place;
+    this.#asking++;
+    const asked = await this.client.subscribe({
+      target: { indexGroup, indexOffset, size }, callback: () => {}, cycleTime: 0, sendOnChange: true, maxDelay: 0,
+    }).finally(() => { this.#asking--; });
+    try {
+      const time = ofFileTime(await this.#first(asked.notificationHandle));
+      return { received: time, sent: time };
+    } finally {
+      this.#waiting.delete(asked.notificationHandle);
+      if (this.#former.push(asked.notificationHandle) > MOST_EARLY) this.#former.shift();
+      asked.unsubscribe().catch(() => {});
+    }
+  }
+
+  #first(handle: number): Promise<bigint> {
+    const early = this.#early.get(handle);
+    if (this.#asking === 0) this.#early.clear();
+    if (early !== undefined) return Promise.resolve(early);
+    return new Promise((resolve, reject) => {
+      const timer = setTimeout(() => reject(new Error(`no first notification within ${LONGEST_WAIT_MS} ms`)), LONGEST_WAIT_MS);
+      this.#waiting.set(handle, stamp => {
+        clearTimeout(timer);
+        resolve(stamp);
+      });
+    });
+  }
+}
+
+/** The clock that a variable of the PLC shows. Its task writes it once per cycle, so that it is a cycle coarse. */
+export class VariableTime implements PlcTime {
+  #resolution: Nanoseconds | null;
+
+  /** @param resolution The cycle of that task; null: measured. */
+  constructor(readonly client: ReadOnlyClient, readonly symbol: AdsSymbol, readonly unit: TimeUnit, resolution: Nanoseconds | null) {
+    this.#resolution = resolution;
+  }
+
+  saw(): void {}
+
+  async read(): Promise<ClockReading> {
+    this.#resolution ??= await this.#step();
+    const time = await this.#value();
+    return { received: time, sent: time, resolution: this.#resolution };
+  }
+
+  async #value(): Promise<Nanoseconds> {
+    const { indexGroup, indexOffset, size, name } = this.symbol;
+    const time = timeOf(this.symbol, this.unit, await this.client.readRaw(indexGroup, indexOffset, size));
+    if (time === null) throw new Error(`${name} holds no time`);
+    return time;
+  }
+
+  /** The smallest step between values that are read 1 ms apart, without waiting for one before asking for the next. */
+  async #step(): Promise<Nanoseconds> {
+    const asked: Promise<Nanoseconds>[] = [];
+    const never = new AbortController().signal;
+    for (let i = 0; i < PROBES; i++) {
+      asked.push(this.#value());
+      asked[i].catch(() => {});
+      await pause(PROBE_EVERY_MS, never);
+    }
+    const times = (await Promise.all(asked)).sort((a, b) => a < b ? -1 : 1);
+    const steps = times.slice(1).map((time, i) => time - times[i]).filter(step => step > 0n);
+    if (steps.length === 0) throw new Error(`${this.symbol.name} stands still`);
+    return steps.reduce((least, step) => step < least ? step : least);
+  }
+}

@@ -1,0 +1,36 @@
+import { getSystemErrorName } from 'node:util';
+import type { AdsEndpoint } from './endpoint';
+import type { ReadOnlyClient } from './readOnlyClient';
+
+const RUN = 5;
+
+const TARGET_PORT = 6, TARGET_MACHINE = 7, SYMBOL_NOT_FOUND = 1808;
+
+export const isSymbolNotFound = (error: unknown): boolean => codeOf(error) === SYMBOL_NOT_FOUND;
+
+/** Why a PLC is not read, and what to do about it. */
+export function reasonOf(error: unknown, client: ReadOnlyClient, endpoint: AdsEndpoint, localNetId: string | null): string {
+  const { host, tcpPort, netId, port } = endpoint;
+  const system = client.metaData.tcSystemState;
+  if (system !== undefined && system.adsState !== RUN) return `TwinCAT at ${netId} is in ${system.adsStateStr} mode; it goes on when TwinCAT runs`;
+  const refused = /socket error (-\d+)/.exec(messageOf(error));
+  if (refused !== null)
+    return `nothing answers at ${host}:${tcpPort} (${getSystemErrorName(Number(refused[1]))}); `
+      + `is TwinCAT or its router running there, and does its firewall let TCP ${tcpPort} in?`;
+  switch (codeOf(error)) {
+    case TARGET_PORT: return `no PLC runtime at AMS port ${port} of ${netId}; TwinCAT 3 has its first at 851, TwinCAT 2 at 801`;
+    case TARGET_MACHINE: return `${host} does not know the AMS Net Id ${netId}; check it, and that ${host} is that machine or has a route to it`;
+  }
+  if (client.isHungUp || /[Tt]imeout|socket (closed|ended)/.test(messageOf(error)))
+    return `${host} takes the connection and does not answer${localNetId === null ? '' : `; if it never did, it needs a route to this machine: `
+      + `in TwinCAT, SYSTEM > Routes > Add, AMS Net Id ${localNetId}, transport TCP_IP, the address of this machine`}`;
+  return messageOf(error);
+}
+
+/** ads-client tells the cause behind what it led to. */
+const messageOf = (error: unknown): string =>
+  (error as { trace?: string[] }).trace?.at(-1) ?? (error instanceof Error ? error.message : String(error));
+
+function codeOf(error: unknown): number | undefined {
+  return (error as { adsError?: { errorCode?: number } }).adsError?.errorCode;
+}

@@ -1,0 +1,184 @@
+import { ADS, type AdsSymbol } from 'ads-client';
+import type { AdapterContext } from '../adapter';
+import type { ClockReading } from '../clock/plantClock';
+import type { TimeUnit } from '../samples/timeUnit';
+import { type Nanoseconds, ofFileTime, ofMilliseconds } from '../times';
+import { Cycles, type CycleValue } from './cycles';
+import { canHoldTime, isNumber, numberOf, timeOf, unitOf } from './decoding';
+import { NotificationTime, type PlcTime, VariableTime } from './plcTime';
+import { ReadOnlyClient } from './readOnlyClient';
+import { reasonOf } from './reasons';
+import type { AdsSettings } from './settings';
+import type { StampedSamples } from './stream';
+import { findSymbol, type NamedSymbol, SymbolError } from './symbols';
+
+const RUN = 5;
+const GOODBYE_MS = 500;
+
+/** Which every runtime has, whatever its program. */
+const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
+
+interface Watched {
+  symbol: AdsSymbol;
+  /** Its place among the joints; null for the time. */
+  joint: number | null;
+}
+
+/** One connection to a PLC, from its first frame to its end. */
+export class AdsSession {
+  readonly #client: ReadOnlyClient;
+  readonly #watched = new Map<number, Watched>();
+  readonly #cycles: Cycles;
+  #unit: TimeUnit = 'ns';
+  #time: PlcTime | undefined;
+  #isReading = false;
+  #isRunning = true;
+  #end: (reason: string) => void = () => {};
+
+  constructor(readonly context: AdapterContext, readonly settings: AdsSettings) {
+    this.#client = new ReadOnlyClient(settings.endpoint, settings.local);
+    this.#cycles = new Cycles(Math.ceil(settings.publishingMs / settings.samplingMs), (time, values) => this.#put(time, values), values => {
+      for (const { joint } of values) context.output.refuse(joint, 'stamp-missing', `it came without ${settings.time?.symbol} of its cycle`);
+    });
+  }
+
+  /** Reads until the connection, the program or the adapter ends; returns why, and whether waiting alone will hardly mend it. */
+  async run(): Promise<{ reason: string; isRefused: boolean }> {
+    const ended = new Promise<string>(resolve => { this.#end = resolve; });
+    const { stopping } = this.context, stop = (): void => this.#end('stopped');
+    stopping.addEventListener('abort', stop);
+    this.#listen();
+    this.context.output.startAnew();
+    try {
+      const reason = await Promise.race([ended, this.#setUp().then(() => ended)]);
+      return { reason, isRefused: false };
+    } catch (error) {
+      return { reason: this.#reasonOf(error), isRefused: error instanceof SymbolError };
+    } finally {
+      stopping.removeEventListener('abort', stop);
+      this.context.clock.detach();
+      await this.#leave();
+    }
+  }
+
+  #listen(): void {
+    const client = this.#client;
+    client.onSamples = stamps => this.#hear(stamps);
+    client.on('connectionLost', () => this.#end(this.#whyLost()));
+    client.on('plcSymbolVersionChange', (next, before) => {
+      if (before !== undefined && before !== next) this.#end('the PLC has a new program; its variables are looked up again');
+    });
+    client.on('plcRuntimeStateChange', () => this.#tellState());
+  }
+
+  async #setUp(): Promise<void> {
+    await this.#client.connect();
+    const { settings } = this;
+    const joints = await Promise.all(settings.joints.map(named => this.#find(named, numberNeeded)));
+    const time = settings.time && await this.#find(settings.time, timeNeeded);
+    if (time !== null) this.#unit = settings.time!.unit ?? unitOf(time);
+    this.#time = time === null
+      ? new NotificationTime(this.#client, joints[0] ?? PLC_STATE)
+      : new VariableTime(this.#client, time, this.#unit, this.context.clock.fixedResolution);
+    // Which cycles are sampled is counted from when a notification is added: the time is taken in each, and the joints are added at once.
+    if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
+    const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
+    await Promise.all(joints.map((symbol, joint) => this.#watch(symbol, joint, sampled)));
+    this.#isReading = true;
+    this.#tellState();
+  }
+
+  #find(named: NamedSymbol, objection: (found: AdsSymbol) => string | undefined): Promise<AdsSymbol> {
+    return findSymbol(this.#client, this.context.configuration.file, named, objection);
+  }
+
+  async #watch(symbol: AdsSymbol, joint: number | null, when: { cycleTime: number; sendOnChange: boolean }): Promise<void> {
+    const { indexGroup, indexOffset, size } = symbol, { samplingMs, publishingMs } = this.settings;
+    const subscription = await this.#client.subscribe({
+      ...when, target: { indexGroup, indexOffset, size }, callback: () => {}, maxDelay: publishingMs > samplingMs ? publishingMs : 0,
+    });
+    this.#watched.set(subscription.notificationHandle, { symbol, joint });
+  }
+
+  #hear(stamps: StampedSamples[]): void {
+    for (const { stamp, samples } of stamps) {
+      const values: CycleValue[] = [];
+      let time: Nanoseconds | null | undefined;
+      for (const { handle, data } of samples) {
+        const watched = this.#watched.get(handle);
+        if (watched === undefined) {
+          this.#time?.saw(handle, stamp);
+          continue;
+        }
+        const { symbol, joint } = watched;
+        if (data.length < symbol.size) return this.#end(`the PLC no longer has ${symbol.name} where it was; its variables are looked up again`);
+        if (joint === null) time = timeOf(symbol, this.#unit, data);
+        else values.push({ joint, value: numberOf(symbol, data) });
+      }
+      if (this.settings.time !== null) this.#cycles.add(stamp, values, time);
+      else if (values.length > 0) this.#put(stamp === 0n ? null : ofFileTime(stamp), values);
+    }
+  }
+
+  #put(stamp: Nanoseconds | null, values: CycleValue[]): void {
+    const { isOnChange, samplingMs, publishingMs } = this.settings;
+    // What changed so long before these was looked at, and sent, before these.
+    if (isOnChange && stamp !== null && this.#isRunning)
+      this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.joint)));
+    if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
+    for (const { joint } of values) this.context.output.refuse(joint, 'plc-stopped', 'the PLC\'s program does not run, its variables stand still');
+  }
+
+  #tellState(): void {
+    const { adsState, adsStateStr } = this.#client.metaData.plcRuntimeState ?? { adsState: RUN };
+    this.#isRunning = adsState === RUN;
+    if (!this.#isReading) return;
+    if (this.#isRunning) {
+      this.context.status.enter('connected');
+      void this.#attachClock();
+    } else {
+      this.context.status.enter('waiting', `the PLC's program is in state ${adsStateStr}; positions go on when it runs`);
+      this.context.clock.detach();
+    }
+  }
+
+  async #attachClock(): Promise<void> {
+    const read = (): Promise<ClockReading> => {
+      if (!this.#isRunning) throw new Error('the PLC\'s program does not run');
+      return this.#time!.read();
+    };
+    try {
+      await this.context.clock.attach(read, this.context.stopping);
+    } catch (error) {
+      if (this.#isRunning) this.#end(`the PLC's clock cannot be read: ${this.#reasonOf(error)}`);
+    }
+  }
+
+  #reasonOf(error: unknown): string {
+    const { endpoint, local } = this.settings;
+    return reasonOf(error, this.#client, endpoint, local?.netId ?? null);
+  }
+
+  #whyLost(): string {
+    const system = this.#client.metaData.tcSystemState, { host, netId } = this.settings.endpoint;
+    return system !== undefined && system.adsState !== RUN
+      ? `TwinCAT at ${netId} went to ${system.adsStateStr} mode`
+      : `the connection to ${host} ended`;
+  }
+
+  // A PLC that still answers is told to forget the notifications; one that does not is not waited for.
+  async #leave(): Promise<void> {
+    this.#client.onSamples = () => {};
+    const goodbye = this.#client.connection.connected ? this.#client.disconnect() : Promise.resolve();
+    await Promise.race([goodbye.catch(() => {}), new Promise(resolve => setTimeout(resolve, GOODBYE_MS))]);
+    await this.#client.disconnect(true).catch(() => {});
+  }
+}
+
+const numberNeeded = (found: AdsSymbol): string | undefined => {
+  if (found.arrayDimension > 0) return `name one element, such as ${found.name}[${found.arrayInfo[0]?.startIndex ?? 0}]`;
+  return isNumber(found) ? undefined : 'a joint\'s value is a number: LREAL, REAL or a whole number';
+};
+
+const timeNeeded = (found: AdsSymbol): string | undefined =>
+  canHoldTime(found) ? undefined : 'a time has 64 bits: LINT, ULINT, LREAL, LTIME or T_FILETIME';

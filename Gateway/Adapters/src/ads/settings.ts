@@ -1,0 +1,84 @@
+import { type Configuration, type OwnCheck, passedJoints } from '../configuration/configuration';
+import { shown } from '../configuration/problem';
+import type { TimeUnit } from '../samples/timeUnit';
+import { type AdsEndpoint, isNetId, parseEndpoint } from './endpoint';
+import type { NamedSymbol } from './symbols';
+
+/** AMS ports of clients are the ones that TwinCAT's router gives away. */
+const OWN_PORT = 32905;
+
+const SAMPLING_MS = 10;
+
+/** What a configuration of kind ads says, as the schema and its own check leave it. */
+export interface AdsSettings {
+  endpoint: AdsEndpoint;
+  /** Who we are towards a target without a router on this machine; null where the router of `endpoint.host` gives us an address. */
+  local: { netId: string; port: number } | null;
+  samplingMs: number;
+  publishingMs: number;
+  isOnChange: boolean;
+  /** The variable that tells t_k; null where the stamps of notifications do. */
+  time: (NamedSymbol & { unit: TimeUnit | undefined }) | null;
+  joints: NamedSymbol[];
+}
+
+interface PlantSection {
+  endpoint: string;
+  local_net_id?: string;
+  plain?: boolean;
+  timestamp?: 'notification' | 'variable';
+  time?: { symbol: string; unit?: TimeUnit };
+  sampling_ms?: number;
+  publishing_ms?: number;
+  on_change?: boolean;
+}
+
+const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
+
+/** What the schema cannot say; notes the lines of the symbols for what only the PLC can object to. */
+export const check: OwnCheck = (file, configuration) => {
+  const plant = sectionOf(configuration);
+  if (parseEndpoint(plant.endpoint) === undefined)
+    file.report(['plant', 'endpoint'], `value ${shown(plant.endpoint)}; the parts of an AMS Net Id are 0 to 255, ports 1 to 65535`);
+  if (plant.local_net_id !== undefined && !isNetId(plant.local_net_id))
+    file.report(['plant', 'local_net_id'], `value ${shown(plant.local_net_id)}; the parts of an AMS Net Id are 0 to 255`);
+  if (plant.plain !== true)
+    file.report(['plant', 'plain'], 'missing; ADS is neither encrypted nor authenticated here: '
+      + 'where only trusted machines share its network, say plain: true');
+  if (plant.timestamp === 'variable' && plant.time === undefined)
+    file.report(['plant', 'timestamp'], 'value "variable"; add time with the symbol of the time variable');
+  if (plant.timestamp === 'notification' && plant.time !== undefined)
+    file.report(['plant', 'time'], 'timestamp is notification; take time out, or set timestamp to variable');
+  const { samplingMs, publishingMs } = intervalsOf(plant);
+  if (publishingMs < samplingMs)
+    file.report(['plant', 'publishing_ms'], `value ${publishingMs}; allowed is a time from sampling_ms, ${samplingMs}, to 10000 ms`);
+  configuration.joints.forEach((joint, i) => { joint.line = file.lineOf(['joints', i, 'symbol']); });
+  if (plant.time !== undefined) Object.assign(plant.time, { line: file.lineOf(['plant', 'time', 'symbol']) });
+};
+
+const intervalsOf = (plant: PlantSection): { samplingMs: number; publishingMs: number } => {
+  const samplingMs = plant.sampling_ms ?? SAMPLING_MS;
+  return { samplingMs, publishingMs: plant.publishing_ms ?? samplingMs };
+};
+
+export function settingsOf(configuration: Configuration): AdsSettings {
+  const plant = sectionOf(configuration);
+  return {
+    endpoint: parseEndpoint(plant.endpoint)!,
+    local: plant.local_net_id === undefined ? null : { netId: plant.local_net_id, port: OWN_PORT },
+    ...intervalsOf(plant),
+    isOnChange: plant.on_change ?? false,
+    time: plant.time === undefined ? null : { unit: undefined, ...plant.time as { symbol: string; unit?: TimeUnit; line: number } },
+    joints: configuration.joints.map(joint => ({ symbol: joint.symbol as string, line: joint.line as number })),
+  };
+}
+
+export const summary = (configuration: Configuration): string => {
+  const { time, samplingMs, publishingMs } = settingsOf(configuration);
+  const stamp = time === null ? 'the stamp of ADS' : `the variable ${time.symbol}`;
+  return [
+    `ADS ${sectionOf(configuration).endpoint}, NO SECURITY`,
+    `t_k is ${stamp}, sampled every ${samplingMs} ms, published every ${publishingMs} ms`,
+    passedJoints(configuration.joints, 'its clock alone'),
+  ].join('; ');
+};

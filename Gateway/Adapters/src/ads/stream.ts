@@ -1,0 +1,28 @@
+/** What one device had to say of its variables at one moment. */
+export interface StampedSamples {
+  /** 100 ns since 1601 UTC, as the device wrote it. */
+  stamp: bigint;
+  samples: { handle: number; data: Buffer }[];
+}
+
+/**
+ * The notifications of an ADS frame. ads-client keeps their stamps as dates, to the millisecond; here all 100 ns are kept.
+ * @throws RangeError The data is shorter than it says.
+ */
+export function parseStream(data: Buffer): StampedSamples[] {
+  const stamps: StampedSamples[] = [];
+  let at = 8;
+  for (let s = data.readUInt32LE(4); s > 0; s--) {
+    const stamp = data.readBigUInt64LE(at);
+    const samples: StampedSamples['samples'] = [];
+    let count = data.readUInt32LE(at + 8);
+    for (at += 12; count > 0; count--) {
+      const handle = data.readUInt32LE(at), length = data.readUInt32LE(at + 4);
+      if (at + 8 + length > data.length) throw new RangeError(`a sample of ${length} bytes in a frame of ${data.length}`);
+      samples.push({ handle, data: data.subarray(at + 8, at + 8 + length) });
+      at += 8 + length;
+    }
+    stamps.push({ stamp, samples });
+  }
+  return stamps;
+}

@@ -1,0 +1,41 @@
+import type { AdsSymbol } from 'ads-client';
+import { nearest } from '../configuration/nearest';
+import type { ReadOnlyClient } from './readOnlyClient';
+import { isSymbolNotFound } from './reasons';
+
+const LARGEST_TABLE = 8 * 1024 * 1024;
+
+/** A variable that the configuration names, and where it does. */
+export interface NamedSymbol {
+  symbol: string;
+  line: number;
+}
+
+/** The configuration names what the PLC has not, or not so. */
+export class SymbolError extends Error {}
+
+/**
+ * Looks up what the configuration names.
+ * @throws SymbolError The PLC has no such symbol, or not one that is of use; says the line and what may be meant.
+ */
+export async function findSymbol(client: ReadOnlyClient, file: string, { symbol, line }: NamedSymbol,
+  objectionTo: (found: AdsSymbol) => string | undefined): Promise<AdsSymbol> {
+  let found: AdsSymbol;
+  try {
+    found = await client.getSymbol(symbol);
+  } catch (error) {
+    if (!isSymbolNotFound(error)) throw error;
+    throw new SymbolError(`${file}, line ${line}: the PLC has no symbol ${symbol}${await near(client, symbol)}`);
+  }
+  const objection = objectionTo(found);
+  if (objection !== undefined) throw new SymbolError(`${file}, line ${line}: ${symbol} is ${found.type}; ${objection}`);
+  return found;
+}
+
+async function near(client: ReadOnlyClient, symbol: string): Promise<string> {
+  const { symbolLength } = await client.readPlcUploadInfo();
+  if (symbolLength > LARGEST_TABLE) return '';
+  const names = Object.values(await client.getSymbols()).map(s => s.name);
+  const close = nearest(symbol, names, 3);
+  return close.length === 0 ? '; see its symbols with the PLC program\'s own tools' : `; near are ${close.join(', ')}`;
+}

@@ -1,0 +1,32 @@
+const FIRST_MS = 200, LONGEST_MS = 1500, VARIATION = 0.2;
+
+/** Waits between attempts to connect: 0.2 s doubling to 1.5 s, ±20 % lest many clients come at once. */
+export class Backoff {
+  #next = FIRST_MS;
+
+  constructor(readonly random: () => number = Math.random) {}
+
+  next(): number {
+    const wait = this.#next;
+    this.#next = Math.min(2 * wait, LONGEST_MS);
+    return wait * (1 + VARIATION * (2 * this.random() - 1));
+  }
+
+  reset(): void {
+    this.#next = FIRST_MS;
+  }
+}
+
+/** Resolves after the time, or at once when the signal is given. */
+export function pause(ms: number, stop: AbortSignal): Promise<void> {
+  return new Promise(resolve => {
+    if (stop.aborted) return resolve();
+    const end = (): void => {
+      clearTimeout(timer);
+      stop.removeEventListener('abort', end);
+      resolve();
+    };
+    const timer = setTimeout(end, ms);
+    stop.addEventListener('abort', end);
+  });
+}

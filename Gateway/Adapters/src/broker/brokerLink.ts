@@ -1,0 +1,153 @@
+import { randomBytes } from 'node:crypto';
+import { connect, type IClientOptions, type MqttClient } from 'mqtt';
+import { Backoff, pause } from '../backoff';
+import { SendQueue } from '../gateway/sendQueue';
+import type { BrokerSettings } from './settings';
+
+const KEEP_ALIVE_S = 3, CONNECT_MS = 5000, STEADY_MS = 2000, GOODBYE_MS = 500;
+
+/** What is published, below the plant's topic: as it is called in ROS, and whether the publishing end is there (true or false, retained). */
+export const STATES = 'joint_states', TRAJECTORY = 'joint_trajectory', DESCRIPTION = 'robot_description', ALIVE = 'alive';
+
+/** Room for a description of 1 MiB. */
+const LARGEST_PACKET = 1024 * 1024 + 64 * 1024;
+
+export interface BrokerEvents {
+  opened(): void;
+  away(reason: string): void;
+  heard(topic: string, payload: Buffer): void;
+  /** What came under this topic broke `heard`. */
+  malformed(topic: string, problem: string): void;
+}
+
+/** The connection to an MQTT 5 broker. Comes back by itself; subscriptions and retained messages are then said again. */
+export class BrokerLink {
+  readonly #queue = new SendQueue();
+  readonly #retained = new Map<string, string>();
+  #client: MqttClient | null = null;
+
+  /** @param subscriptions Below the plant's topic. */
+  constructor(readonly settings: BrokerSettings, readonly name: string, readonly subscriptions: string[], readonly events: BrokerEvents) {}
+
+  /** Messages that were dropped because the broker was away or slow. */
+  get dropped(): number { return this.#queue.dropped; }
+
+  /**
+   * Sends joint states once or never: for one that got lost the next is better than a second attempt, which might even come after it.
+   * A broker that is slow loses the oldest.
+   */
+  publishStates(payload: string): void {
+    this.#queue.add(payload);
+    this.#pump();
+  }
+
+  /** Sends it until the broker has it, which gives it to whoever subscribes later. */
+  publishRetained(topic: string, payload: string): void {
+    this.#retained.set(topic, payload);
+    if (this.#client?.connected) this.#keep(topic, payload);
+  }
+
+  async run(stop: AbortSignal): Promise<void> {
+    const backoff = new Backoff();
+    while (!stop.aborted) {
+      const began = performance.now();
+      const reason = await this.#connect(stop);
+      if (stop.aborted) return;
+      this.events.away(reason);
+      if (performance.now() - began > STEADY_MS) backoff.reset();
+      await pause(backoff.next(), stop);
+    }
+  }
+
+  #connect(stop: AbortSignal): Promise<string> {
+    const client = connect(this.settings.endpoint, this.#options());
+    return new Promise(resolve => {
+      let reason = 'the broker closed the connection';
+      const leave = (): void => {
+        this.#sayAway(client);
+        client.end(false, {}, () => resolve('stopped'));
+        setTimeout(() => client.end(true), GOODBYE_MS).unref();
+      };
+      stop.addEventListener('abort', leave);
+      client.on('connect', () => this.#open(client));
+      client.on('message', (topic, payload) => this.#hear(topic.slice(this.settings.topic.length + 1), payload));
+      client.on('error', error => { reason = inWords(error, this.settings.endpoint); });
+      // Its end says so once more, when the next client may be there already.
+      client.once('close', () => {
+        stop.removeEventListener('abort', leave);
+        this.#client = null;
+        client.end(true);
+        resolve(reason);
+      });
+    });
+  }
+
+  // Whatever somebody publishes must not end the process.
+  #hear(topic: string, payload: Buffer): void {
+    try {
+      this.events.heard(topic, payload);
+    } catch (error) {
+      this.events.malformed(topic, (error as Error).message);
+    }
+  }
+
+  #options(): IClientOptions {
+    const { topic, user, authority, direction } = this.settings;
+    return {
+      protocolVersion: 5,
+      clientId: `nowpose-${this.name}-${randomBytes(4).toString('hex')}`,
+      clean: true,
+      keepalive: KEEP_ALIVE_S,
+      reschedulePings: false,
+      connectTimeout: CONNECT_MS,
+      reconnectPeriod: 0,
+      queueQoSZero: false,
+      properties: { maximumPacketSize: LARGEST_PACKET },
+      ...(user === null ? {} : { username: user.name, password: user.password }),
+      ...(authority === null ? {} : { ca: authority }),
+      // Said by the broker when this end dies without a word.
+      ...(direction === 'publish' ? { will: { topic: `${topic}/${ALIVE}`, payload: Buffer.from('false'), qos: 1 as const, retain: true } } : {}),
+    };
+  }
+
+  #open(client: MqttClient): void {
+    this.#client = client;
+    const { topic, direction } = this.settings;
+    for (const name of this.subscriptions)
+      client.subscribe(`${topic}/${name}`, { qos: 1 }, error => {
+        if (error) this.events.away(`the broker refuses the subscription of ${topic}/${name}: ${error.message}`);
+      });
+    if (direction === 'publish') this.#keep(ALIVE, 'true');
+    for (const [name, payload] of this.#retained) this.#keep(name, payload);
+    this.events.opened();
+    this.#pump();
+  }
+
+  #keep(name: string, payload: string): void {
+    this.#client!.publish(`${this.settings.topic}/${name}`, payload, { qos: 1, retain: true });
+  }
+
+  #sayAway(client: MqttClient): void {
+    const { topic, direction } = this.settings;
+    if (client.connected && direction === 'publish') client.publish(`${topic}/${ALIVE}`, 'false', { qos: 1, retain: true });
+  }
+
+  #pump(): void {
+    const client = this.#client;
+    if (!client?.connected) return;
+    const socket = {
+      get bufferedAmount() { return client.stream.writableLength; },
+      send: (payload: string, done: () => void) => void client.publish(`${this.settings.topic}/${STATES}`, payload, { qos: 0 }, done),
+    };
+    this.#queue.pump(socket, () => this.#pump());
+  }
+}
+
+function inWords(error: Error & { code?: unknown }, endpoint: string): string {
+  if (error.code === 'ECONNREFUSED') return `nothing listens at ${endpoint}; is the broker running?`;
+  if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5)
+    return `${endpoint} does not let us in; check user and password_file, and what the broker allows that user`;
+  if (String(error.code).includes('CERT') || String(error.code).includes('UNABLE_TO') || String(error.code).includes('SELF_SIGNED'))
+    return `the broker's certificate is not trusted (${String(error.code)}); set authority_file to the certificate that issued it`;
+  return error.message;
+}

@@ -1,0 +1,25 @@
+import type { AdapterContext } from '../adapter';
+import { JOINT_STATES, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/messages';
+import { BrokerLink, DESCRIPTION, TRAJECTORY } from './brokerLink';
+import type { BrokerSettings } from './settings';
+
+/** From the gateway that has the plant to the broker: what its headsets get, in the same JSON. */
+export async function publish({ configuration, gateway, status, stopping }: AdapterContext, settings: BrokerSettings): Promise<void> {
+  const broker = new BrokerLink(settings, configuration.plant.name, [], {
+    opened: () => status.enter('connected'),
+    away: reason => {
+      if (status.state === 'connected') status.reconnected();
+      status.enter('waiting', reason);
+    },
+    heard: () => {},
+    malformed: (name, problem) => status.refuse('malformed', name, problem),
+  });
+  gateway.subscribe(JOINT_STATES, message => {
+    status.sampled();
+    status.detail('lost', broker.dropped);
+    broker.publishStates(JSON.stringify(message));
+  });
+  gateway.subscribe(JOINT_TRAJECTORY, message => broker.publishRetained(TRAJECTORY, JSON.stringify(message)));
+  gateway.subscribe(ROBOT_DESCRIPTION, message => broker.publishRetained(DESCRIPTION, JSON.stringify(message)));
+  await broker.run(stopping);
+}

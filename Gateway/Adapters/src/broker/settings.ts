@@ -1,0 +1,89 @@
+import type { Kind } from '../adapter';
+import { requireAddress } from '../configuration/address';
+import { type Configuration, isLoopback } from '../configuration/configuration';
+import { requirePlain } from '../configuration/plain';
+import { secretIn, secretText } from '../configuration/secret';
+import { type User, userIn } from '../configuration/user';
+import type { YamlFile } from '../configuration/yamlFile';
+import { type Nanoseconds, ofMilliseconds } from '../times';
+
+const OLDEST_MS = 10_000, SYNC_PORT = 47010;
+
+/** The sync port of the gateway that has the plant. */
+export interface Upstream {
+  host: string;
+  port: number;
+  isTls: boolean;
+  pin: string | null;
+  token: string | null;
+}
+
+/** What a configuration of kind broker says, files read. */
+export interface BrokerSettings {
+  direction: 'publish' | 'subscribe';
+  endpoint: string;
+  /** What all topics of this plant begin with at the broker. */
+  topic: string;
+  isPlain: boolean;
+  authority: string | null;
+  user: User | null;
+  oldest: Nanoseconds;
+  /** Null where nothing is asked for the time: then the gateway serves its own. */
+  clock: Upstream | null;
+}
+
+interface Section {
+  direction: 'publish' | 'subscribe';
+  endpoint: string;
+  topic: string;
+  plain?: boolean;
+  authority_file?: string;
+  user?: { name: string; password_file?: string };
+  oldest_ms?: number;
+  clock?: { host: string; port?: number; tls?: boolean; pin?: string; token_file?: string };
+}
+
+/** Filled in by the check of the configuration, which reads the files that hold secrets. */
+export const settingsOf = (configuration: Configuration): BrokerSettings => configuration.plant.settings as BrokerSettings;
+
+export const broker: Kind = {
+  check(file, configuration, environment) {
+    const section = configuration.plant as unknown as Section, { endpoint, direction, plain, user } = section;
+    const isOpen = endpoint.startsWith('mqtt:');
+    requireAddress(file, ['plant', 'endpoint'], endpoint);
+    requirePlain(file, section);
+    if (user !== undefined && isOpen && !isLoopback(endpoint))
+      file.report(['plant', 'user'], 'a password would go over an open connection; use mqtts://');
+    if (direction === 'publish' && section.clock !== undefined)
+      file.report(['plant', 'clock'], 'not read with direction: publish; the clock is asked for where the messages arrive');
+    if (direction === 'subscribe' && section.clock === undefined)
+      file.report(['plant', 'clock'], 'missing; add host and port of the sync port of the gateway that has the plant, whose time the stamps are of');
+    const settings: BrokerSettings = {
+      direction, endpoint,
+      topic: section.topic,
+      isPlain: isOpen && plain === true,
+      authority: section.authority_file === undefined ? null : secretText(file, ['plant', 'authority_file'], section.authority_file, false),
+      user: userIn(file, user, configuration, environment),
+      oldest: ofMilliseconds(section.oldest_ms ?? OLDEST_MS),
+      clock: clockOf(file, section, configuration),
+    };
+    configuration.plant.settings = settings;
+  },
+  summary(configuration) {
+    const { direction, endpoint, topic, clock } = settingsOf(configuration);
+    const gateway = configuration.isSupervised ? 'this gateway' : `gateway ${configuration.gateway.url}`;
+    return direction === 'publish'
+      ? `${gateway} to broker ${endpoint}, topics ${topic}/…`
+      : `broker ${endpoint}, topics ${topic}/… to ${gateway}, time of ${clock?.host}:${clock?.port}`;
+  },
+};
+
+function clockOf(file: YamlFile, { clock }: Section, configuration: Configuration): Upstream | null {
+  if (clock === undefined) return null;
+  const isTls = clock.tls === true || clock.pin !== undefined, at = ['plant', 'clock', 'token_file'] as const;
+  const token = clock.token_file === undefined ? null : secretIn(file, at, clock.token_file);
+  if (token !== null && !isTls && !isLoopback(clock.host))
+    file.report(at, 'a token travels over TLS or on this machine only; add the pin of the gateway that has the plant, or tls: true');
+  configuration.secrets.push(token ?? '');
+  return { host: clock.host, port: clock.port ?? SYNC_PORT, isTls, pin: clock.pin ?? null, token };
+}

@@ -1,0 +1,61 @@
+import type { AdapterContext } from '../adapter';
+import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/messages';
+import { JointNames } from '../ros/jointNames';
+import { JointStates } from '../ros/jointStates';
+import { passedTrajectory } from '../ros/trajectory';
+import { ALIVE, BrokerLink, DESCRIPTION, STATES, TRAJECTORY } from './brokerLink';
+import type { BrokerSettings } from './settings';
+import { runUpstreamClock } from './upstreamClock';
+
+const LONGEST_MESSAGE = 64 * 1024, LONGEST_DESCRIPTION = 1024 * 1024;
+
+/** From the broker to a gateway that has headsets only, with the time of the gateway that has the plant. */
+export async function subscribe(
+  { configuration, gateway, clock, status, log, stopping }: AdapterContext, settings: BrokerSettings,
+): Promise<void> {
+  const names = new JointNames([]), states = new JointStates(names, settings.oldest, clock, gateway, status);
+  const take: Record<string, (message: Record<string, unknown>) => void> = {
+    [STATES]: message => states.pass(message),
+    [TRAJECTORY]: message => {
+      const passed = passedTrajectory(message, names);
+      if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no joints, or values that are no numbers');
+      gateway.publishKept(JOINT_TRAJECTORY, passed);
+    },
+    [DESCRIPTION]: ({ data }) => {
+      if (typeof data !== 'string' || !data.includes('<robot')) return status.refuse('malformed', 'robot description', 'it has no <robot> element');
+      if (configuration.robot === null) gateway.publishKept(ROBOT_DESCRIPTION, description(data));
+    },
+  };
+
+  const broker = new BrokerLink(settings, configuration.plant.name, [...Object.keys(take), ALIVE], {
+    opened: () => status.enter('waiting', `nobody publishes ${settings.topic} at the broker yet`),
+    away: reason => {
+      if (status.state === 'connected') status.reconnected();
+      status.enter('waiting', reason);
+    },
+    heard: (name, payload) => {
+      if (name === ALIVE) return enterAlive(payload.toString() === 'true');
+      const message = parsed(name, payload);
+      if (message === null) return status.refuse('malformed', name, 'it is no JSON object, or longer than allowed');
+      take[name]?.(message);
+    },
+    malformed: (name, problem) => status.refuse('malformed', name, problem),
+  });
+
+  function enterAlive(isAlive: boolean): void {
+    if (isAlive) status.enter('connected');
+    else status.enter('waiting', 'the bridge of the gateway that has the plant is away');
+  }
+
+  await Promise.all([broker.run(stopping), settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping)]);
+}
+
+function parsed(name: string, payload: Buffer): Record<string, unknown> | null {
+  if (payload.length > (name === DESCRIPTION ? LONGEST_DESCRIPTION : LONGEST_MESSAGE)) return null;
+  try {
+    const message = JSON.parse(payload.toString()) as unknown;
+    return typeof message === 'object' && !Array.isArray(message) ? message as Record<string, unknown> | null : null;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,105 @@
+import { connect, type Socket } from 'node:net';
+import { connect as connectSecurely } from 'node:tls';
+import type { ClockReading } from '../clock/plantClock';
+import { pinProblem } from '../gateway/pin';
+import { monotonicTime } from '../times';
+import type { Upstream } from './settings';
+import { FRAME, isAccepted, parseReply, request, tokenRequest } from './syncFrame';
+
+const ANSWER_MS = 2000;
+
+/** One connection to the sync port of another gateway, for one exchange at a time. */
+export class SyncClient {
+  #received = Buffer.alloc(0);
+  #waiting: ((frame: Buffer) => void) | null = null;
+  #fail: ((error: Error) => void) | null = null;
+  #sequence = 0;
+
+  private constructor(readonly socket: Socket, readonly closed: Promise<string>) {
+    socket.on('data', bytes => this.#hear(bytes));
+    void closed.then(reason => this.#fail?.(new Error(reason)));
+  }
+
+  /** @throws Error It cannot be reached, has another key, or does not know the token; says which. */
+  static async open(upstream: Upstream): Promise<SyncClient> {
+    const socket = await connected(upstream);
+    socket.setNoDelay(true);
+    let reason = `${upstream.host}:${upstream.port} closed the connection`;
+    socket.on('error', error => { reason = error.message; });
+    const client = new SyncClient(socket, new Promise(resolve => socket.once('close', () => resolve(reason))));
+    if (upstream.token === null) return client;
+    if (isAccepted(await client.#ask(tokenRequest(upstream.token))) === true) return client;
+    client.close();
+    throw new Error(`${upstream.host}:${upstream.port} does not know the token; give the bridge a token of that gateway`);
+  }
+
+  close(): void {
+    this.socket.destroy();
+  }
+
+  /** @throws Error No valid reply within 2 s; the connection is then of no more use and closes. */
+  async read(): Promise<ClockReading> {
+    const sequence = this.#sequence = this.#sequence + 1 >>> 0, t1 = monotonicTime();
+    const reply = parseReply(await this.#ask(request(sequence, t1)));
+    const took = monotonicTime() - t1;
+    if (reply?.sequence === sequence && reply.t1 === t1) {
+      const { received, sent, resolution } = reply.reading;
+      if (sent >= received && sent - received <= took + (resolution ?? 0n)) return reply.reading;
+    }
+    this.close();
+    throw new Error('its sync port sent what is no valid reply');
+  }
+
+  #ask(bytes: Buffer): Promise<Buffer> {
+    if (this.socket.destroyed) return Promise.reject(new Error('the sync connection is closed'));
+    if (this.#waiting !== null) return Promise.reject(new Error('an exchange is under way'));
+    return new Promise<Buffer>((resolve, reject) => {
+      const timer = setTimeout(() => {
+        this.close();
+        reject(new Error(`its sync port did not answer within ${ANSWER_MS / 1000} s`));
+      }, ANSWER_MS);
+      const end = (): void => {
+        clearTimeout(timer);
+        this.#waiting = this.#fail = null;
+      };
+      this.#waiting = frame => {
+        end();
+        resolve(frame);
+      };
+      this.#fail = error => {
+        end();
+        reject(error);
+      };
+      this.socket.write(bytes);
+    });
+  }
+
+  // The server never speaks first: what nobody waits for is not of this protocol.
+  #hear(bytes: Buffer): void {
+    this.#received = Buffer.concat([this.#received, bytes]);
+    if (this.#waiting === null || this.#received.length > FRAME) return this.close();
+    if (this.#received.length < FRAME) return;
+    const frame = this.#received;
+    this.#received = Buffer.alloc(0);
+    this.#waiting(frame);
+  }
+}
+
+function connected({ host, port, isTls, pin }: Upstream): Promise<Socket> {
+  return new Promise((resolve, reject) => {
+    const socket = isTls ? connectSecurely({ host, port, minVersion: 'TLSv1.2', rejectUnauthorized: pin === null }) : connect(port, host);
+    const fail = (error: Error): void => {
+      socket.destroy();
+      reject(new Error(`the sync port of ${host}:${port} cannot be reached: ${error.message}`));
+    };
+    socket.setTimeout(ANSWER_MS, () => fail(new Error('no answer')));
+    socket.once('error', fail);
+    socket.once(isTls ? 'secureConnect' : 'connect', () => {
+      const problem = pin === null ? null : pinProblem(socket as import('node:tls').TLSSocket, pin);
+      if (problem !== null) return fail(new Error(problem));
+      socket.setTimeout(0);
+      socket.removeAllListeners('timeout').off('error', fail);
+      resolve(socket);
+    });
+  });
+}

@@ -1,0 +1,59 @@
+import type { ClockReading } from '../clock/plantClock';
+import type { Nanoseconds } from '../times';
+
+/** Bytes of a frame of the clock sync protocol. */
+export const FRAME = 48;
+
+const MAGIC = 0x434e5953, VERSION = 1;
+const REQUEST = 1, REPLY = 2, TOKEN = 0x10, TOKEN_REPLY = 0x11;
+const LONGEST_BOUND = 0xffff_ffff;
+
+export interface Reply {
+  sequence: number;
+  t1: Nanoseconds;
+  reading: ClockReading & { received: Nanoseconds; sent: Nanoseconds };
+}
+
+function frame(kind: number, sequence: number, t1: Nanoseconds): Buffer {
+  const bytes = Buffer.alloc(FRAME);
+  bytes.writeUInt32LE(MAGIC, 0);
+  bytes.writeUInt8(VERSION, 4);
+  bytes.writeUInt8(kind, 5);
+  bytes.writeUInt32LE(sequence, 8);
+  bytes.writeBigInt64LE(t1, 16);
+  return bytes;
+}
+
+export const request = (sequence: number, t1: Nanoseconds): Buffer => frame(REQUEST, sequence, t1);
+
+/** The first frame where the server has tokens. */
+export function tokenRequest(token: string): Buffer {
+  const text = Buffer.from(token, 'utf8'), length = Buffer.alloc(2);
+  length.writeUInt16LE(text.length);
+  return Buffer.concat([frame(TOKEN, 0, 0n), length, text]);
+}
+
+const isOfKind = (bytes: Buffer, kind: number): boolean =>
+  bytes.readUInt32LE(0) === MAGIC && bytes.readUInt8(4) === VERSION && bytes.readUInt8(5) === kind;
+
+/** Undefined where it is no answer to a token. */
+export const isAccepted = (bytes: Buffer): boolean | undefined => isOfKind(bytes, TOKEN_REPLY) ? (bytes.readUInt16LE(6) & 1) !== 0 : undefined;
+
+/** Undefined where it is no reply. */
+export function parseReply(bytes: Buffer): Reply | undefined {
+  if (!isOfKind(bytes, REPLY)) return undefined;
+  const bound = bytes.readUInt32LE(12), flags = bytes.readUInt16LE(6);
+  return {
+    sequence: bytes.readUInt32LE(8),
+    t1: bytes.readBigInt64LE(16),
+    reading: {
+      received: bytes.readBigInt64LE(24),
+      sent: bytes.readBigInt64LE(32),
+      // Zero is unknown: then it is found out from the times.
+      resolution: BigInt(bytes.readUInt32LE(40)) || undefined,
+      errorBound: BigInt(bound) * 1000n,
+      // A bound that does not fit is none.
+      synchronised: (flags & 1) === 0 && bound !== LONGEST_BOUND,
+    },
+  };
+}

@@ -1,0 +1,43 @@
+import { Backoff, pause } from '../backoff';
+import type { PlantClock } from '../clock/plantClock';
+import type { Log } from '../log';
+import type { Upstream } from './settings';
+import { SyncClient } from './syncClient';
+
+/**
+ * The clock of the gateway that has the plant: each reading is a sync exchange with it, so that its error bound and whether it is
+ * synchronised go along, and what is between here and there is inside the round trip of whoever asks.
+ */
+export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal): Promise<void> {
+  const backoff = new Backoff();
+  while (!stop.aborted) {
+    const reason = await follow(upstream, clock, log, stop, () => backoff.reset());
+    clock.detach();
+    if (stop.aborted) return;
+    log.change('clock', `the time of ${upstream.host}:${upstream.port} is not known: ${reason}`);
+    await pause(backoff.next(), stop);
+  }
+}
+
+/** One connection; returns why it ended. */
+async function follow(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal, opened: () => void): Promise<string> {
+  let client: SyncClient;
+  try {
+    client = await SyncClient.open(upstream);
+  } catch (error) {
+    return (error as Error).message;
+  }
+  const leave = (): void => client.close();
+  stop.addEventListener('abort', leave);
+  try {
+    if (!await clock.attach(() => client.read(), stop)) return 'stopped';
+    opened();
+    log.change('clock', `the time is that of ${upstream.host}:${upstream.port}`);
+    return await client.closed;
+  } catch (error) {
+    return (error as Error).message;
+  } finally {
+    stop.removeEventListener('abort', leave);
+    client.close();
+  }
+}

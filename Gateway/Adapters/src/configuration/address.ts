@@ -1,0 +1,12 @@
+import { shown } from './problem';
+import type { Path, YamlFile } from './yamlFile';
+
+/** SCHEME://HOST[:PORT][/…]; an IPv6 address stands in brackets. */
+const FORM = /^[a-z.]+:\/\/(?:\[[0-9A-Fa-f:.]+(?:%\w+)?\]|[^\s:/@?#[\]]+)(?::(\d+))?(?:\/\S*)?$/;
+
+/** Reports an address that nobody can have, which would be tried for ever. */
+export function requireAddress(file: YamlFile, entry: Path, address: string): void {
+  const match = FORM.exec(address), port = Number(match?.[1] ?? 1);
+  if (match === null || port < 1 || port > 65535)
+    file.report(entry, `value ${shown(address)}; allowed behind :// are a host and, after a colon, a port from 1 to 65535`);
+}

@@ -1,0 +1,29 @@
+/** How many letters must be put in, taken out, exchanged or swapped with their neighbour. */
+function distance(a: string, b: string): number {
+  const rows: number[][] = [[...Array(b.length + 1).keys()]];
+  for (let i = 1; i <= a.length; i++) {
+    rows.push([i]);
+    for (let j = 1; j <= b.length; j++) {
+      const isSame = a[i - 1] === b[j - 1];
+      rows[i][j] = Math.min(rows[i - 1][j] + 1, rows[i][j - 1] + 1, rows[i - 1][j - 1] + (isSame ? 0 : 1));
+      const isSwapped = i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1];
+      if (isSwapped) rows[i][j] = Math.min(rows[i][j], rows[i - 2][j - 2] + 1);
+    }
+  }
+  return rows[a.length][b.length];
+}
+
+/** The known names that somebody may have meant, best first; none when all are far off. */
+export function nearest(name: string, known: Iterable<string>, count = 1): string[] {
+  const meant = name.toLowerCase();
+  return [...known]
+    .map(candidate => ({ candidate, distance: judged(meant, candidate.toLowerCase()) }))
+    .filter(entry => entry.distance <= Math.max(2, meant.length / 2))
+    .sort((a, b) => a.distance - b.distance)
+    .slice(0, count)
+    .map(entry => entry.candidate);
+}
+
+// "token" means "token_file" although half of the letters are missing.
+const judged = (meant: string, candidate: string): number =>
+  candidate.startsWith(meant) || meant.startsWith(candidate) ? 1 : distance(meant, candidate);

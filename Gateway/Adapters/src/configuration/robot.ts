@@ -1,0 +1,45 @@
+import { readFileSync, statSync } from 'node:fs';
+import { besides } from './besides';
+import { nearest } from './nearest';
+import { shown } from './problem';
+import type { YamlFile } from './yamlFile';
+import ur5 from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur5.urdf';
+import youbot from '../../../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf';
+
+const DESCRIPTION_BYTES = 1024 * 1024;
+
+/** Known by name, as everywhere in the gateway. */
+const INCLUDED: Record<string, string> = { ur5, youbot };
+
+/** The text of the URDF that the configuration names; null, and a report, when it cannot be had or is none. */
+export function robotOf(file: YamlFile, robot: string): string | null {
+  if (Object.hasOwn(INCLUDED, robot)) return INCLUDED[robot];
+  const path = besides(file.path, robot);
+  const report = (text: string): null => {
+    file.report(['robot'], `value ${shown(robot)}; ${text}`);
+    return null;
+  };
+  try {
+    if (statSync(path).size > DESCRIPTION_BYTES) return report('the file is larger than 1 MiB, leave its meshes in files of their own');
+    const text = readFileSync(path, 'utf8');
+    return text.includes('<robot') ? text : report('the file has no <robot> element, name a URDF file');
+  } catch (error) {
+    const others = Object.keys(INCLUDED).join(' or ');
+    return report(`the file cannot be read (${(error as NodeJS.ErrnoException).code}), name an existing URDF file, or ${others}`);
+  }
+}
+
+/** Reports joints that the robot does not have: nothing would ever move by them. */
+export function requireJoints(file: YamlFile, joints: { joint: string }[], urdf: string): void {
+  const known = jointsIn(urdf);
+  joints.forEach(({ joint }, i) => {
+    if (known.has(joint)) return;
+    const [guess] = nearest(joint, known);
+    file.report(['joints', i, 'joint'], `value ${shown(joint)}; the robot has no such joint${guess === undefined ? '' : `, did you mean ${guess}?`}`);
+  });
+}
+
+function jointsIn(urdf: string): Set<string> {
+  const bare = urdf.replace(/<!--[^]*?-->/g, ''), names = bare.matchAll(/<joint\s(?:[^>]*?\s)?name\s*=\s*(?:"([^"]*)"|'([^']*)')/g);
+  return new Set([...names].map(([, double, single]) => double ?? single));
+}

@@ -1,0 +1,80 @@
+import Ajv, { type ErrorObject } from 'ajv';
+import { nearest } from './nearest';
+import { shown } from './problem';
+import type { Path, YamlFile } from './yamlFile';
+import schema from '../../plant.schema.json';
+
+type Described = { $ref?: string; description?: string; enum?: unknown[]; properties?: Record<string, Described>; required?: string[] };
+
+/** The kinds that the schema describes. */
+export const KINDS = schema.properties.plant.properties.kind.enum;
+
+/** What any kind has at the top, or in the section at this path. */
+export const knownEntries = (path: string[]): string[] => KINDS.flatMap(kind => {
+  const top = (schema.$defs as Record<string, Described>)[kind];
+  return Object.keys(path.reduce((section, step) => section.properties![step], top).properties!);
+});
+
+const ajv = new Ajv({ allErrors: true, verbose: true, strictTypes: false, allowUnionTypes: true, useDefaults: true });
+ajv.addSchema(schema);
+
+/** Reports each entry that breaks the schema of a kind of plant. Missing entries that have a default are filled in. */
+export function checkAgainstSchema(file: YamlFile, kind: string): void {
+  const check = ajv.getSchema(`${schema.$id}#/$defs/${kind}`)!;
+  if (check(file.value)) return;
+  const told = new Set<string>();
+  for (const error of check.errors!.filter(e => !['if', 'oneOf', 'anyOf', 'allOf', 'not'].includes(e.keyword) || isOwnWords(e))) {
+    const { path, text } = inWords(error, file.value);
+    const key = `${path.join('/')}:${error.keyword === 'required' || error.keyword === 'additionalProperties' ? text : ''}`;
+    if (!told.has(key)) file.report(path, text);
+    told.add(key);
+  }
+}
+
+// A choice between forms says itself what is allowed, where it has a description.
+const isOwnWords = (error: ErrorObject): boolean => error.keyword !== 'if' && (error.parentSchema as Described)?.description !== undefined;
+
+function inWords(error: ErrorObject, root: unknown): { path: Path; text: string } {
+  const at = pathOf(error.instancePath, root);
+  const parent = error.parentSchema as Described;
+  switch (error.keyword) {
+    case 'required': {
+      const name = error.params.missingProperty as string;
+      return { path: [...at, name], text: `missing${because(named(parent.properties?.[name]))}` };
+    }
+    case 'additionalProperties': {
+      const name = error.params.additionalProperty as string, known = Object.keys(parent.properties ?? {});
+      return { path: [...at, name], text: `not known here; ${meant(name, known)}allowed are ${known.join(', ')}` };
+    }
+    case 'const':
+    case 'enum': {
+      const allowed = (parent.enum ?? [error.params.allowedValue]).map(String);
+      const guess = typeof error.data === 'string' ? meant(error.data, allowed) : '';
+      return { path: at, text: `value ${shown(error.data)}; ${guess}allowed ${allowed.length > 1 ? 'are' : 'is'} ${allowed.join(', ')}` };
+    }
+    default:
+      return { path: at, text: `value ${shown(error.data)}; ${parent.description ? `allowed is ${parent.description}` : error.message}` };
+  }
+}
+
+/** What a property is, where it only refers to it. */
+const named = (property?: Described): Described | undefined =>
+  property?.$ref === undefined ? property : (schema.$defs as Record<string, Described>)[property.$ref.replace('#/$defs/', '')];
+
+const because = (property?: Described): string =>
+  property?.enum ? `; allowed are ${property.enum.join(', ')}` : property?.description ? `; add ${property.description}` : '';
+
+function meant(name: string, known: string[]): string {
+  const [guess] = nearest(name, known);
+  return guess === undefined ? '' : `did you mean ${guess}? `;
+}
+
+// Ajv's JSON pointers do not tell an index from a key that is a number.
+function pathOf(pointer: string, root: unknown): Path {
+  let value = root;
+  return pointer.split('/').slice(1).map(part => {
+    const key = part.replaceAll('~1', '/').replaceAll('~0', '~'), step = Array.isArray(value) ? Number(key) : key;
+    value = (value as Record<string | number, unknown> | undefined)?.[step];
+    return step;
+  });
+}

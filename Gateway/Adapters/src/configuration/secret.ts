@@ -1,0 +1,28 @@
+import { readFileSync, statSync } from 'node:fs';
+import { besides } from './besides';
+import { shown } from './problem';
+import type { Path, YamlFile } from './yamlFile';
+
+const LONGEST = 512;
+
+/** The one line of a file; null, and a report, when it cannot be had or everybody may read it. */
+export function secretIn(file: YamlFile, entry: Path, value: string): string | null {
+  const text = secretText(file, entry, value, true)?.trim();
+  if (text === undefined) return null;
+  if (text.length > 0 && text.length <= LONGEST && !/[\r\n]/.test(text)) return text;
+  file.report(entry, `value ${shown(value)}; the file must hold one line of 1 to ${LONGEST} characters and nothing else`);
+  return null;
+}
+
+/** The text of a file that the configuration names; null, and a report, when it cannot be had or is a secret that everybody may read. */
+export function secretText(file: YamlFile, entry: Path, value: string, isSecret: boolean): string | null {
+  const path = besides(file.path, value);
+  try {
+    const isOpen = isSecret && process.platform !== 'win32' && (statSync(path).mode & 0o007) !== 0;
+    if (!isOpen) return readFileSync(path, 'utf8');
+    file.report(entry, `value ${shown(value)}; everybody on this machine may read the file, take the right from them: chmod o= ${path}`);
+  } catch (error) {
+    file.report(entry, `value ${shown(value)}; the file cannot be read (${(error as NodeJS.ErrnoException).code}), name an existing one`);
+  }
+  return null;
+}

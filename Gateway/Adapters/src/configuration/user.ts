@@ -1,0 +1,23 @@
+import type { Configuration } from './configuration';
+import { secretIn } from './secret';
+import type { YamlFile } from './yamlFile';
+
+/** Who logs in at a control system or a broker. */
+export interface User {
+  name: string;
+  password: string;
+}
+
+/** Of the section plant.user; null without a name. The password comes from a file or the environment, and is kept out of the log. */
+export function userIn(
+  file: YamlFile, user: { name?: string; password_file?: string } | undefined, configuration: Configuration, environment: NodeJS.ProcessEnv,
+): User | null {
+  if (user?.name === undefined) return null;
+  const at = ['plant', 'user', 'password_file'] as const;
+  const fromFile = user.password_file === undefined ? null : secretIn(file, at, user.password_file);
+  const password = environment.NOWPOSE_PLANT_PASSWORD ?? fromFile;
+  if (password === null && user.password_file === undefined)
+    file.report(at, 'missing; add the path of a file that holds the password and nothing else, or set NOWPOSE_PLANT_PASSWORD');
+  configuration.secrets.push(password ?? '');
+  return { name: user.name, password: password ?? '' };
+}

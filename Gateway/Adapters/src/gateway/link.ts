@@ -1,0 +1,274 @@
+import { Agent } from 'node:https';
+import WebSocket, { type RawData } from 'ws';
+import { Backoff, pause } from '../backoff';
+import type { GatewayAddress } from '../configuration/configuration';
+import type { Log } from '../log';
+import { TYPES } from './messages';
+import { PinnedAgent } from './pin';
+import { SendQueue } from './sendQueue';
+
+const HANDSHAKE_MS = 5000, PING_MS = 2000, SILENCE_MS = 6000, STEADY_MS = 2000, CALL_MS = 1500;
+const LARGEST_MESSAGE = 2 * 1024 * 1024;
+
+/** An offer that nobody asked after for so long was refused, perhaps because our own last connection still held it: it is made again. */
+const OFFER_MS = 5000;
+
+/** Texts of statuses that are remembered as told. */
+const MOST_STATUSES = 32;
+
+/** How a gateway says that it does not know the clock that stamps yet: for so long it may well be measuring it. */
+const UNSYNCHRONISED = /\(Unsynchronised\)$/, MEASURING_MS = 20_000;
+
+/** Answers a call of a service; what it throws is the caller's reason. */
+export type Service = () => Promise<object>;
+
+/** Who wants to know when the link comes and goes. */
+export interface LinkEvents {
+  opened?(): void;
+  /** Also after each attempt in vain. */
+  away?(reason: string): void;
+  /** What came under this topic broke whoever listens to it. */
+  malformed?(topic: string, problem: string): void;
+}
+
+/**
+ * The connection to a gateway, or to a robot, by the rosbridge protocol. Comes back by itself; topics, subscriptions, services and kept
+ * messages are then said again.
+ */
+export class GatewayLink {
+  readonly #queue = new SendQueue();
+  readonly #kept = new Map<string, string>();
+  readonly #topics = new Set<string>();
+  readonly #services = new Map<string, { type: string; answer: Service; heard: number }>();
+  readonly #subscriptions = new Map<string, { type: string; listen: (message: Record<string, unknown>) => void }>();
+  readonly #calls = new Map<string, (answer: Record<string, unknown>) => void>();
+  readonly #statuses = new Set<string>();
+  #socket: WebSocket | null = null;
+  #called = 0;
+  /** When the gateway began to measure our clocks. */
+  #measured = 0;
+
+  /** @param name What is there, for the log. */
+  constructor(readonly address: GatewayAddress, readonly log: Log, readonly name = 'gateway', readonly events: LinkEvents = {}) {}
+
+  get isOpen(): boolean { return this.#socket?.readyState === WebSocket.OPEN; }
+
+  /** Messages that were dropped because the gateway was away or slow. */
+  get dropped(): number { return this.#queue.dropped; }
+
+  publish(topic: string, msg: object): void {
+    this.#advertise(topic);
+    this.#queue.add(JSON.stringify({ op: 'publish', topic, msg }));
+    this.#pump();
+  }
+
+  /** Publishes now and after each reconnection. */
+  publishKept(topic: string, msg: object): void {
+    this.#advertise(topic);
+    this.#kept.set(topic, JSON.stringify({ op: 'publish', topic, msg }));
+    this.#send(this.#kept.get(topic)!);
+  }
+
+  /** Offers a service until the link ends. */
+  offer(service: string, type: string, answer: Service): void {
+    this.#services.set(service, { type, answer, heard: 0 });
+    this.#measured = performance.now();
+    this.#offer(service);
+  }
+
+  withdraw(service: string): void {
+    if (this.#services.delete(service)) this.#send(JSON.stringify({ op: 'unadvertise_service', service }));
+  }
+
+  /** Listens to a topic of what is at the other end. */
+  subscribe(topic: string, listen: (message: Record<string, unknown>) => void, type = TYPES[topic]): void {
+    this.#subscriptions.set(topic, { type, listen });
+    this.#send(subscription(topic, type));
+  }
+
+  /**
+   * Calls a service of what is at the other end.
+   * @throws Error It is away, does not answer in time, or refuses.
+   */
+  async call(service: string): Promise<Record<string, unknown>> {
+    if (!this.isOpen) throw new Error(`${this.name} is away`);
+    const id = `${service} ${++this.#called}`;
+    const answer = await new Promise<Record<string, unknown> | null>(resolve => {
+      const timer = setTimeout(() => resolve(null), CALL_MS);
+      this.#calls.set(id, heard => {
+        clearTimeout(timer);
+        resolve(heard);
+      });
+      this.#send(JSON.stringify({ op: 'call_service', id, service, args: {} }));
+    });
+    this.#calls.delete(id);
+    if (answer === null) throw new Error(`${service} was not answered within ${CALL_MS / 1000} s`);
+    if (answer.result === false) throw new Error(`${service}: ${text(answer.values)}`);
+    return answer.values as Record<string, unknown>;
+  }
+
+  /** Connects, and connects again, until it is stopped. */
+  async run(stop: AbortSignal): Promise<void> {
+    const backoff = new Backoff();
+    while (!stop.aborted) {
+      const opened = performance.now();
+      const reason = await this.#connect(stop);
+      if (stop.aborted) break;
+      this.log.change(this.name, `${this.name} ${this.address.url} away: ${this.log.clean(reason)}`);
+      this.events.away?.(reason);
+      // A gateway that takes us in and throws us out must not be asked five times a second.
+      if (performance.now() - opened > STEADY_MS) backoff.reset();
+      await pause(backoff.next(), stop);
+    }
+  }
+
+  // Resolves when the connection has ended, with the reason.
+  #connect(stop: AbortSignal): Promise<string> {
+    const { url, token, pin } = this.address;
+    const socket = new WebSocket(url, {
+      agent: url.startsWith('wss:') ? pin === null ? new Agent({ keepAlive: false, minVersion: 'TLSv1.2' }) : new PinnedAgent(pin) : undefined,
+      headers: token === null ? {} : { Authorization: `Bearer ${token}` },
+      handshakeTimeout: HANDSHAKE_MS,
+      maxPayload: LARGEST_MESSAGE,
+      perMessageDeflate: false,
+    });
+    return new Promise(resolve => {
+      let reason = 'connection closed', heard = performance.now();
+      const leave = (): void => socket.readyState === WebSocket.OPEN ? socket.close(1000) : socket.terminate();
+      const beat = setInterval(() => {
+        if (performance.now() - heard > SILENCE_MS) {
+          reason = `nothing heard for ${SILENCE_MS / 1000} s`;
+          socket.terminate();
+        } else if (socket.readyState === WebSocket.OPEN) {
+          socket.ping();
+          this.#offerAgain();
+        }
+      }, PING_MS);
+      const hear = (): void => { heard = performance.now(); };
+      stop.addEventListener('abort', leave);
+      socket.on('open', () => this.#open(socket));
+      socket.on('ping', hear).on('pong', hear);
+      socket.on('message', data => {
+        hear();
+        this.#hear(data);
+      });
+      socket.on('unexpected-response', (request, response) => {
+        reason = response.statusCode === 401
+          ? '401, the token is missing or not known there; give the adapter a token of a source'
+          : `HTTP status ${response.statusCode}`;
+        request.destroy();
+        socket.terminate();
+      });
+      socket.on('error', error => { reason = reason === 'connection closed' ? inWords(error) : reason; });
+      socket.on('close', code => {
+        clearInterval(beat);
+        stop.removeEventListener('abort', leave);
+        this.#socket = null;
+        resolve(code > 1000 && code !== 1006 ? `${reason} (${code})` : reason);
+      });
+    });
+  }
+
+  #open(socket: WebSocket): void {
+    this.#socket = socket;
+    this.#measured = performance.now();
+    // What was said on the last connection, perhaps weeks ago, is news on this one.
+    this.#statuses.clear();
+    this.log.forget(`${this.name} says`);
+    this.log.change(this.name, `${this.name} ${this.address.url} connected`);
+    for (const topic of this.#topics) this.#send(advertisement(topic));
+    for (const service of this.#services.keys()) this.#offer(service);
+    for (const [topic, { type }] of this.#subscriptions) this.#send(subscription(topic, type));
+    for (const message of this.#kept.values()) this.#send(message);
+    this.#pump();
+    this.events.opened?.();
+  }
+
+  #hear(data: RawData): void {
+    const message = parsed(data.toString());
+    switch (message?.op) {
+      case 'publish': this.#pass(message); break;
+      case 'service_response': this.#calls.get(text(message.id))?.(message); break;
+      case 'call_service': void this.#answer(text(message.service), message.id); break;
+      case 'status': if (message.level === 'error') this.#tell(text(message.msg)); break;
+    }
+  }
+
+  // Whatever the other end sends must not end the process.
+  #pass({ topic, msg }: Record<string, unknown>): void {
+    try {
+      this.#subscriptions.get(text(topic))?.listen(msg as Record<string, unknown>);
+    } catch (error) {
+      this.events.malformed?.(text(topic), (error as Error).message);
+    }
+  }
+
+  // What it says again and again is told once.
+  #tell(status: string): void {
+    if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
+      return this.log.change(`${this.name} measures`, 'measuring', `${this.name} measures this clock; positions pass when it knows it`);
+    if (this.#statuses.has(status)) return;
+    if (this.#statuses.size >= MOST_STATUSES) this.#statuses.clear();
+    this.#statuses.add(status);
+    this.log.change(`${this.name} says`, status, `${this.name} says: ${status}`);
+  }
+
+  #offer(service: string): void {
+    const offered = this.#services.get(service)!;
+    offered.heard = performance.now();
+    this.#send(JSON.stringify({ op: 'advertise_service', service, type: offered.type }));
+  }
+
+  #offerAgain(): void {
+    for (const [service, { heard }] of this.#services) if (performance.now() - heard > OFFER_MS) this.#offer(service);
+  }
+
+  async #answer(service: string, id: unknown): Promise<void> {
+    const offered = this.#services.get(service);
+    try {
+      if (offered === undefined) throw new Error(`no service ${service} here`);
+      offered.heard = performance.now();
+      this.#send(JSON.stringify({ op: 'service_response', id, service, values: await offered.answer(), result: true }));
+    } catch (error) {
+      this.#send(JSON.stringify({ op: 'service_response', id, service, values: this.log.clean((error as Error).message), result: false }));
+    }
+  }
+
+  #advertise(topic: string): void {
+    if (this.#topics.has(topic)) return;
+    this.#topics.add(topic);
+    this.#send(advertisement(topic));
+  }
+
+  // What is about the connection itself means nothing once it has ended.
+  #send(text: string): void {
+    if (this.isOpen) this.#socket!.send(text);
+  }
+
+  #pump(): void {
+    if (this.isOpen) this.#queue.pump(this.#socket!, () => this.#pump());
+  }
+}
+
+const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: TYPES[topic] });
+const subscription = (topic: string, type: string): string => JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
+
+/** Not every value of JSON is one that String takes. */
+const text = (value: unknown): string => typeof value === 'string' ? value : JSON.stringify(value) ?? '';
+
+function parsed(text: string): Record<string, unknown> | null {
+  try {
+    const message = JSON.parse(text) as unknown;
+    return typeof message === 'object' ? message as Record<string, unknown> | null : null;
+  } catch {
+    return null;
+  }
+}
+
+function inWords(error: Error): string {
+  const code = (error as NodeJS.ErrnoException).code;
+  if (code === 'ECONNREFUSED') return 'nothing listens there; is it running?';
+  if (code?.includes('CERT') || code?.includes('SELF_SIGNED') || code?.includes('UNABLE_TO'))
+    return `its certificate is not trusted (${code}); set gateway.pin to what the gateway prints`;
+  return error.message;
+}

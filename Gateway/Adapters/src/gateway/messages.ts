@@ -1,0 +1,30 @@
+import { machineTime, type Nanoseconds, toRosTime } from '../times';
+
+export const JOINT_STATES = '/joint_states';
+export const JOINT_TRAJECTORY = '/joint_trajectory';
+export const ROBOT_DESCRIPTION = '/robot_description';
+export const DIAGNOSTICS = '/nowpose/diagnostics';
+
+export const TYPES: Record<string, string> = {
+  [JOINT_STATES]: 'sensor_msgs/msg/JointState',
+  [JOINT_TRAJECTORY]: 'trajectory_msgs/msg/JointTrajectory',
+  [ROBOT_DESCRIPTION]: 'std_msgs/msg/String',
+  [DIAGNOSTICS]: 'diagnostic_msgs/msg/DiagnosticArray',
+};
+
+/** Positions of one moment on the control clock. */
+export const jointState = (stamp: Nanoseconds, names: string[], positions: number[]): object =>
+  ({ header: { stamp: toRosTime(stamp), frame_id: '' }, name: names, position: positions, velocity: [], effort: [] });
+
+export const description = (urdf: string): object => ({ data: urdf });
+
+export const diagnostics = (name: string, isGood: boolean, state: string, values: Record<string, string>): object => ({
+  header: { stamp: toRosTime(machineTime()), frame_id: '' },
+  status: [{
+    level: isGood ? 0 : 2,
+    name,
+    message: state,
+    hardware_id: name,
+    values: Object.entries(values).map(([key, value]) => ({ key, value })),
+  }],
+});

@@ -1,0 +1,42 @@
+import { createHash, timingSafeEqual } from 'node:crypto';
+import { Agent } from 'node:https';
+import type { Duplex } from 'node:stream';
+import { connect, type ConnectionOptions, type TLSSocket } from 'node:tls';
+
+/** SHA-256 of a certificate's public key, as RFC 7469 pins it. */
+export const pinOf = (publicKeyInfo: Buffer): string => `sha256/${createHash('sha256').update(publicKeyInfo).digest('base64')}`;
+
+/**
+ * Connects to the one server that has the pinned key; nothing but the TLS handshake is sent to any other.
+ * @remarks Who holds the key is all that is asked: name, issuer and dates are not.
+ */
+export class PinnedAgent extends Agent {
+  constructor(readonly pin: string) {
+    super({ keepAlive: false, maxCachedSessions: 0 });
+  }
+
+  // Node hands the socket to the request only when the callback is called.
+  createConnection(options: ConnectionOptions, ready: (error: Error | null, socket?: Duplex) => void): undefined {
+    const socket = connect({ ...options, rejectUnauthorized: false, minVersion: 'TLSv1.2' });
+    const fail = (error: Error): void => ready(error);
+    socket.once('error', fail);
+    socket.once('secureConnect', () => {
+      socket.off('error', fail);
+      const problem = pinProblem(socket, this.pin);
+      if (problem === null) return ready(null, socket);
+      socket.destroy();
+      ready(new Error(problem));
+    });
+    return undefined;
+  }
+}
+
+/** Why the other end is not the one with the pinned key; null when it is. */
+export function pinProblem(socket: TLSSocket, pin: string): string | null {
+  const found = socket.getPeerX509Certificate()?.publicKey.export({ type: 'spki', format: 'der' });
+  if (found === undefined) return 'the gateway showed no certificate';
+  return isSame(pinOf(found), pin) ? null
+    : `the gateway has the pin ${pinOf(found)} but the configuration has another; if the gateway's key was renewed, set the pin to it`;
+}
+
+const isSame = (a: string, b: string): boolean => a.length === b.length && timingSafeEqual(Buffer.from(a), Buffer.from(b));

@@ -1,0 +1,25 @@
+const LONGEST = 64;
+const MOST_IN_FLIGHT = 64 * 1024;
+
+/** What waits to be sent to a gateway that is away or slow: the newest messages; the oldest are dropped and counted. */
+export class SendQueue {
+  readonly #waiting: string[] = [];
+  #dropped = 0;
+
+  get dropped(): number { return this.#dropped; }
+
+  add(message: string): void {
+    if (this.#waiting.push(message) <= LONGEST) return;
+    this.#waiting.shift();
+    this.#dropped++;
+  }
+
+  clear(): void {
+    this.#waiting.length = 0;
+  }
+
+  /** Sends while the socket takes it at once: what waits here can still be dropped, what waits there cannot. */
+  pump(socket: { readonly bufferedAmount: number; send(data: string, done: () => void): void }, again: () => void): void {
+    while (this.#waiting.length > 0 && socket.bufferedAmount < MOST_IN_FLIGHT) socket.send(this.#waiting.shift()!, again);
+  }
+}

@@ -1,0 +1,30 @@
+// plant.mjs CONFIG.yaml [--check]: reads a control system and gives a gateway its joint positions and its time.
+import { readConfiguration } from './configuration/configuration';
+import { ConfigurationError } from './configuration/problem';
+import { kinds } from './kinds';
+import { runPlant } from './plant';
+
+const USAGE = 'usage: node plant.mjs CONFIG.yaml [--check]';
+const BAD_INPUT = 2, FAILED = 1;
+
+const isCheck = process.argv.includes('--check');
+const others = process.argv.slice(2).filter(argument => argument !== '--check');
+
+async function main(): Promise<number> {
+  if (others.length !== 1 || others[0].startsWith('-')) {
+    process.stderr.write(`${USAGE}\n`);
+    return others[0] === '--help' ? 0 : BAD_INPUT;
+  }
+  const checks = Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check]));
+  const configuration = readConfiguration(others[0], process.env, checks);
+  if (!isCheck) return runPlant(configuration);
+  const kind = kinds[configuration.plant.kind], obstacle = kind.obstacle?.(configuration) ?? null;
+  if (obstacle === null) process.stdout.write(`${others[0]} is good: ${kind.summary(configuration)}\n`);
+  else process.stderr.write(`${obstacle}\n`);
+  return obstacle === null ? 0 : BAD_INPUT;
+}
+
+main().then(status => process.exit(status), error => {
+  process.stderr.write(`${error instanceof ConfigurationError ? error.message : `plant.mjs: ${error instanceof Error ? error.message : error}`}\n`);
+  process.exit(error instanceof ConfigurationError ? BAD_INPUT : FAILED);
+});

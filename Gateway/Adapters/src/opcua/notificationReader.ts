@@ -1,0 +1,122 @@
+import type { AdapterContext } from '../adapter';
+import type { JointValue } from '../samples/jointOutput';
+import type { Refusal } from '../samples/stampRule';
+import { ofMilliseconds, type Nanoseconds } from '../times';
+import type { DataValue } from 'node-opcua-client';
+import { isOverflown, type NodeJoint, statusRefusal, valueOf } from './nodeValues';
+import type { NodeValue } from './readOnlySession';
+import type { OpcUaSettings } from './settings';
+import { serverStamp, sourceStamp, timeIn } from './stamps';
+import { TimeVariable } from './timeVariable';
+
+const GROUP_MS = 0.5;
+
+/** Makes joint values of what one notification brought. */
+export class NotificationReader {
+  /** Each node once, the time variable last. */
+  readonly nodes: string[];
+  readonly #joints: NodeJoint[];
+  readonly #readers: number[][];
+  readonly #time: TimeVariable | null;
+  /** Nodes of which this connection has told something. */
+  readonly #told = new Set<number>();
+  /** The newest time of the notifications before. */
+  #known: Nanoseconds | null = null;
+  #silence: Nanoseconds = 0n;
+
+  constructor(readonly context: Pick<AdapterContext, 'configuration' | 'output' | 'status' | 'clock'>, readonly settings: OpcUaSettings) {
+    this.#joints = context.configuration.joints as NodeJoint[];
+    const nodes = [...new Set(this.#joints.map(joint => joint.node))];
+    this.#readers = nodes.map(node => this.#joints.flatMap((joint, i) => joint.node === node ? [i] : []));
+    this.nodes = settings.time === null ? nodes : [...nodes, settings.time.node];
+    const tolerance = ofMilliseconds(Math.max(Number(context.configuration.plant.group_ms ?? GROUP_MS), GROUP_MS));
+    this.#time = settings.time === null ? null : new TimeVariable(tolerance);
+  }
+
+  /** Before what another connection brings. */
+  startAnew(): void {
+    this.#told.clear();
+    this.#known = null;
+    this.context.output.startAnew();
+  }
+
+  /** How often the server looks at the nodes: it hears of a joint that moves no more often. */
+  set samplingMs(ms: number) {
+    this.#silence = ofMilliseconds(3 * ms);
+  }
+
+  read(values: NodeValue[]): void {
+    const timeNode = this.#readers.length;
+    // The times first: the values of their cycle may stand before them.
+    const times = values.filter(v => v.node === timeNode).map(({ value }) => this.#learn(value));
+    const found = values.filter(v => v.node < timeNode).flatMap(({ node, value }) => this.#valuesOf(node, value));
+    // Of the times of the notification before, this one would have brought the last changes.
+    if (this.#known !== null) this.hold(this.#known, new Set(values.filter(v => v.node < timeNode).flatMap(v => this.#readers[v.node])));
+    this.context.output.publish(found);
+    this.#note(this.#time === null ? found.map(({ stamp }) => stamp) : times);
+  }
+
+  /** Says again what stands, at a time of the control system up to which all changes are known. */
+  hold(time: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
+    this.context.output.hold(time, this.#silence, except);
+  }
+
+  #note(times: (Nanoseconds | null)[]): void {
+    const { now } = this.context.clock;
+    for (const time of times)
+      if (time !== null && now !== null && time <= now && (this.#known === null || time > this.#known || this.#known > now)) this.#known = time;
+  }
+
+  /** The time that it holds; null where it is none. */
+  #learn(value: DataValue): Nanoseconds | null {
+    const { status } = this.context, { node, unit } = this.settings.time!, label = labelOf(value);
+    const refusal = statusRefusal(value), time = refusal === null ? timeIn(value.value, unit) : null;
+    if (refusal !== null) status.refuse(refusal.reason, node, refusal.text);
+    else if (time === null || label === null)
+      status.refuse('time-type', node, 'it is no time; name a DateTime, a whole number of 64 bits or an LREAL, and its unit');
+    else this.#time!.learn(label, time);
+    return time;
+  }
+
+  #valuesOf(node: number, value: DataValue): JointValue[] {
+    const { output, status } = this.context;
+    if (isOverflown(value.statusCode)) status.count('overflow');
+    const isFirst = !this.#told.has(node) && this.#hasStamp(value), bad = statusRefusal(value);
+    this.#told.add(node);
+    const stamp = bad === null ? this.#stampOf(value) : null;
+    const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
+    return this.#readers[node].flatMap(joint => {
+      const found = refusal ?? valueOf(this.#joints[joint], value);
+      if ('value' in found) return [{ joint, value: found.value, stamp, isFirst }];
+      output.refuse(joint, found.reason, found.text);
+      return [];
+    });
+  }
+
+  get #unmatched(): Refusal {
+    const { node } = this.settings.time!, ms = this.context.configuration.plant.group_ms ?? GROUP_MS;
+    return {
+      reason: 'time-unmatched',
+      text: `no value of ${node} is stamped within group_ms, ${String(ms)} ms, of it; `
+        + 'where the server stamps the variables of a cycle one by one, raise group_ms',
+    };
+  }
+
+  /** A value without one is nobody's of long ago. */
+  #hasStamp(value: DataValue): boolean {
+    return (this.#time === null ? this.#stampOf(value) : labelOf(value)) !== null;
+  }
+
+  #stampOf(value: DataValue): Nanoseconds | null {
+    switch (this.settings.timestamp) {
+      case 'source': return sourceStamp(value);
+      case 'server': return serverStamp(value);
+      case 'variable': {
+        const label = labelOf(value);
+        return label === null ? null : this.#time!.at(label);
+      }
+    }
+  }
+}
+
+const labelOf = (value: DataValue): Nanoseconds | null => sourceStamp(value) ?? serverStamp(value);

@@ -1,0 +1,40 @@
+import { createPrivateKey, type KeyObject, X509Certificate } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { besides } from '../../configuration/besides';
+import { shown } from '../../configuration/problem';
+import type { Path, YamlFile } from '../../configuration/yamlFile';
+
+/** Reports a file that is missing or holds no certificate: nobody would ever be trusted by it. */
+export function requireCertificate(file: YamlFile, entry: Path, value: string): void {
+  try {
+    certificateIn(file, entry, readFileSync(besides(file.path, value)));
+  } catch (error) {
+    file.report(entry, `value ${shown(value)}; the file cannot be read (${(error as NodeJS.ErrnoException).code}), name an existing one`);
+  }
+}
+
+/** Reports a user's certificate or key that is none, and two that do not belong together. */
+export function requirePair(file: YamlFile, user: Path, { certificate, key }: { certificate: string; key: string }): void {
+  const found = certificateIn(file, [...user, 'certificate'], certificate), secret = keyIn(file, [...user, 'key'], key);
+  if (found !== null && secret !== null && !found.checkPrivateKey(secret))
+    file.report([...user, 'key'], 'it is not the key of plant.user.certificate; name the two that were made together');
+}
+
+function certificateIn(file: YamlFile, entry: Path, content: string | Buffer): X509Certificate | null {
+  try {
+    return new X509Certificate(content);
+  } catch {
+    file.report(entry, 'the file holds no certificate; name one in DER or PEM (-----BEGIN CERTIFICATE-----)');
+    return null;
+  }
+}
+
+function keyIn(file: YamlFile, entry: Path, text: string): KeyObject | null {
+  try {
+    return createPrivateKey(text);
+  } catch {
+    file.report(entry, /ENCRYPTED/.test(text) ? 'the key is guarded by a password, which nobody gives it at a start; name one that is not'
+      : 'the file holds no private key; name one in PEM (-----BEGIN PRIVATE KEY-----)');
+    return null;
+  }
+}

@@ -1,0 +1,44 @@
+import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { hostname } from 'node:os';
+import { join } from 'node:path';
+import { crypto_utils as pki } from 'node-opcua-client';
+
+const APPLICATION = 'Nowpose', DAYS = 10 * 365, KEY_BITS = 2048;
+
+/** What this application is called in its certificate and when it connects: a server compares the two. */
+export const applicationUri = (): string => `urn:${hostname().toLowerCase()}:nowpose:gateway`;
+
+export interface OwnCertificate {
+  file: string;
+  getCertificate(): Buffer;
+  getCertificateChain(): Buffer[];
+  getPrivateKey(): ReturnType<typeof pki.makePrivateKeyFromPem>;
+}
+
+/** The certificate by which servers know this application; made the first time, with a key that only its owner can read. */
+export async function ownCertificate(folder: string): Promise<OwnCertificate> {
+  const own = join(folder, 'own');
+  const file = join(own, 'nowpose.der'), keyFile = join(own, 'nowpose-key.pem');
+  mkdirSync(own, { recursive: true, mode: 0o700 });
+  if (!existsSync(file) || !existsSync(keyFile)) await make(file, keyFile);
+  chmodSync(keyFile, 0o600);
+  const certificate = readFileSync(file), key = pki.makePrivateKeyFromPem(readFileSync(keyFile, 'utf8'));
+  return { file, getCertificate: () => certificate, getCertificateChain: () => [certificate], getPrivateKey: () => key };
+}
+
+async function make(file: string, keyFile: string): Promise<void> {
+  const key = await pki.generatePrivateKey(KEY_BITS);
+  const { cert } = await pki.createSelfSignedCertificate({
+    privateKey: key,
+    subject: `/CN=${APPLICATION}@${hostname()}/O=${APPLICATION}`,
+    applicationUri: applicationUri(),
+    dns: [hostname()],
+    notBefore: new Date(),
+    validity: DAYS,
+    purpose: pki.CertificatePurpose.ForApplication,
+  });
+  const { privPem } = await pki.privateKeyToPEM(key);
+  // The mode is given at the making: nobody may read it even for a moment.
+  writeFileSync(keyFile, privPem, { mode: 0o600 });
+  writeFileSync(file, pki.convertPEMtoDER(cert));
+}

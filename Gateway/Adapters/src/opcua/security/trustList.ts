@@ -1,0 +1,98 @@
+import { createHash, X509Certificate } from 'node:crypto';
+import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { type StatusCode, StatusCodes } from 'node-opcua-client';
+import type { SecuritySettings } from '../settings';
+
+/** Whoever answers in the server's place with ever new certificates does not fill the disk. */
+const MOST_REJECTED = 16;
+
+const hash = (algorithm: string, der: Buffer): string => createHash(algorithm).update(der).digest('hex');
+
+/** As OPC UA tools show it, and what tells certificates apart. */
+export const thumbprints = (der: Buffer): { sha1: string; sha256: string } => ({ sha1: hash('sha1', der), sha256: hash('sha256', der) });
+
+/**
+ * The certificates of the servers that are trusted: those in the folder, the one file and the one thumbprint of the configuration. A
+ * server's own certificate must be there; that of an authority which signed it does not help. Never takes one in by itself.
+ */
+export class TrustList {
+  referenceCounter = 0;
+  /** Why the newest certificate was refused, and what to do. */
+  refusal: string | null = null;
+  readonly #trusted: string;
+  readonly #rejected: string;
+
+  constructor(readonly settings: SecuritySettings, readonly now: () => Date = () => new Date()) {
+    this.#trusted = join(settings.folder, 'trusted');
+    this.#rejected = join(settings.folder, 'rejected');
+  }
+
+  async initialize(): Promise<void> {
+    for (const folder of [this.#trusted, this.#rejected]) mkdirSync(folder, { recursive: true, mode: 0o700 });
+  }
+
+  async dispose(): Promise<void> {}
+
+  async checkCertificate(certificate: Buffer | Buffer[]): Promise<StatusCode> {
+    const der = leaf(certificate), prints = thumbprints(der);
+    this.refusal = null;
+    if (!this.#knows(prints)) {
+      this.refusal = `the server's certificate is not trusted; its thumbprint is ${prints.sha1} (SHA-1), ${prints.sha256} (SHA-256). `
+        + this.#cure(der, prints.sha1);
+      return StatusCodes.BadCertificateUntrusted;
+    }
+    const { validFrom, validTo } = new X509Certificate(der);
+    if (this.now() < new Date(validFrom) || this.now() > new Date(validTo)) {
+      this.refusal = `the server's certificate ${prints.sha1} is valid from ${validFrom} to ${validTo} only; `
+        + 'renew it at the server, then trust the new one';
+      return StatusCodes.BadCertificateTimeInvalid;
+    }
+    return StatusCodes.Good;
+  }
+
+  async verifyCertificate(): Promise<string> { return 'Good'; }
+  async getTrustStatus(certificate: Buffer): Promise<StatusCode> { return this.checkCertificate(certificate); }
+
+  // The library may ask for these; only a person changes the list.
+  async trustCertificate(): Promise<void> {}
+  async rejectCertificate(): Promise<void> {}
+  async addIssuer(): Promise<void> {}
+  async addRevocationList(): Promise<void> {}
+
+  #knows({ sha1, sha256 }: { sha1: string; sha256: string }): boolean {
+    const { thumbprint, serverCertificate } = this.settings;
+    if (thumbprint === sha1 || thumbprint === sha256) return true;
+    const files = readdirSync(this.#trusted).map(name => join(this.#trusted, name)).concat(serverCertificate ?? []);
+    return files.some(file => thumbprints(derOf(file)).sha256 === sha256);
+  }
+
+  #cure(der: Buffer, sha1: string): string {
+    const file = join(this.#rejected, `${sha1}.der`);
+    try {
+      writeFileSync(file, der);
+      this.#forgetOldest();
+    } catch (error) {
+      return `It could not be kept (${(error as Error).message}). When the thumbprint is that of your server, `
+        + 'add it to the configuration as plant.security.thumbprint';
+    }
+    return `When that is the one of your server, move ${file} to ${this.#trusted}, or add plant.security.thumbprint to the configuration`;
+  }
+
+  #forgetOldest(): void {
+    const files = readdirSync(this.#rejected).map(name => join(this.#rejected, name));
+    const newestFirst = files.map(file => ({ file, time: statSync(file).mtimeMs })).sort((a, b) => b.time - a.time);
+    for (const { file } of newestFirst.slice(MOST_REJECTED)) rmSync(file, { recursive: true });
+  }
+}
+
+// Of a chain only the first is the server's own.
+const leaf = (certificate: Buffer | Buffer[]): Buffer => new X509Certificate(Array.isArray(certificate) ? certificate[0] : certificate).raw;
+
+function derOf(file: string): Buffer {
+  try {
+    return new X509Certificate(readFileSync(file)).raw;
+  } catch {
+    return Buffer.alloc(0);
+  }
+}

@@ -1,0 +1,29 @@
+import type { Configuration } from '../configuration/configuration';
+import type { User } from '../configuration/user';
+import type { TimeUnit } from '../samples/timeUnit';
+
+export type TimestampKind = 'source' | 'server' | 'variable';
+
+export interface SecuritySettings {
+  mode: 'sign_and_encrypt' | 'none';
+  policy: 'Basic256Sha256' | 'Aes128_Sha256_RsaOaep' | 'Aes256_Sha256_RsaPss';
+  /** The folder of own, trusted and rejected certificates. */
+  folder: string;
+  thumbprint: string | null;
+  serverCertificate: string | null;
+}
+
+/** The plant section of kind opcua, with its defaults. */
+export interface OpcUaSettings {
+  endpoint: string;
+  security: SecuritySettings;
+  user: User | null;
+  userCertificate: { certificate: string; key: string } | null;
+  timestamp: TimestampKind;
+  time: { node: string; unit: TimeUnit | null } | null;
+  samplingMs: number;
+  publishingMs: number;
+}
+
+/** Filled in by the check of the configuration, which reads the files that hold secrets. */
+export const settingsOf = (configuration: Configuration): OpcUaSettings => configuration.plant.settings as OpcUaSettings;

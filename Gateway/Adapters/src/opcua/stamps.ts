@@ -1,0 +1,49 @@
+import { DataType, type DataValue, type Variant } from 'node-opcua-client';
+import { ofCount, ofFraction, type TimeUnit } from '../samples/timeUnit';
+import { type Nanoseconds, NS_PER_MS } from '../times';
+
+/**
+ * A date of the library with what a Date cannot hold; null for none, or for one outside what OPC UA allows to mean a time.
+ * @param picoseconds Beyond the whole millisecond: the wire's 100 ns and, where the server sends them, its picoseconds.
+ */
+export function ofDate(date: Date | null | undefined, picoseconds = 0): Nanoseconds | null {
+  if (!date || Number.isNaN(date.getTime())) return null;
+  const ms = BigInt(date.getTime());
+  // The earliest and the latest date of OPC UA mean "no time".
+  const isNone = date.getUTCFullYear() <= 1601 || date.getUTCFullYear() >= 9999;
+  return isNone ? null : ms * NS_PER_MS + BigInt(Math.floor(picoseconds / 1000));
+}
+
+export const sourceStamp = (value: DataValue): Nanoseconds | null => ofDate(value.sourceTimestamp, value.sourcePicoseconds);
+
+export const serverStamp = (value: DataValue): Nanoseconds | null => ofDate(value.serverTimestamp, value.serverPicoseconds);
+
+/** A 64-bit number as the library decodes it: its two halves. */
+const whole = (value: unknown, isSigned: boolean): bigint | null => {
+  if (!Array.isArray(value) && !(value instanceof Uint32Array)) return null;
+  const bits = (BigInt(value[0] >>> 0) << 32n) | BigInt(value[1] >>> 0);
+  return isSigned ? BigInt.asIntN(64, bits) : bits;
+};
+
+/** A scalar number, whole ones of 64 bits as bigint; anything else as it came. */
+export function numberIn(variant: Variant): unknown {
+  switch (variant.dataType) {
+    case DataType.Int64: return whole(variant.value, true) ?? variant.value;
+    case DataType.UInt64: return whole(variant.value, false) ?? variant.value;
+    default: return variant.value;
+  }
+}
+
+/**
+ * The time that a variable of the control system holds. DateTime says it all; of whole numbers the default unit is ns since 1970, of LREAL
+ * it is s. A REAL, which tells two minutes of today's date apart, and whole seconds of 32 bits are refused.
+ */
+export function timeIn(variant: Variant, unit: TimeUnit | null): Nanoseconds | null {
+  if (variant.dataType === DataType.DateTime) {
+    const date = variant.value as (Date & { picoseconds?: number }) | null;
+    return ofDate(date, date?.picoseconds);
+  }
+  const value = numberIn(variant);
+  if (typeof value === 'bigint') return ofCount(value, unit ?? 'ns');
+  return variant.dataType === DataType.Double && Number.isFinite(value) ? ofFraction(value as number, unit ?? 's') : null;
+}

@@ -1,0 +1,35 @@
+import { type OwnCertificate } from './security/ownCertificate';
+import { thumbprints, type TrustList } from './security/trustList';
+import type { OpcUaSettings } from './settings';
+
+/** The plant is there and says no, or we say no to it: waiting does not mend it, a person does. */
+export class Refused extends Error {}
+
+export interface Trouble {
+  isRefusal: boolean;
+  text: string;
+}
+
+const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate) => string][] = [
+  [/BadSecurityChecksFailed|BadCertificate|BadSecurityModeRejected/, (_, own) =>
+    'the server does not trust this adapter; '
+      + `accept the certificate ${own.file}, thumbprint ${thumbprints(own.getCertificate()).sha1}, at the server`],
+  [/BadIdentityTokenRejected|BadUserAccessDenied/, settings => settings.user
+    ? `the server does not accept user ${settings.user.name}; see plant.user`
+    : 'the server does not accept this user; set plant.user to one that may read'],
+  [/cannot find an? endpoint|end point must exist/i, ({ security }) => security.mode === 'none'
+    ? 'the server offers no connection without security; take plant.security.mode out'
+    : `the server offers no SignAndEncrypt with ${security.policy}; choose another plant.security.policy, or set up the server's`],
+  [/BadIdentityTokenInvalid|cannot find .*token/i, () => 'the server does not offer this way to log in; see plant.user'],
+  [/BadTooManySessions|BadTcpNotEnoughResources/, () => 'the server has no session left; close one of another client'],
+];
+
+/** What went wrong when a connection was made, and whether to wait or to act. */
+export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSettings, own: OwnCertificate): Trouble {
+  if (error instanceof Refused) return { isRefusal: true, text: error.message };
+  if (trust.refusal !== null) return { isRefusal: true, text: trust.refusal };
+  const cure = CURES.find(([pattern]) => pattern.test(error.message));
+  if (cure !== undefined) return { isRefusal: true, text: cure[1](settings, own) };
+  const isAway = /ECONNREFUSED|ENOTFOUND|EHOSTUNREACH|ETIMEDOUT|cannot be established|premature disconnection/i.test(error.message);
+  return { isRefusal: false, text: isAway ? `no OPC UA server answers at ${settings.endpoint}; is it running?` : error.message };
+}

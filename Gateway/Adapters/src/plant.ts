@@ -1,0 +1,76 @@
+import { PlantClock } from './clock/plantClock';
+import type { Configuration } from './configuration/configuration';
+import { GatewayLink } from './gateway/link';
+import { description, DIAGNOSTICS, diagnostics, ROBOT_DESCRIPTION } from './gateway/messages';
+import { AdapterStatus } from './gateway/status';
+import { load } from './kinds';
+import { Log } from './log';
+import { JointOutput } from './samples/jointOutput';
+import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
+
+const DIAGNOSTICS_MS = 1000;
+const GROUP_MS = 0.5, OLDEST_MS = 10_000;
+
+/** Runs one adapter until a signal, or the end of the gateway that started it, stops it. Returns the exit status. */
+export async function runPlant(configuration: Configuration): Promise<number> {
+  const { plant, joints, robot } = configuration;
+  const log = new Log(`plant/${plant.name}`, configuration.secrets);
+  const ending = new Ending();
+  const status = new AdapterStatus(plant.kind, log);
+  const gateway = new GatewayLink(configuration.gateway, log, 'gateway', {
+    malformed: (topic, problem) => status.refuse('malformed', topic, problem),
+  });
+  const { clock_resolution_us: resolutionUs, group_ms: groupMs, oldest_ms: oldestMs } = plant;
+  const fixed = resolutionUs === undefined ? null : ofMilliseconds(Number(resolutionUs) / 1000);
+  const clock = new PlantClock(gateway, plant.name, fixed, undefined, coarse => tellCoarse(status, log, coarse));
+  const limits = { tolerance: ofMilliseconds(Number(groupMs ?? GROUP_MS)), oldest: ofMilliseconds(Number(oldestMs ?? OLDEST_MS)) };
+  const output = new JointOutput(joints, limits, clock, gateway, status);
+  const run = await load(plant.kind);
+  if (robot !== null) gateway.publishKept(ROBOT_DESCRIPTION, description(robot));
+
+  const link = gateway.run(ending.signal);
+  const told = setInterval(() => gateway.publish(DIAGNOSTICS, diagnosticsOf(plant.name, status, gateway)), DIAGNOSTICS_MS);
+  try {
+    await run({ configuration, gateway, clock, output, status, log, stopping: ending.signal });
+  } finally {
+    clearInterval(told);
+    ending.now();
+    await link;
+  }
+  return ending.status;
+}
+
+function tellCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null): void {
+  const steps = coarse === null ? null : `its clock goes on in steps of ${Math.round(toMilliseconds(coarse))} ms`;
+  status.detail('clock', steps);
+  if (steps === null) return log.resume('clock steps', 'its clock is fine enough again');
+  const cure = 'name a time that goes on more often, or have the control system set it so';
+  log.change('clock steps', 'coarse', `${steps}: too coarse for headsets to be synchronised by it; ${cure}`);
+}
+
+function diagnosticsOf(name: string, status: AdapterStatus, gateway: GatewayLink): object {
+  const values = { ...status.values(), dropped: String(gateway.dropped) };
+  return diagnostics(`plant/${name}`, status.state === 'connected', status.state, values);
+}
+
+/** What ends the process: SIGTERM, SIGINT, and for a child the end of its parent, whose pipe then closes. */
+class Ending {
+  readonly #abort = new AbortController();
+  #status = 0;
+
+  constructor() {
+    process.once('SIGTERM', () => this.now());
+    process.once('SIGINT', () => {
+      this.#status = 130;
+      this.now();
+    });
+    if (process.env.NOWPOSE_SUPERVISED === '1') process.stdin.on('close', () => this.now()).on('error', () => this.now()).resume();
+  }
+
+  get signal(): AbortSignal { return this.#abort.signal; }
+  get status(): number { return this.#status; }
+
+  now(): void {
+    this.#abort.abort();
+  }
+}

@@ -1,0 +1,82 @@
+import type { AdapterContext } from '../adapter';
+import { pause } from '../backoff';
+import { GatewayLink } from '../gateway/link';
+import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/messages';
+import { ofRosTime } from '../times';
+import { JointNames } from './jointNames';
+import { JointStates } from './jointStates';
+import { settingsOf } from './settings';
+import { passedTrajectory } from './trajectory';
+
+const CLOCK_RETRY_MS = 1000;
+
+const GET_TIME = '/rosapi/get_time';
+
+/** As ROS 1 spells them, which ROS 2's rosbridge takes too. */
+const JOINT_STATE = 'sensor_msgs/JointState', TRAJECTORY = 'trajectory_msgs/JointTrajectory', STRING = 'std_msgs/String';
+
+/** Listens to a robot's rosbridge and passes on what it says until it is stopped. */
+export async function run(context: AdapterContext): Promise<void> {
+  const { configuration, gateway, clock, status, log, stopping } = context;
+  const settings = settingsOf(configuration);
+  let connection = new AbortController();
+  if (!settings.hasClock) clock.doWithout();
+  const robot = new GatewayLink({ url: settings.endpoint, token: null, pin: settings.pin }, log, 'rosbridge', {
+    opened: () => {
+      status.enter('connected');
+      connection = new AbortController();
+      if (settings.hasClock) void attach(AbortSignal.any([stopping, connection.signal]));
+    },
+    away: reason => {
+      connection.abort();
+      clock.detach();
+      if (status.state === 'connected') status.reconnected();
+      status.enter('waiting', reason);
+    },
+    malformed: (topic, problem) => status.refuse('malformed', topic, problem),
+  });
+
+  // rosapi may come later than rosbridge.
+  async function attach(ended: AbortSignal): Promise<void> {
+    while (!ended.aborted) {
+      try {
+        if (await clock.attach(readTime, ended)) return log.resume('clock', 'the robot\'s clock is told');
+      } catch (error) {
+        if (ended.aborted) return;
+        clock.doWithout();
+        log.change('clock', `the robot's clock is not told: ${(error as Error).message}; start rosapi beside rosbridge, or say clock: false`);
+        await pause(CLOCK_RETRY_MS, ended);
+      }
+    }
+  }
+
+  async function readTime() {
+    const { time } = await robot.call(GET_TIME), now = ofRosTime(time);
+    if (now === null || now <= 0n) throw new Error(`${GET_TIME} tells no time; with use_sim_time the simulation has to run`);
+    return { received: now, sent: now };
+  }
+
+  const names = new JointNames(configuration.joints), states = new JointStates(names, settings.oldest, clock, gateway, status);
+  robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
+  if (configuration.robot === null && settings.robotDescription !== null)
+    robot.subscribe(settings.robotDescription, message => passDescription(message?.data), STRING);
+  if (settings.jointTrajectory !== null) robot.subscribe(settings.jointTrajectory, passTrajectory, TRAJECTORY);
+
+  function passDescription(text: unknown): void {
+    if (typeof text === 'string' && text.includes('<robot')) gateway.publishKept(ROBOT_DESCRIPTION, description(text));
+    else status.refuse('malformed', 'robot description', 'it has no <robot> element');
+  }
+
+  function passTrajectory(message: Record<string, unknown>): void {
+    const passed = passedTrajectory(message, names);
+    if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no joint that is passed on, or values that are no numbers');
+    status.accept('trajectory');
+    gateway.publish(JOINT_TRAJECTORY, passed);
+  }
+
+  status.detail('endpoint', settings.endpoint);
+  status.detail('security', settings.endpoint.startsWith('wss:') ? 'tls' : 'none');
+  if (settings.isPlain) log.line('this rosbridge is neither encrypted nor authenticated (plain: true): whoever reaches its network can pose as it');
+  status.enter('connecting');
+  await robot.run(stopping);
+}

@@ -1,0 +1,78 @@
+import type { PlantClock } from '../clock/plantClock';
+import { shown } from '../configuration/problem';
+import { JOINT_STATES, jointState } from '../gateway/messages';
+import type { AdapterStatus } from '../gateway/status';
+import { StampRule } from '../samples/stampRule';
+import { type Nanoseconds, ofRosTime } from '../times';
+import type { JointNames, OutJoint } from './jointNames';
+
+const MOST_JOINTS = 256;
+
+interface Publisher {
+  publish(topic: string, msg: object): void;
+}
+
+interface RosJointState {
+  header?: { stamp?: unknown };
+  name?: unknown[];
+  position?: unknown[];
+  velocity?: unknown[];
+  /** Beyond ROS: what our own gateway sends on. */
+  acceleration?: unknown[];
+}
+
+/** Passes a robot's joint states on with their own stamps, each joint that has a usable one. */
+export class JointStates {
+  readonly #rule: StampRule;
+
+  constructor(readonly names: JointNames, oldest: Nanoseconds, readonly clock: Pick<PlantClock, 'now' | 'isSettled'>, readonly gateway: Publisher,
+    readonly status: AdapterStatus) {
+    this.#rule = new StampRule(MOST_JOINTS, oldest);
+  }
+
+  pass(message: RosJointState | null): void {
+    const { name, position, velocity, acceleration } = message ?? {};
+    if (!Array.isArray(name) || !Array.isArray(position) || position.length !== name.length) {
+      // Joints that have efforts or velocities only are published so.
+      if (!Array.isArray(position) || position.length > 0)
+        this.status.refuse('malformed', 'joint states', 'names and positions are not lists of one length');
+      return;
+    }
+    if (!this.clock.isSettled) return this.status.count('clock-unknown');
+    const stamp = ofRosTime(message!.header?.stamp), now = this.clock.now;
+    const taken = name.flatMap((source, i) => {
+      const out = this.names.find(source);
+      return out !== undefined && this.#isUsable(out, position[i], stamp, now) ? [{ out, i }] : [];
+    });
+    if (taken.length === 0) return;
+    this.status.sampled();
+    const state = jointState(stamp!, taken.map(t => t.out.joint), taken.map(({ out, i }) => position[i] as number * out.scale + out.offset));
+    const accelerations = derivativesOf(acceleration, name.length, taken);
+    this.gateway.publish(JOINT_STATES, {
+      ...state,
+      velocity: derivativesOf(velocity, name.length, taken),
+      ...(accelerations.length === 0 ? {} : { acceleration: accelerations }),
+    });
+  }
+
+  #isUsable({ index, joint, scale, offset }: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
+    // A NaN arrives as null.
+    if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
+      this.status.refuse('not-finite', joint, `value ${shown(position)} is no position`);
+      return false;
+    }
+    const refusal = this.#rule.judge(index, stamp, now);
+    if (refusal !== null) this.status.refuse(refusal.reason, joint, refusal.text);
+    else this.status.accept(joint);
+    return refusal === null;
+  }
+}
+
+/** Of the taken joints; a null where the robot told none, nothing where it told none at all. */
+function derivativesOf(values: unknown[] | undefined, length: number, taken: { out: OutJoint; i: number }[]): (number | null)[] {
+  if (!Array.isArray(values) || values.length !== length) return [];
+  return taken.map(({ out, i }) => {
+    const value = typeof values[i] === 'number' ? values[i] as number * out.scale : NaN;
+    return Number.isFinite(value) ? value : null;
+  });
+}

@@ -1,0 +1,39 @@
+import type { JointNames } from './jointNames';
+
+interface Point {
+  positions?: unknown[];
+  velocities?: unknown[];
+  accelerations?: unknown[];
+  time_from_start?: unknown;
+}
+
+interface Trajectory {
+  header?: unknown;
+  joint_names?: unknown[];
+  points?: unknown[];
+}
+
+const isPoint = (value: unknown): value is Point => typeof value === 'object' && value !== null;
+
+/** Set-points ahead of time for the joints that pass; null where there is none, or a value that is no number. */
+export function passedTrajectory(message: Trajectory | null, names: JointNames): object | null {
+  const { header, joint_names: sources, points } = message ?? {};
+  if (!Array.isArray(sources) || !Array.isArray(points) || !points.every(isPoint)) return null;
+  if (typeof header !== 'object' || header === null) return null;
+  const taken = sources.flatMap((source, i) => {
+    const out = names.find(source);
+    return out === undefined ? [] : [{ ...out, i }];
+  });
+  const column = (values: unknown[] | undefined, isPosition: boolean): number[] =>
+    !Array.isArray(values) || values.length !== sources.length ? []
+      : taken.map(({ i, scale, offset }) => (typeof values[i] === 'number' ? values[i] as number : NaN) * scale + (isPosition ? offset : 0));
+  const passed = points.map(point => ({
+    positions: column(point.positions, true),
+    velocities: column(point.velocities, false),
+    accelerations: column(point.accelerations, false),
+    time_from_start: point.time_from_start,
+  }));
+  const isWhole = passed.every(({ positions, velocities, accelerations }) =>
+    positions.length === taken.length && [...positions, ...velocities, ...accelerations].every(Number.isFinite));
+  return taken.length > 0 && isWhole ? { header, joint_names: taken.map(t => t.joint), points: passed } : null;
+}

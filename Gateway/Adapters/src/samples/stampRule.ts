@@ -1,0 +1,47 @@
+import { type Nanoseconds, NS_PER_S, toMilliseconds } from '../times';
+
+const FUTURE: Nanoseconds = NS_PER_S;
+
+/** Why a value is not passed on: a word to count by, and what to say. */
+export interface Refusal {
+  reason: string;
+  text: string;
+}
+
+/** Whether a stamp may be the t_k of a joint's value. */
+export class StampRule {
+  readonly #newest: (Nanoseconds | null)[];
+
+  /** @param oldest What is older than this on the control clock shows no motion that a headset could follow. */
+  constructor(joints: number, readonly oldest: Nanoseconds) {
+    this.#newest = Array<Nanoseconds | null>(joints).fill(null);
+  }
+
+  /**
+   * Takes the stamp as the joint's newest unless it refuses it.
+   * @param now On the control clock; null while that is unknown.
+   */
+  judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null): Refusal | null {
+    if (stamp === null) return { reason: 'stamp-missing', text: 'the value has no time stamp; choose another timestamp in the configuration' };
+    if (stamp <= 0n) return { reason: 'stamp-zero', text: 'the time stamp lies before 1970; is the clock of the control system set?' };
+    const refusal = now === null ? null : this.#against(now, stamp);
+    if (refusal !== null) return refusal;
+    const newest = this.#newest[joint];
+    // After the clock was set back, what was newest lies in the future and holds nobody up.
+    const isStepped = newest !== null && now !== null && newest > now + FUTURE;
+    if (newest !== null && stamp <= newest && !isStepped)
+      return { reason: 'stamp-not-newer', text: `its time stamp is ${ms(newest - stamp)} ms before, or that of, the value before it` };
+    this.#newest[joint] = stamp;
+    return null;
+  }
+
+  #against(now: Nanoseconds, stamp: Nanoseconds): Refusal | null {
+    const text = (apart: Nanoseconds, side: string, most: Nanoseconds): string =>
+      `its time stamp is ${ms(apart)} ms ${side} the control clock; up to ${ms(most)} ms is allowed`;
+    if (stamp > now + FUTURE) return { reason: 'stamp-future', text: text(stamp - now, 'ahead of', FUTURE) };
+    if (stamp < now - this.oldest) return { reason: 'stamp-old', text: text(now - stamp, 'behind', this.oldest) };
+    return null;
+  }
+}
+
+const ms = (length: Nanoseconds): string => toMilliseconds(length).toFixed(1);

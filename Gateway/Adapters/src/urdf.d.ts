@@ -1,0 +1,5 @@
+// The bundler puts the text in.
+declare module '*.urdf' {
+  const text: string;
+  export default text;
+}

@@ -1,0 +1,97 @@
+// Device notifications of one client: what is due in a cycle is sampled for that cycle, however late the machine is.
+import { group, mode, notificationFrame } from './frames.mjs';
+
+/** A machine that slept does not send what it missed for longer than this. */
+const longestCatchUp = 200_000_000n;
+
+export class Notifications {
+  #plc;
+  #send;
+  #entries = new Map();
+  #waiting = [];
+  #next = 1;
+  #timer;
+
+  constructor(plc, send) {
+    this.#plc = plc;
+    this.#send = send;
+  }
+
+  get count() {
+    return this.#entries.size;
+  }
+
+  /** Times in 100 ns, as a request has them; the first sample comes with the next cycle. */
+  add(client, server, { indexGroup, indexOffset, length, transmission, maxDelay, cycleTime }) {
+    const interval = BigInt(cycleTime) * 100n;
+    const whole = interval <= this.#plc.cycle ? this.#plc.cycle : interval - interval % this.#plc.cycle;
+    const handle = this.#next++;
+    this.#entries.set(handle, {
+      client, server, indexGroup, indexOffset, length, transmission, interval: whole,
+      maxDelay: BigInt(maxDelay) * 100n, due: this.#plc.cycleTime() + this.#plc.cycle,
+    });
+    this.#timer ??= setInterval(() => this.#run(), 1);
+    return handle;
+  }
+
+  remove(handle) {
+    return this.#entries.delete(handle);
+  }
+
+  /** Samples of variables that are no longer where they were: each is told of once, by a sample without data. */
+  invalidate() {
+    for (const [handle, entry] of this.#entries) {
+      if (entry.indexGroup !== group.memory) continue;
+      this.#entries.delete(handle);
+      this.#put(entry, handle, this.#plc.cycleTime(), Buffer.alloc(0));
+    }
+    this.#flush(true);
+  }
+
+  close() {
+    clearInterval(this.#timer);
+    this.#entries.clear();
+  }
+
+  #run() {
+    const now = this.#plc.cycleTime();
+    for (const [handle, entry] of this.#entries) {
+      if (entry.due < now - longestCatchUp || entry.due > now + entry.interval + longestCatchUp) entry.due = now;
+      for (; entry.due <= now; entry.due += entry.interval) this.#sample(handle, entry, entry.due);
+    }
+    this.#flush(false);
+  }
+
+  #sample(handle, entry, time) {
+    const data = this.#plc.read(entry.indexGroup, entry.indexOffset, entry.length, time);
+    if (typeof data === 'number') return;
+    if (entry.transmission === mode.onChange && entry.last?.equals(data)) return;
+    entry.last = data;
+    this.#put(entry, handle, time, data);
+  }
+
+  #put(entry, handle, time, data) {
+    this.#waiting.push({ entry, handle, time, data, until: time + entry.maxDelay });
+  }
+
+  /** One packet with a stamp per cycle, once the most impatient sample has waited its longest. */
+  #flush(atOnce) {
+    const now = this.#plc.now();
+    if (this.#waiting.length === 0 || !atOnce && !this.#waiting.some(w => w.until <= now)) return;
+    const ready = this.#waiting.sort((a, b) => Number(a.time - b.time));
+    this.#waiting = [];
+    for (const [target, samples] of grouped(ready, w => w.entry.client.port)) {
+      const stamps = [...grouped(samples, s => s.time)].map(([time, taken]) => ({
+        stamp: this.#plc.stampOf(time), samples: taken.map(({ handle, data }) => ({ handle, data })),
+      }));
+      const { client, server } = samples[0].entry;
+      this.#send(notificationFrame({ ...client, port: target }, server, stamps));
+    }
+  }
+}
+
+function grouped(items, keyOf) {
+  const groups = new Map();
+  for (const item of items) groups.set(keyOf(item), [...groups.get(keyOf(item)) ?? [], item]);
+  return groups;
+}

@@ -1,0 +1,112 @@
+// A PLC as an ADS client sees it: its clock, its task, its variables, its states.
+import { performance } from 'node:perf_hooks';
+import { error, group, state, words } from './frames.mjs';
+import { symbolEntry } from './symbols.mjs';
+
+/** 100 ns between 1601-01-01 and 1970-01-01, both UTC. */
+const fileTimeOf1970 = 116444736000000000n;
+
+export const fileTime = nanoseconds => nanoseconds / 100n + fileTimeOf1970;
+
+export class Plc {
+  #startedAt = performance.now();
+  #startTime;
+  #ppm;
+  #symbols = [];
+  #plcState = state.run;
+  #stoppedAt;
+  downloaded = new Set();
+
+  /**
+   * `aheadMs` is what its clock reads more than this machine's at the start, `ppm` how much faster it runs; `cycleMs` is its
+   * task's. `variables` are PlcSymbols, whose values change from cycle to cycle only.
+   */
+  constructor(variables, { aheadMs = 0, ppm = 0, cycleMs = 1, stampOf = time => fileTime(time) } = {}) {
+    this.#startTime = BigInt(Math.round((Date.now() + aheadMs) * 1e6));
+    this.#ppm = ppm;
+    this.cycle = BigInt(Math.round(cycleMs * 1e6));
+    this.stampOf = stampOf;
+    this.version = 1;
+    this.systemState = state.run;
+    this.#place(variables, 0x1000);
+  }
+
+  get plcState() { return this.#plcState; }
+
+  set plcState(next) {
+    this.#plcState = next;
+    this.#stoppedAt = this.cycleTime();
+  }
+
+  /** Nanoseconds since 1970. */
+  now() {
+    const elapsed = (performance.now() - this.#startedAt) * (1 + this.#ppm * 1e-6);
+    return this.#startTime + BigInt(Math.round(elapsed * 1e6));
+  }
+
+  step(milliseconds) {
+    this.#startTime += BigInt(Math.round(milliseconds * 1e6));
+  }
+
+  /** When the task's newest cycle began; cycles begin at no round time. */
+  cycleTime(time = this.now()) {
+    const phase = this.cycle * 3n / 7n / 100n * 100n;
+    return time - (time - phase) % this.cycle;
+  }
+
+  /** A new program: other places of all variables, and what knew the old ones is void. */
+  download(variables) {
+    this.version = this.version % 255 + 1;
+    this.#place(variables, 0x1000 + 64 * this.version);
+    for (const listener of this.downloaded) listener();
+  }
+
+  #place(variables, first) {
+    let offset = first;
+    this.#symbols = variables;
+    for (const variable of variables) {
+      variable.offset = offset;
+      offset += variable.size + 7 & ~7;
+    }
+  }
+
+  /** By name as ADS compares it, without regard to case; elements of arrays too. */
+  find(name) {
+    const [, path, index] = /^(.*?)(?:\[(-?\d+)\])?$/.exec(name);
+    const named = text => this.#symbols.find(s => s.name.toLowerCase() === text.toLowerCase());
+    return named(name) ?? (index === undefined ? undefined : named(path)?.element(Number(index)));
+  }
+
+  get names() {
+    return this.#symbols.map(s => s.name);
+  }
+
+  get table() {
+    return Buffer.concat(this.#symbols.map(s => symbolEntry(s, group.memory)));
+  }
+
+  get tableInfo() {
+    return words(this.#symbols.length, this.table.length);
+  }
+
+  /** What lies at a place at the beginning of a cycle, or an ADS error. In stop the task does not run: values stay. */
+  read(indexGroup, indexOffset, length, time = this.cycleTime()) {
+    if (this.plcState !== state.run) time = this.#stoppedAt;
+    if (indexGroup === group.symbolVersion) return Buffer.from([this.version]);
+    if (indexGroup === group.deviceData) return this.#states().subarray(indexOffset, indexOffset + length);
+    if (indexGroup === group.uploadInfo) return this.tableInfo;
+    if (indexGroup === group.uploadInfo2) return Buffer.concat([this.tableInfo, words(0, 0, 0, 0)]);
+    if (indexGroup === group.upload) return this.table.subarray(0, length);
+    if (indexGroup !== group.memory) return error.invalidGroup;
+    const symbol = this.#symbols.find(s => indexOffset >= s.offset && indexOffset < s.offset + s.size);
+    if (!symbol) return error.invalidOffset;
+    const bytes = symbol.image(time).subarray(indexOffset - symbol.offset);
+    return bytes.length < length ? error.invalidSize : bytes.subarray(0, length);
+  }
+
+  #states() {
+    const bytes = Buffer.alloc(4);
+    bytes.writeUInt16LE(this.plcState, 0);
+    return bytes;
+  }
+}

@@ -1,0 +1,58 @@
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { parts } from '../parts.mjs';
+
+const { Cycles, NotificationTime, ofFileTime } = await parts('ads/cycles', 'ads/plcTime', 'times');
+
+describe('cycles of a PLC', () => {
+  const met = (cycles, perDelay) => {
+    const taken = [], dropped = [];
+    const all = new Cycles(perDelay, (time, values) => taken.push([time, values[0].value]), values => dropped.push(...values.map(v => v.value)));
+    for (let i = 0; i < cycles; i++) all.add(BigInt(i), [{ joint: 0, value: i }], undefined);
+    for (let i = 0; i < cycles; i++) all.add(BigInt(i), [], BigInt(1000 + i));
+    return { taken, dropped };
+  };
+
+  it('Values_OfAWholeDelayBeforeTheirTimes_AllMeetThem', () => {
+    const { taken, dropped } = met(50, 50);
+
+    assert.deepEqual([taken.length, dropped], [50, []]);
+    assert.ok(taken.every(([time, value]) => time === BigInt(1000 + value)));
+  });
+
+  it('Values_WhoseTimesNeverCome_DoNotFillTheMemory', () => assert.equal(met(1000, 50).dropped.length, 1000 - 116));
+});
+
+describe('time by notifications', () => {
+  const STAMP = 133_000_000_000_000_000n;
+
+  /** A PLC whose first notification comes before, or after, the answer to its subscription. */
+  function plc({ early, handles = [1, 2, 3] }) {
+    const time = new NotificationTime({
+      subscribe: async () => {
+        const notificationHandle = handles.shift(), stamp = STAMP + BigInt(handles.length);
+        if (early) time.saw(notificationHandle, stamp);
+        else setImmediate(() => setImmediate(() => time.saw(notificationHandle, stamp)));
+        return { notificationHandle, unsubscribe: async () => {} };
+      },
+    }, { indexGroup: 1, indexOffset: 2, size: 4 });
+    return time;
+  }
+
+  for (const early of [true, false])
+    it(`Stamp_${early ? 'BeforeTheAnswer' : 'AfterTheAnswer'}_IsTheTime`, async () => {
+      const time = plc({ early });
+
+      assert.deepEqual([(await time.read()).sent, (await time.read()).sent], [ofFileTime(STAMP + 2n), ofFileTime(STAMP + 1n)]);
+    });
+
+  it('Stamp_OfAHandleOfAnEarlierQuestion_IsNotTaken', async () => {
+    const time = plc({ early: false, handles: [1, 1] });
+    await time.read();
+
+    const next = time.read();
+    time.saw(1, STAMP - 1n);
+
+    assert.equal((await next).sent, ofFileTime(STAMP));
+  });
+});

@@ -1,0 +1,60 @@
+// Debian's mosquitto on a port of this machine, as the example's configuration has it.
+import { spawn, spawnSync } from 'node:child_process';
+import { createServer, connect } from 'node:net';
+import { once } from 'node:events';
+import { join } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { folderFor, until } from '../program.mjs';
+
+const program = ['mosquitto', '/usr/sbin/mosquitto'].find(name => spawnSync(name, ['-h']).error === undefined);
+
+/** Why tests with it cannot run here; false where they can. */
+export const missing = program === undefined && 'mosquitto is not installed (apt-get install mosquitto)';
+
+export async function freePort() {
+  const server = createServer().listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  const { port } = server.address();
+  await new Promise(resolve => server.close(resolve));
+  return port;
+}
+
+export class Mosquitto {
+  static async start(test, lines = ['allow_anonymous true']) {
+    const broker = new Mosquitto();
+    broker.port = await freePort();
+    broker.url = `mqtt://127.0.0.1:${broker.port}`;
+    broker.file = join(folderFor(test), 'mosquitto.conf');
+    // Started by root it would become another user, who may not read what a test writes.
+    const user = process.getuid?.() === 0 ? ['user root'] : [];
+    writeFileSync(broker.file, [...user, `listener ${broker.port} 127.0.0.1`, ...lines, 'persistence false', 'log_dest none', ''].join('\n'));
+    test.after(() => broker.stop());
+    await broker.run();
+    return broker;
+  }
+
+  async run() {
+    this.child = spawn(program, ['-c', this.file], { stdio: 'ignore' });
+    this.ended = new Promise(resolve => this.child.on('close', resolve));
+    await until(() => answers(this.port), 10000, 'mosquitto');
+  }
+
+  /** It stops taking and giving anything, without closing. */
+  stall() { this.child.kill('SIGSTOP'); }
+  resume() { this.child.kill('SIGCONT'); }
+
+  async stop() {
+    this.child.kill('SIGKILL');
+    await this.ended;
+  }
+}
+
+function answers(port) {
+  return new Promise(resolve => {
+    const socket = connect(port, '127.0.0.1', () => {
+      socket.destroy();
+      resolve(true);
+    });
+    socket.on('error', () => resolve(false));
+  });
+}

@@ -1,0 +1,195 @@
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { parts } from './parts.mjs';
+
+const { Resolution, PlantClock, ofFileTime, toRosTime } = await parts('clock/resolution', 'clock/plantClock', 'times');
+const MS = 1_000_000n;
+const T = 1_700_000_000_000n * MS;
+
+const told = (times, between = MS) => {
+  const resolution = new Resolution();
+  times.forEach((time, i) => resolution.observe(time, BigInt(i) * between, BigInt(i) * between + 1000n));
+  return resolution;
+};
+const eight = step => Array.from({ length: 9 }, (_, i) => T + BigInt(7 * i * i + 3 * i) * step);
+
+describe('resolution', () => {
+  for (const step of [1n, 100n, 1000n, MS, 10n * MS, 1000n * MS]) {
+    it(`Times_InStepsOf${step}ns_TellIt`, () => assert.equal(told(eight(step)).value, step));
+  }
+
+  it('Times_TooFew_TellNothing', () => assert.equal(told(eight(MS).slice(0, 7)).value, 0n));
+
+  it('Clock_ThatStandsBetweenUpdates_IsAsCoarseAsItStood', () => {
+    const times = eight(100n).flatMap(time => [time, time, time]);
+
+    // The third reading was asked for two intervals after the first, which had come 1 µs after it was asked for.
+    assert.equal(told(times, 50n * MS).value, 100n * MS - 1000n);
+  });
+
+  it('Clock_ThatOnceStood_IsAsFineAsBeforeAfterAMinute', () => {
+    const resolution = new Resolution();
+    let now = 0n;
+    const observe = time => {
+      resolution.observe(time, now, now);
+      now += 200n * MS;
+    };
+    eight(MS).forEach(observe);
+    for (let i = 0; i < 4; i++) observe(T + 10_000n * MS);
+    observe(T + 11_000n * MS);
+    const soonAfter = resolution.value;
+
+    for (let i = 1n; i < 310n; i++) observe(T + (11_000n + 200n * i) * MS);
+
+    // It was seen to stand for 600 ms, and may have for 1000 ms, by which it went on.
+    assert.deepEqual([soonAfter, resolution.value], [1000n * MS, MS]);
+  });
+});
+
+describe('times', () => {
+  it('FileTime_Of1970_IsZero', () => assert.equal(ofFileTime(116444736000000000n), 0n));
+
+  it('FileTime_WithHundredNanoseconds_KeepsThem', () =>
+    assert.deepEqual(toRosTime(ofFileTime(116444736000000000n + 12_345_678_901n)), { sec: 1234, nanosec: 567890100 }));
+});
+
+describe('plant clock', () => {
+  const link = () => {
+    const services = new Map();
+    return { services, offer: (name, type, answer) => services.set(name, { type, answer }) };
+  };
+  const never = new AbortController().signal;
+
+  it('Clock_ThatWasNeverThere_IsNotOffered', async () => {
+    const gateway = link(), clock = new PlantClock(gateway, 'cell');
+
+    await assert.rejects(clock.attach(async () => { throw new Error('no such service'); }, never), /no such service/);
+
+    assert.deepEqual([gateway.services.size, clock.isSettled], [0, false]);
+    clock.doWithout();
+    assert.deepEqual([gateway.services.size, clock.isSettled], [0, true]);
+  });
+
+  it('Asked_PlantAway_SaysWhy', async () => {
+    const gateway = link(), clock = new PlantClock(gateway, 'cell', MS);
+    await clock.attach(async () => ({ received: T, sent: T }), never);
+
+    clock.detach();
+
+    await assert.rejects(gateway.services.get('/nowpose/plant_time/cell').answer(), /not connected/);
+    assert.ok(clock.isSettled);
+  });
+
+  it('Clock_DetachedWhileItIsMeasured_IsNeitherReadNorOffered', async () => {
+    const gateway = link(), clock = new PlantClock(gateway, 'cell');
+    let time = T;
+    const attached = clock.attach(async () => {
+      time += 7n * MS;
+      return { received: time, sent: time };
+    }, never);
+
+    clock.detach();
+
+    assert.equal(await attached, false);
+    assert.equal(gateway.services.size, 0);
+    await assert.rejects(clock.read(), /not connected/);
+  });
+
+  it('Asked_WithPlant_TellsTimesAndResolution', async () => {
+    const gateway = link(), clock = new PlantClock(gateway, 'cell');
+    let time = T;
+    await clock.attach(async () => {
+      time += 7n * MS;
+      return { received: time, sent: time + MS };
+    }, never);
+
+    const { received, sent, ...rest } = await gateway.services.get('/nowpose/plant_time/cell').answer();
+
+    assert.equal(BigInt(sent.sec) * 1000n * MS + BigInt(sent.nanosec) - BigInt(received.sec) * 1000n * MS - BigInt(received.nanosec), MS);
+    assert.deepEqual(rest, { resolution_ns: 1_000_000, error_bound_ns: 0, synchronised: true });
+  });
+
+  it('Resolution_Configured_IsTaken', async () => {
+    const gateway = link(), clock = new PlantClock(gateway, 'cell', 5n * MS);
+    await clock.attach(async () => ({ received: T, sent: T }), never);
+
+    assert.equal((await clock.read()).resolution, 5n * MS);
+  });
+
+  it('Clock_PausedAndResumed_IsNotToldMeanwhileAndIsAsFineAsBefore', async () => {
+    let now = 0n, time = T, isPaused = false;
+    const gateway = link(), clock = new PlantClock(gateway, 'cell', null, () => now);
+    const pass = length => {
+      now += length;
+      if (!isPaused) time += length;
+    };
+    await clock.attach(async () => {
+      pass(3n * MS);
+      return { received: time, sent: time };
+    }, never);
+    // A gateway asks every 200 ms.
+    const asked = async () => {
+      pass(197n * MS);
+      return gateway.services.get('/nowpose/plant_time/cell').answer();
+    };
+    const before = await asked();
+
+    isPaused = true;
+    let answered = 0;
+    for (let i = 0; i < 150; i++) await asked().then(() => answered++, error => assert.equal(error.message, 'the clock stands still'));
+    isPaused = false;
+    const after = await asked();
+
+    assert.ok(answered > 0 && answered <= 7, `${answered} answers of a clock that stands`);
+    assert.equal(before.resolution_ns, 1_000_000);
+    assert.equal(after.resolution_ns, 1_000_000);
+  });
+
+  // 15.625 ms: the time of Windows. A gateway that knows the clock well asks once a second and never sees it stand.
+  it('Clock_ThatStandsAndIsAskedSeldom_StaysAsCoarseAsItIs', async () => {
+    let now = 0n;
+    const gateway = link(), clock = new PlantClock(gateway, 'cell', null, () => now), step = 15_625_000n;
+    await clock.attach(async () => {
+      now += 3n * MS;
+      const time = T + now / step * step;
+      return { received: time, sent: time };
+    }, never);
+    const told = [];
+    for (let second = 0; second < 200; second++) {
+      now += 997n * MS;
+      told.push((await gateway.services.get('/nowpose/plant_time/cell').answer()).resolution_ns);
+      await clock.settled;
+    }
+
+    assert.deepEqual([...new Set(told)], [15_625_000]);
+  });
+
+  for (const [step, expected] of [[1000n * MS, [1000n * MS]], [10n * MS, []]])
+    it(`Clock_InStepsOf${step / MS}ms_${expected.length > 0 ? 'IsToldToBeCoarse' : 'IsNoNews'}`, async () => {
+      let now = 0n;
+      const told = new Set(), clock = new PlantClock(link(), 'cell', null, () => now, coarse => told.add(coarse));
+      const read = async () => {
+        now += 50n * MS;
+        const time = T + now / step * step;
+        return { received: time, sent: time };
+      };
+      await clock.attach(read, never);
+      for (let i = 0; i < 400; i++) {
+        await clock.read();
+        await clock.settled;
+      }
+
+      assert.deepEqual([...told].filter(coarse => coarse !== null), expected);
+    });
+
+  it('Now_AfterDetach_IsUnknown', async () => {
+    const clock = new PlantClock(link(), 'cell', MS);
+    await clock.attach(async () => ({ received: T, sent: T }), never);
+    const known = clock.now;
+
+    clock.detach();
+
+    assert.ok(known >= T && known < T + 60_000n * MS);
+    assert.equal(clock.now, null);
+  });
+});

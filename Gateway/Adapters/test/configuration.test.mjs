@@ -1,0 +1,168 @@
+import assert from 'node:assert/strict';
+import { chmodSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { describe, it } from 'node:test';
+import { wrongIn } from './checking.mjs';
+import { check, fileFor } from './program.mjs';
+
+const GOOD = `gateway:
+  url: ws://127.0.0.1:47011
+plant:
+  kind: opcua
+  endpoint: opc.tcp://plc.example:4840
+joints:
+  - joint: arm_joint_1
+    node: ns=4;s=MAIN.axis[1].position
+    unit: deg
+  - joint: arm_joint_2
+    node: ns=4;i=1002
+    scale: 0.5
+    offset: -1.5
+`;
+
+/** What is wrong after a change of the good file. */
+function linesOf(test, from, to) {
+  const text = GOOD.replace(from, to);
+  assert.notEqual(text, GOOD);
+  const path = fileFor(test, 'plant.yaml', text);
+  return wrongIn(path).map(line => line.replace(`${path}, `, ''));
+}
+
+describe('configuration', () => {
+  it('Check_GoodFile_NamesEndpointAndJoints', async t => {
+    const path = fileFor(t, 'plant.yaml', GOOD);
+
+    const { status, out } = await check(t, path);
+
+    assert.equal(status, 0);
+    assert.match(out, /plant\.yaml is good: .*opc\.tcp:\/\/plc\.example:4840.*arm_joint_1, arm_joint_2/);
+  });
+
+  for (const [name, from, to, expected] of [
+    ['UnknownKind', 'kind: opcua', 'kind: opcau', /^line 4: plant\.kind: value "opcau"; did you mean opcua\? allowed are .*opcua/],
+    ['NoKind', '  kind: opcua\n', '', /^line 3: plant\.kind: missing; .*opcua/],
+    ['NoPlant', /plant:\n.*\n.*\n/, '', /^line 1: plant: missing/],
+    ['KindMisspelt', 'kind: opcua', 'kindx: opcua', /^line 4: plant\.kindx: not known here; did you mean kind\?$/],
+    ['PlantMisspelt', 'plant:', 'plantx:', /^line 3: plantx: not known here; did you mean plant\?$/],
+    ['PlantEmpty', /plant:\n.*\n.*\n/, 'plant:\n', /^line 3: plant: missing; add the section plant with its kind/],
+    ['PortTooLarge', 'plc.example:4840', 'plc.example:99999', /^line 5: plant\.endpoint: value "opc.*:99999"; allowed .* from 1 to 65535$/],
+    ['PortOfZero', 'plc.example:4840', 'plc.example:0', /^line 5: plant\.endpoint: .* from 1 to 65535$/],
+    ['PortInWords', 'plc.example:4840', 'plc.example:abc', /^line 5: plant\.endpoint: .* from 1 to 65535$/],
+    ['NoHost', 'plc.example:4840', ':4840', /^line 5: plant\.endpoint: .* a host and/],
+    ['GatewayPort', 'ws://127.0.0.1:47011', 'ws://127.0.0.1:470111', /^line 2: gateway\.url: .* from 1 to 65535$/],
+    ['NamespaceTooLarge', 'ns=4;i=1002', 'ns=65536;i=1002', /^line 11: joints\[1\]\.node: .*; a namespace, ns, is a number from 0 to 65535$/],
+    ['NodeNumberTooLarge', 'ns=4;i=1002', 'ns=4;i=4294967296', /^line 11: joints\[1\]\.node: .* from 0 to 4294967295$/],
+    ['TimeNodeTooLarge', 'joints:', '  time: {node: ns=65536;s=t}\njoints:', /^line 6: plant\.time\.node: .* from 0 to 65535$/],
+    ['UnknownKey', 'endpoint: opc', 'endpont: opc', /^line 5: plant\.endpont: not known here; did you mean endpoint\?/],
+    ['UnknownSection', 'joints:', 'axes:', /^line 6: axes: not known here; allowed are gateway, plant, joints, robot$/],
+    ['WrongEndpoint', 'opc.tcp://plc.example:4840', 'http://plc', /^line 5: plant\.endpoint: value "http:\/\/plc"; allowed is .*opc\.tcp:\/\/HOST/],
+    ['PasswordInEndpoint', 'opc.tcp://plc', 'opc.tcp://me:word@plc', /^line 5: plant\.endpoint: .*without user name or password$/],
+    ['PasswordWithSlash', 'opc.tcp://plc', 'opc.tcp:/me:wo/rd@x@plc', /^line 5: plant\.endpoint: value "opc\.tcp:\/\*\*\*@plc/],
+    ['UnknownUnit', 'unit: deg', 'unit: degrees', /^line 9: joints\[0\]\.unit: value "degrees"; did you mean deg\? allowed are rad, deg, m, mm$/],
+    ['UnitAndScale', 'scale: 0.5', 'scale: 0.5\n    unit: mm', /^line 12: joints\[1\]\.scale: the unit tells the scale already/],
+    ['ScaleOfZero', 'scale: 0.5', 'scale: 0', /^line 12: joints\[1\]\.scale: value 0; allowed is .*not 0/],
+    ['ScaleInWords', 'scale: 0.5', 'scale: half', /^line 12: joints\[1\]\.scale: value "half"; allowed is a number/],
+    ['OffsetNaN', 'offset: -1.5', 'offset: .nan', /^line 13: joints\[1\]\.offset: value \.nan; /],
+    ['OffsetInfinite', 'offset: -1.5', 'offset: -.inf', /^line 13: joints\[1\]\.offset: value -\.inf; /],
+    ['NoNode', '    node: ns=4;i=1002\n', '', /^line 10: joints\[1\]\.node: missing; add the node's id as ns=/],
+    ['WrongNode', 'ns=4;i=1002', 'MAIN.x', /^line 11: joints\[1\]\.node: value "MAIN\.x"; allowed is .*ns=NUMBER;s=NAME/],
+    ['JointTwice', 'arm_joint_2', 'arm_joint_1', /^line 10: joints\[1\]\.joint: value "arm_joint_1"; line 7 has this joint already/],
+    ['KeyTwice', 'unit: deg', 'unit: deg\n    unit: rad', /^line 10: this key stands here for the second time/],
+    ['Tab', '  endpoint', '\tendpoint', /^line 5: a tab stands before the entry/],
+    ['AliasWithoutEnd', 'gateway:', '&all\ngateway: *all\nown:', /^line 1: an alias \(\*\) stands inside of what it names; write the entry out$/],
+    ['NoYaml', 'unit: deg', 'unit: "deg', /^line \d+: no YAML: /],
+    ['JointsNoList', /joints:[^]*/, 'joints: {}\n', /^line 6: joints: value \{\}; allowed is a list of joints/],
+    ['GatewayNoWebSocket', 'ws://127.0.0.1:47011', '127.0.0.1', /^line 2: gateway\.url: value "127\.0\.0\.1"; allowed is .*ws:\/\/HOST:PORT/],
+    ['PinWithoutTls', 'plant:', `  pin: sha256/${'A'.repeat(43)}=\nplant:`, /^line 3: gateway\.pin: not looked at with ws:\/\/; write wss:\/\//],
+    ['OpenAndGuarded', 'joints:', '  security: { i_know_this_is_open: true }\njoints:', /^line 6: plant\.security\.i_know_this_is_open: security\.mode is sign_and_encrypt/],
+    ['WrongPin', 'plant:', '  pin: sha256/abc\nplant:', /^line 3: gateway\.pin: value "sha256\/abc"; allowed is the pin/],
+    ['TokenInFile', 'plant:', '  token: hush-hush\nplant:', /^line 3: gateway\.token: not known here; did you mean token_file\?/],
+    ['NoTokenFile', 'plant:', '  token_file: none\nplant:', /^line 3: gateway\.token_file: value "none"; the file cannot be read \(ENOENT\)/],
+    ['NoRobotFile', 'plant:', 'robot: none.urdf\nplant:', /^line 3: robot: value "none\.urdf"; the file cannot be read/],
+  ]) {
+    it(`Check_${name}_NamesLineAndCure`, t => {
+      const lines = linesOf(t, from, to);
+
+      assert.equal(lines.filter(line => expected.test(line)).length, 1, lines.join('\n'));
+      assert.doesNotMatch(lines.join('\n'), /hush-hush|word@|wo\/rd/);
+    });
+  }
+
+  it('Check_Tab_IsTheOnlyThingThatIsTold', t => {
+    const lines = linesOf(t, '  endpoint', '\tendpoint');
+
+    assert.deepEqual(lines, ['line 5: a tab stands before the entry; YAML allows blanks only, replace it']);
+  });
+
+  it('Check_NoPlant_TellsWhatElseIsNotKnown', t => {
+    const lines = linesOf(t, /plant:\n.*\n.*\n/, 'endpont: plc\n');
+
+    assert.equal(lines.length, 2, lines.join('\n'));
+    assert.match(lines[0], /^line 1: plant: missing/);
+    assert.match(lines[1], /^line 3: endpont: not known here; allowed are gateway, plant, joints, robot/);
+  });
+
+  it('Check_AddressesOfEverySort_AreNoFault', t => {
+    for (const address of ['plc', 'plc:1/path', '[fe80::1]', '[fe80::1%eth0]:4840', '[::1]:65535', '10.0.0.1:4840/a/b'])
+      assert.deepEqual(wrongIn(fileFor(t, 'plant.yaml', GOOD.replace('plc.example:4840', address))), [], address);
+  });
+
+  it('Check_JointThatTheRobotLacks_NamesLineAndTheNearest', t => {
+    const path = fileFor(t, 'plant.yaml', `${GOOD.replace('joint: arm_joint_2', 'joint: arm_jiont_2')}robot: arm.urdf\n`);
+    const joints = ['<joint type="revolute" name="arm_joint_1">', "<joint\n name = 'arm_joint_2'>", '<!-- <joint name="arm_jiont_2"/> -->'];
+    writeFileSync(join(dirname(path), 'arm.urdf'), `<robot name="arm">${joints.join('</joint>')}</robot>`);
+
+    const lines = wrongIn(path);
+
+    assert.equal(lines.length, 1, lines.join('\n'));
+    assert.match(lines[0], /line 10: joints\[1\]\.joint: value "arm_jiont_2"; the robot has no such joint, did you mean arm_joint_2\?$/);
+    writeFileSync(path, GOOD);
+    assert.deepEqual(wrongIn(path), []);
+  });
+
+  it('Check_SeveralWrongEntries_ToldAtOnceInOrder', t => {
+    const lines = linesOf(t, /unit: deg[^]*/, 'unit: feet\n  - joint: ""\n    node: 3\n    offset: much\n  - {}\n');
+
+    assert.deepEqual(lines.map(line => Number(/line (\d+)/.exec(line)[1])), [9, 10, 11, 12, 13, 13]);
+  });
+
+  it('Check_WrongFile_EndsWithStatusTwo', async t => {
+    const path = fileFor(t, 'plant.yaml', GOOD.replace('unit: deg', 'unit: feet'));
+
+    const { status, lines } = await check(t, path);
+
+    assert.equal(status, 2);
+    assert.deepEqual(lines, wrongIn(path));
+  });
+
+  it('Check_MissingFile_SaysSo', async t => {
+    const { status, lines } = await check(t, 'nowhere.yaml');
+
+    assert.equal(status, 2);
+    assert.match(lines[0], /^nowhere\.yaml, line 1: cannot be read \(ENOENT\)/);
+  });
+
+  it('Check_TokenFileForEverybody_IsRefusedWithoutTellingIt', { skip: process.platform === 'win32' }, t => {
+    const path = fileFor(t, 'plant.yaml', GOOD.replace('plant:', '  token_file: token\nplant:'));
+    writeFileSync(join(dirname(path), 'token'), 'hush-hush\n');
+    chmodSync(join(dirname(path), 'token'), 0o644);
+
+    const lines = wrongIn(path);
+
+    assert.match(lines[0], /line 3: gateway\.token_file: .*everybody on this machine may read the file/);
+    assert.doesNotMatch(lines.join('\n'), /hush-hush/);
+  });
+
+  it('Check_TokenOverPlainNetwork_IsRefused', t => {
+    const path = fileFor(t, 'plant.yaml', GOOD.replace('ws://127.0.0.1:47011', 'ws://gateway.example:47011'));
+
+    const lines = wrongIn(path, { NOWPOSE_TOKEN: 'hush-hush' });
+
+    assert.match(lines[0], /line 2: gateway\.url: .*wss:\/\//);
+    assert.doesNotMatch(lines.join('\n'), /hush-hush/);
+  });
+
+  it('Check_ByteOrderMark_IsNoFault', t => {
+    assert.deepEqual(wrongIn(fileFor(t, 'plant.yaml', `\uFEFF${GOOD}`)), []);
+  });
+});

@@ -1,0 +1,20 @@
+// What is shipped with the bundles of the licences of what is in them.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { it } from 'node:test';
+import { adapters } from './program.mjs';
+
+const text = readFileSync(join(adapters, 'dist', 'adapter-licences.txt'), 'utf8');
+
+it('Licences_OfEveryPackage_AreNamed', () => {
+  assert.match(text, /^node-opcua-client [\d.]+, MIT$/m);
+  assert.doesNotMatch(text, /, undefined$|no text with it/m);
+});
+
+for (const [name, holder] of [['precond', 'Mathieu Turcotte'], ['assert-plus', 'Mark Cavage']])
+  it(`Licence_Of${name}_IsWhatItStatesElsewhere`, () => {
+    const stated = `The MIT License \\(MIT\\)\\nCopyright .* ${holder}\\s+Permission is hereby granted`;
+
+    assert.match(text, new RegExp(`^${name} [\\d.]+, MIT\\n\\n${stated}`, 'm'));
+  });

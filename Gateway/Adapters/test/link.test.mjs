@@ -1,0 +1,249 @@
+// The adapter and a gateway, without a plant.
+import assert from 'node:assert/strict';
+import { createHash, X509Certificate } from 'node:crypto';
+import { writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { before, describe, it } from 'node:test';
+import { identity } from './opcua/identity.mjs';
+import { configuration } from './opcua/plant.mjs';
+import { freePort } from './opcua/server.mjs';
+import { parts } from './parts.mjs';
+import { fileFor, start, until } from './program.mjs';
+import { RosbridgeDouble } from './rosbridge.mjs';
+
+const { SendQueue, Log, Backoff, GatewayLink } = await parts('gateway/sendQueue', 'log', 'backoff', 'gateway/link');
+const JOINTS = [{ joint: 'a', node: 'i=1' }];
+const TOKEN = 'a-token-of-a-source';
+
+async function adapter(test, url, { env, more = '', stdin } = {}) {
+  const path = fileFor(test, 'plant.yaml', configuration(url, `opc.tcp://127.0.0.1:${await freePort()}`, [], JOINTS, more));
+  return start(test, [path], { env, stdin });
+}
+
+describe('link to the gateway', { concurrency: 3 }, () => {
+  let own, pin;
+  before(async () => {
+    own = await identity('urn:gateway');
+    pin = `sha256/${createHash('sha256').update(new X509Certificate(own.der).publicKey.export({ type: 'spki', format: 'der' })).digest('base64')}`;
+  });
+  const tls = () => ({ key: own.pem, cert: own.cert });
+
+  it('Token_OfEnvironment_IsSentAndNeverLogged', async t => {
+    const bridge = await RosbridgeDouble.start(t, { tls: tls(), token: TOKEN });
+    const run = await adapter(t, 'ws://127.0.0.1:1', { env: { NOWPOSE_GATEWAY: bridge.url, NOWPOSE_TOKEN: TOKEN, NOWPOSE_PIN: pin } });
+
+    await until(() => bridge.state, 30000, 'diagnostics');
+
+    assert.equal(bridge.headers[0].authorization, `Bearer ${TOKEN}`);
+    assert.doesNotMatch(run.err, new RegExp(TOKEN));
+  });
+
+  it('Pin_OfAnotherKey_IsToldNothingButTls', async t => {
+    const bridge = await RosbridgeDouble.start(t, { tls: tls() });
+    const other = `sha256/${'A'.repeat(43)}=`;
+    const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN, NOWPOSE_PIN: other } });
+
+    await run.said(`the gateway has the pin ${pin}`);
+
+    assert.equal(bridge.headers.length, 0);
+  });
+
+  it('Certificate_NobodyVouchesFor_IsRefusedWithoutPin', async t => {
+    const bridge = await RosbridgeDouble.start(t, { tls: tls() });
+    const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
+
+    await run.said('its certificate is not trusted');
+
+    assert.match(run.err, /set gateway\.pin/);
+    assert.equal(bridge.headers.length, 0);
+  });
+
+  it('Token_Unknown_IsToldOnce', async t => {
+    const bridge = await RosbridgeDouble.start(t, { token: 'another' });
+    const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
+    await run.said('401, the token is missing or not known there');
+
+    await until(() => bridge.headers.length > 2, 30000, 'more attempts');
+
+    assert.equal(run.err.match(/401/g).length, 1);
+  });
+
+  it('Robot_OfTheConfiguration_IsDescribedToEveryGateway', async t => {
+    const port = await freePort(), first = await RosbridgeDouble.start(t, { port });
+    const path = fileFor(t, 'plant.yaml', configuration(first.url, 'opc.tcp://127.0.0.1:9', [], JOINTS) + 'robot: arm.urdf\n');
+    writeFileSync(join(dirname(path), 'arm.urdf'), '<robot name="arm"><joint name="a"/></robot>');
+    start(t, [path]);
+    await until(() => first.published('/robot_description').length > 0, 30000, 'the description');
+
+    first.stop();
+    const second = await RosbridgeDouble.start(t, { port });
+    await until(() => second.published('/robot_description').length > 0, 30000, 'the description again');
+
+    assert.equal(second.published('/robot_description')[0].data, '<robot name="arm"><joint name="a"/></robot>');
+  });
+
+  it('Child_WhoseParentIsGone_Ends', async t => {
+    const bridge = await RosbridgeDouble.start(t);
+    const run = await adapter(t, bridge.url, { env: { NOWPOSE_SUPERVISED: '1' }, stdin: 'pipe' });
+    await until(() => bridge.heard.length > 0, 30000, 'a message');
+
+    run.child.stdin.end();
+
+    assert.equal(await run.ended, 0);
+  });
+
+  for (const [signal, status] of [['SIGTERM', 0], ['SIGINT', 130]]) {
+    it(`Signal_${signal}_EndsWith${status}`, { skip: process.platform === 'win32' }, async t => {
+      const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
+      await until(() => bridge.heard.length > 0, 30000, 'a message');
+
+      run.child.kill(signal);
+
+      assert.equal(await run.ended, status);
+    });
+  }
+
+  it('Offer_NobodyAsksAfter_IsMadeAgain', async t => {
+    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
+    link.offer('/nowpose/plant_time/cell', 'nowpose/PlantTime', async () => ({ synchronised: true }));
+    const running = link.run(ending.signal);
+    const offers = () => bridge.heard.filter(m => m.op === 'advertise_service').length;
+    await until(() => offers() === 1, 30000, 'the offer');
+
+    // Another connection still holds that service.
+    bridge.send({ op: 'status', level: 'error', msg: 'advertise_service: taken' });
+
+    await until(() => offers() === 2, 30000, 'the offer again');
+    assert.deepEqual((await bridge.call('/nowpose/plant_time/cell')).values, { synchronised: true });
+    ending.abort();
+    await running;
+  });
+
+  it('Status_OfAnEarlierConnection_IsToldOnTheNext', async t => {
+    const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
+    const refuse = async count => {
+      await until(() => bridge.clients.length > 0, 30000, 'the link');
+      bridge.send({ op: 'status', level: 'error', msg: 'the joint is taken' });
+      await until(() => run.err.split('says: the joint is taken').length === count + 1, 30000, () => run.err);
+    };
+
+    await refuse(1);
+    bridge.clients[0].terminate();
+    await run.said('away');
+
+    await refuse(2);
+  });
+
+  it('Status_OfAClockThatIsStillMeasured_IsNoAlarm', async t => {
+    const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
+    await until(() => bridge.clients.length > 0, 30000, 'the link');
+
+    const status = 'publish /joint_states dropped: the clock that stamped it is not known yet (Unsynchronised)';
+    for (let i = 0; i < 3; i++) bridge.send({ op: 'status', level: 'error', msg: status });
+    bridge.send({ op: 'status', level: 'error', msg: 'another' });
+
+    await run.said('says: another');
+    assert.equal(run.err.match(/measures this clock; positions pass when it knows it/g).length, 1);
+    assert.doesNotMatch(run.err, /Unsynchronised/);
+  });
+
+  it('Statuses_ManyTimesTheSame_AreToldOnce', async t => {
+    const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
+    await until(() => bridge.heard.length > 0, 30000, 'a message');
+
+    for (let i = 0; i < 100; i++) bridge.send({ op: 'status', level: 'error', msg: i % 2 === 0 ? 'this' : 'that' });
+    bridge.send({ op: 'status', level: 'error', msg: { toString: 1 } });
+
+    await run.said('gateway says: {"toString":1}');
+    assert.deepEqual(run.err.match(/says: .*/g), ['says: this', 'says: that', 'says: {"toString":1}']);
+  });
+
+  it('Message_ThatBreaksItsListener_IsCountedAndTheNextIsHeard', async t => {
+    const bridge = await RosbridgeDouble.start(t), heard = [], problems = [], ending = new AbortController();
+    const events = { malformed: (topic, problem) => problems.push([topic, problem]) };
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
+    link.subscribe('/plan', ({ data }) => heard.push(data.length), 'std_msgs/String');
+    const running = link.run(ending.signal);
+    await until(() => bridge.heard.some(m => m.op === 'subscribe'), 30000, 'the subscription');
+
+    for (const msg of [null, {}, { data: 'four' }]) bridge.send({ op: 'publish', topic: '/plan', msg });
+
+    await until(() => heard.length > 0, 30000, 'the good one');
+    assert.deepEqual(heard, [4]);
+    assert.deepEqual(problems.map(([topic]) => topic), ['/plan', '/plan']);
+    ending.abort();
+    await running;
+  });
+
+  it('Arguments_Wrong_TellTheUsage', async t => {
+    const run = start(t, ['--chek', 'plant.yaml']);
+
+    assert.equal(await run.ended, 2);
+    assert.match(run.err, /usage: node plant\.mjs CONFIG\.yaml \[--check\]/);
+  });
+});
+
+describe('queue', () => {
+  it('Messages_TooMany_LoseTheOldest', () => {
+    const queue = new SendQueue(), sent = [];
+    for (let i = 0; i < 100; i++) queue.add(String(i));
+
+    queue.pump({ bufferedAmount: 0, send: data => sent.push(Number(data)) }, () => {});
+
+    assert.deepEqual([queue.dropped, sent[0], sent.at(-1), sent.length], [36, 36, 99, 64]);
+  });
+
+  it('Socket_ThatIsFull_GetsNothing', () => {
+    const queue = new SendQueue(), sent = [];
+    queue.add('x');
+
+    queue.pump({ bufferedAmount: 1 << 20, send: data => sent.push(data) }, () => {});
+
+    assert.deepEqual(sent, []);
+  });
+});
+
+describe('log', () => {
+  it('Line_WithSecretsAndControls_IsCleaned', () => {
+    const lines = [], log = new Log('plant/x', [TOKEN], line => lines.push(line));
+
+    log.line(`to opc.tcp://me:word@plc with ${TOKEN}\r\n\u001b[31mfaked line`);
+
+    assert.deepEqual(lines, ['[plant/x] to opc.tcp://***@plc with *** [31mfaked line\n']);
+  });
+
+  it('Subject_ThatChangesAllTheTime_HasTenLinesAndOneThatCountsTheRest', () => {
+    const lines = [], waits = [], log = new Log('x', [], line => lines.push(line), (ms, then) => waits.push({ ms, then }));
+    const flood = () => {
+      for (let i = 0; i < 500; i++) {
+        log.change('value of a', 'bad', 'a is bad');
+        log.resume('value of a', 'a is good');
+      }
+    };
+
+    flood();
+    log.change('value of b', 'bad', 'b is bad');
+
+    assert.deepEqual(lines, [...Array(5).fill(['[x] a is bad\n', '[x] a is good\n']).flat(), '[x] b is bad\n']);
+    assert.deepEqual(waits.map(w => w.ms), [60_000, 60_000]);
+    waits.forEach(w => w.then());
+    assert.deepEqual(lines.slice(11), ['[x] a is good (the newest of 990 more lines within 60 s)\n']);
+    flood();
+    assert.equal(lines.length, 22);
+  });
+});
+
+describe('backoff', () => {
+  it('Waits_Doubling_EndAtOneAndAHalfSeconds', () => {
+    const backoff = new Backoff(() => 0.5);
+
+    assert.deepEqual([1, 2, 3, 4, 5].map(() => backoff.next()), [200, 400, 800, 1500, 1500]);
+    backoff.reset();
+    assert.equal(backoff.next(), 200);
+  });
+
+  it('Waits_Varied_StayWithinAFifth', () => {
+    assert.ok(Math.abs(new Backoff(() => 0).next() - 160) < 1e-9 && Math.abs(new Backoff(() => 1).next() - 240) < 1e-9);
+  });
+});

@@ -1,0 +1,109 @@
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { join } from 'node:path';
+import { after, before, describe, it } from 'node:test';
+import { adapters, until } from '../program.mjs';
+import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
+import { adapterFor, OPEN, serverFor } from './plant.mjs';
+import { ControlClock, freePort, YoubotServer } from './server.mjs';
+
+const JOINTS = [{ joint: 'a', node: 'ns=1;s=arm_joint_1' }];
+
+describe('faults', () => {
+  let server;
+  before(async () => { server = await new YoubotServer().start(); });
+  after(() => server.stop());
+
+  it('Plant_KilledAndStartedAgain_IsReadAgain', async t => {
+    const first = await serverFor(t);
+    const { bridge, state, states, run } = await adapterFor(t, first, OPEN, JOINTS);
+    await states(5);
+
+    await first.stop();
+    const { reason } = await state(s => s.state === 'waiting');
+    const { result, values } = await bridge.call('/nowpose/plant_time/cell');
+    const before = bridge.jointStates.length;
+    await serverFor(t, { port: first.port });
+    await states(before + 5);
+
+    assert.equal(result, false);
+    assert.equal(values, 'the plant is not connected');
+    assert.match(reason, /\S/);
+    assert.equal((await state(s => s.state === 'connected')).reconnects, '1');
+    // Once for each change, not for each attempt.
+    assert.equal(run.err.split('\n').filter(line => line.endsWith('] connected')).length, 2, run.err);
+    assert.ok(run.err.split('\n').filter(line => line.includes('waiting')).length <= 3, run.err);
+  });
+
+  it('Gateway_KilledAndStartedAgain_IsToldEverythingAgain', async t => {
+    const port = await freePort(), old = await RosbridgeDouble.start(t, { port });
+    const { states, state } = await adapterFor(t, server, OPEN, JOINTS, { bridge: old });
+    await states(5);
+    await state(s => s.state === 'connected');
+
+    old.stop();
+    const fresh = await RosbridgeDouble.start(t, { port });
+    await until(() => fresh.jointStates.length >= 5, 15000, 'joint states at the new gateway');
+
+    assert.equal((await fresh.call('/nowpose/plant_time/cell')).result, true);
+    // What is late is dropped, oldest first: the new gateway is not told the whole past.
+    const [oldest] = fresh.jointStates;
+    assert.ok(server.clock.now - nanoseconds(oldest.header.stamp) < 20_000_000_000n);
+    const topics = fresh.heard.filter(m => m.op === 'advertise').map(m => m.topic);
+    assert.ok(topics.includes('/joint_states') && topics.includes('/nowpose/diagnostics'));
+  });
+
+  it('Plant_Frozen_IsNoticedAndLeftAndFoundAgain', { skip: process.platform === 'win32' }, async t => {
+    const port = await freePort();
+    const child = spawn(process.execPath, [join(adapters, 'test', 'opcua', 'main.mjs'), '--port', String(port), '--security', 'none'],
+      { stdio: ['ignore', 'pipe', 'inherit'] });
+    t.after(() => child.kill('SIGKILL'));
+    await new Promise(resolve => child.stdout.once('data', resolve));
+    const { bridge, state, states } = await adapterFor(t, { endpoint: `opc.tcp://127.0.0.1:${port}` }, OPEN, JOINTS);
+    await states(5);
+
+    child.kill('SIGSTOP');
+    const { reason } = await state(s => s.state === 'waiting' || s.state === 'connecting', 30000);
+    child.kill('SIGCONT');
+    const before = bridge.jointStates.length;
+
+    assert.match(reason ?? 'nothing was published', /nothing was published|clock cannot be read|connection/);
+    await states(before + 5, 30000);
+  });
+
+  it('Clock_ThatStopsAndGoesOn_IsNotToldMeanwhileAndBreaksNoConnection', async t => {
+    const own = await serverFor(t, { clock: new ControlClock({ offsetMs: 3_600_000 }) }), { bridge, state, states } = await adapterFor(t, own, OPEN, JOINTS);
+    await states(5);
+    const told = () => bridge.call('/nowpose/plant_time/cell');
+
+    own.isStopped = true;
+    await until(async () => (await told()).values === 'the clock stands still', 30000, 'the clock to be known as one that stands');
+    // The adapter looks after it once a second.
+    const looks = bridge.published('/nowpose/diagnostics').length + 4;
+    await until(() => bridge.published('/nowpose/diagnostics').length > looks, 30000, 'some looks');
+    const { state: meanwhile, reconnects } = bridge.state;
+    own.isStopped = false;
+
+    await until(async () => (await told()).result, 30000, 'the clock');
+    assert.deepEqual([meanwhile, reconnects], ['connected', '0']);
+    await state(s => s.reconnects === '0' && s.state === 'connected');
+  });
+
+  it('Plant_Standing_StaysConnectedAndItsClockGoesOn', async t => {
+    const { bridge, state, states } = await adapterFor(t, server, OPEN, JOINTS);
+    await states(5);
+    t.after(() => { server.isStopped = false; });
+
+    server.isStopped = true;
+    await until(async () => {
+      const count = bridge.jointStates.length;
+      await new Promise(resolve => setTimeout(resolve, 500));
+      return bridge.jointStates.length === count;
+    }, 10000, 'the joint states to end');
+
+    assert.equal((await state(s => s.state === 'connected')).state, 'connected');
+    server.isStopped = false;
+    await states(bridge.jointStates.length + 3);
+    assert.ok(bridge.jointStates.every(s => Math.abs(s.position[0] - YoubotServer.truth(0, nanoseconds(s.header.stamp))) < 1e-12));
+  });
+});

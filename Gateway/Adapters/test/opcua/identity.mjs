@@ -1,0 +1,24 @@
+import { createHash } from 'node:crypto';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { crypto_utils as pki } from 'node-opcua-client';
+
+const folders = [];
+process.once('exit', () => folders.forEach(folder => rmSync(folder, { recursive: true, force: true })));
+
+/** A key and a certificate of its own, in files of a folder of the system's. */
+export async function identity(uri, { notBefore = new Date(), validity = 365 } = {}) {
+  const key = await pki.generatePrivateKey(2048);
+  const { cert } = await pki.createSelfSignedCertificate({
+    privateKey: key, subject: '/CN=youBot', applicationUri: uri, dns: ['localhost'], notBefore, validity,
+    purpose: pki.CertificatePurpose.ForApplication,
+  });
+  const der = pki.convertPEMtoDER(cert), pem = (await pki.privateKeyToPEM(key)).privPem;
+  const folder = mkdtempSync(join(tmpdir(), 'nowpose-identity-'));
+  folders.push(folder);
+  const certificateFile = join(folder, 'certificate.pem'), privateKeyFile = join(folder, 'key.pem');
+  writeFileSync(certificateFile, cert);
+  writeFileSync(privateKeyFile, pem, { mode: 0o600 });
+  return { der, cert, pem, folder, certificateFile, privateKeyFile, thumbprint: createHash('sha1').update(der).digest('hex') };
+}

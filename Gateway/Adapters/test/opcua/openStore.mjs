@@ -1,0 +1,25 @@
+import { createHash } from 'node:crypto';
+import { StatusCodes } from 'node-opcua-client';
+
+const print = certificate => createHash('sha1').update(Array.isArray(certificate) ? certificate[0] : certificate).digest('hex');
+
+/** The trust list of a server for tests: the thumbprints given, or everybody. */
+export class OpenStore {
+  referenceCounter = 0;
+  constructor(trusted) { this.trusted = trusted; }
+  isTrusted(certificate) { return this.trusted === null || this.trusted.includes(print(certificate)); }
+  async initialize() {}
+  async dispose() {}
+  // The server asks for users' certificates by a callback, for clients' by a promise.
+  async checkCertificate(certificate, done) {
+    const status = this.isTrusted(certificate) ? StatusCodes.Good : StatusCodes.BadCertificateUntrusted;
+    done?.(null, status);
+    return status;
+  }
+  async verifyCertificate(certificate) { return this.isTrusted(certificate) ? 'Good' : 'BadCertificateUntrusted'; }
+  async getTrustStatus(certificate) { return this.checkCertificate(certificate); }
+  async trustCertificate() {}
+  async rejectCertificate() {}
+  async addIssuer() {}
+  async addRevocationList() {}
+}

@@ -1,0 +1,41 @@
+// An adapter between a server that moves a youBot and a gateway's side of the wire.
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileFor, start, until } from '../program.mjs';
+import { RosbridgeDouble } from '../rosbridge.mjs';
+import { YoubotServer } from './server.mjs';
+
+/** The server for a file of tests. */
+export async function serverFor(suite, options) {
+  const server = await new YoubotServer(options).start();
+  suite.after(() => server.stop());
+  return server;
+}
+
+// One certificate for all tests of a file that do not ask for their own: to make one takes half a second.
+const certificates = mkdtempSync(join(tmpdir(), 'nowpose-certificates-'));
+process.once('exit', () => rmSync(certificates, { recursive: true, force: true }));
+
+export const OPEN = [`security: {mode: none, i_know_this_is_open: true, folder: "${certificates}"}`];
+
+/** A configuration: entries of the section plant, then of each joint. */
+export function configuration(gateway, endpoint, plant, joints, more = '') {
+  const list = joints.map(entries => `  - ${Object.entries(entries).map(([key, value]) => `${key}: ${value}`).join('\n    ')}\n`);
+  return `gateway:\n  url: ${gateway}\n${more}plant:\n  kind: opcua\n  name: cell\n  endpoint: ${endpoint}\n`
+    + plant.map(entry => `  ${entry}\n`).join('') + (list.length > 0 ? `joints:\n${list.join('')}` : 'joints: []\n');
+}
+
+/** Starts the adapter; `more` may name files of its own folder. */
+export async function adapterFor(test, server, plant, joints, { env, stdin, path, bridge } = {}) {
+  bridge ??= await RosbridgeDouble.start(test);
+  path ??= fileFor(test, 'plant.yaml', configuration(bridge.url, server.endpoint, plant, joints));
+  const run = start(test, [path], { env, stdin });
+  return {
+    run, bridge, path,
+    states: (count, ms = 60000) => until(() => bridge.jointStates.length >= count && bridge.jointStates, ms,
+      () => `${count} joint states; there are ${bridge.jointStates.length}. ${run.err}`),
+    state: (holds, ms = 60000) => until(() => bridge.state && holds(bridge.state) && bridge.state, ms,
+      () => `another state than ${JSON.stringify(bridge.state)}. ${run.err}`),
+  };
+}

@@ -1,0 +1,292 @@
+import assert from 'node:assert/strict';
+import { after, before, describe, it } from 'node:test';
+import { StatusCodes } from 'node-opcua-client';
+import { fileFor, start, until } from '../program.mjs';
+import { nanoseconds } from '../rosbridge.mjs';
+import { adapterFor, configuration, OPEN, serverFor } from './plant.mjs';
+import { ControlClock, YoubotServer } from './server.mjs';
+
+const HOUR_MS = 3_600_000;
+const READS = ['GetEndpointsRequest', 'CreateSessionRequest', 'ActivateSessionRequest', 'CloseSessionRequest', 'ReadRequest',
+  'CreateSubscriptionRequest', 'DeleteSubscriptionsRequest', 'CreateMonitoredItemsRequest', 'DeleteMonitoredItemsRequest', 'PublishRequest',
+  'OpenSecureChannelRequest', 'CloseSecureChannelRequest'];
+
+/** Joint of the configuration, place of the truth, and how far the value may be off by the type that carries it. */
+const ALL = [
+  [{ joint: 'a', node: 'ns=1;s=arm_joint_2' }, 1, 1e-12],
+  [{ joint: 'b', node: 'ns=1;s=axis_1_deg', unit: 'deg' }, 0, 1e-12],
+  [{ joint: 'c', node: 'ns=1;s=encoder_2', scale: 1e-6 }, 1, 1e-6],
+  [{ joint: 'd', node: 'ns=1;s=positions', index: 3 }, 3, 1e-12],
+  [{ joint: 'e', node: 'ns=1;s=positions', index: 6, unit: 'm' }, 6, 1e-12],
+  [{ joint: 'f', node: 'ns=1;s=gripper_mm', unit: 'mm' }, 5, 1e-9],
+];
+const JOINTS = ALL.map(([entries]) => entries);
+
+/** The largest distance of what was published to where the robot was at the time it was published with. */
+function worst(states, place, name = 'a') {
+  const distances = states.filter(s => s.name.includes(name)).map(s =>
+    Math.abs(s.position[s.name.indexOf(name)] - YoubotServer.truth(place, nanoseconds(s.header.stamp))));
+  assert.ok(distances.length > 0);
+  return Math.max(...distances);
+}
+
+describe('reading over OPC UA', () => {
+  let server;
+  const clock = new ControlClock({ offsetMs: HOUR_MS, ppm: 50 });
+  before(async () => { server = await new YoubotServer({ clock }).start(); });
+  after(() => server.stop());
+  const spoilt = (test, spoil) => {
+    server.spoil = spoil;
+    test.after(() => { server.spoil = (_, sent) => sent; });
+  };
+
+  it('Joints_OfEveryType_AreWhereTheRobotWasAtTheirStamp', async t => {
+    const { states } = await adapterFor(t, server, OPEN, JOINTS);
+
+    const seen = await states(50);
+
+    for (const [{ joint }, place, tolerance] of ALL) assert.ok(worst(seen, place, joint) < tolerance, joint);
+    const whole = seen.filter(s => s.name.length === JOINTS.length).length;
+    assert.ok(whole > 0.25 * seen.length, `${whole} of ${seen.length} messages had all joints`);
+  });
+
+  it('Values_BetweenTwoPublishings_AllCome', async t => {
+    const { states } = await adapterFor(t, server, [...OPEN, 'publishing_ms: 200'], [JOINTS[0]]);
+
+    const times = (await states(40)).map(s => nanoseconds(s.header.stamp));
+
+    assert.ok(times.every((time, i) => i === 0 || time > times[i - 1]));
+    const gaps = times.slice(2).map((time, i) => Number(time - times[i + 1]) / 1e6).sort((a, b) => a - b);
+    assert.ok(gaps[20] < 50, `the middle of the gaps is ${gaps[20]} ms`);
+  });
+
+  it('PlantClock_Asked_IsBetweenBeforeAndAfter', async t => {
+    const { bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
+    await states(1);
+    const earliest = clock.now;
+
+    const { result, values } = await bridge.call('/nowpose/plant_time/cell');
+
+    assert.equal(result, true, JSON.stringify(values));
+    const [received, sent] = [values.received, values.sent].map(nanoseconds);
+    // The wire holds 100 ns.
+    assert.ok(received >= earliest - 100n && sent >= received && sent <= clock.now, `${earliest} ${received} ${sent}`);
+    assert.deepEqual([values.resolution_ns, values.synchronised], [100, true]);
+  });
+
+  it('TimeVariable_OfTheControlSystem_IsTheTimeOfItsCycle', async t => {
+    // The server's own stamps are wrong by an hour, for values and time alike.
+    const wrong = date => new Date(date.getTime() - HOUR_MS);
+    spoilt(t, (_, sent) => ({ ...sent, sourceTimestamp: wrong(sent.sourceTimestamp), serverTimestamp: wrong(sent.serverTimestamp) }));
+    const { bridge, states } = await adapterFor(t, server, [...OPEN, 'time: {node: "ns=1;s=time_ns"}'], JOINTS);
+
+    const seen = await states(20);
+
+    for (const [{ joint }, place, tolerance] of ALL) assert.ok(worst(seen, place, joint) < tolerance, joint);
+    const { values } = await bridge.call('/nowpose/plant_time/cell');
+    assert.ok(Math.abs(Number(nanoseconds(values.sent) - clock.now)) < 1e9);
+  });
+
+  it('TimeVariable_StampedApartFromTheValues_IsNamedWithGroupMs', async t => {
+    // One by one, 3 ms apart.
+    spoilt(t, (name, sent) => name === 'time_ns' ? { ...sent, sourceTimestamp: new Date(sent.sourceTimestamp.getTime() + 3) } : sent);
+    const plant = [...OPEN, 'time: {node: "ns=1;s=time_ns"}'];
+    const narrow = await adapterFor(t, server, plant, [JOINTS[0]]), wide = await adapterFor(t, server, [...plant, 'group_ms: 4'], [JOINTS[0]]);
+
+    await narrow.run.said('a refused (time-unmatched): no value of ns=1;s=time_ns is stamped within group_ms, 0.5 ms, of it');
+
+    assert.ok(worst(await wide.states(5), 1) < 1e-12);
+    assert.deepEqual(narrow.bridge.jointStates, []);
+  });
+
+  it('Values_WrongInEveryWay_AreRefusedWhileOthersGoOn', async t => {
+    const later = (sent, ms) => ({ ...sent, sourceTimestamp: new Date(sent.sourceTimestamp.getTime() + ms) });
+    const at = (sent, date) => ({ ...sent, sourceTimestamp: date, sourcePicoseconds: 0 });
+    const cases = [
+      ['stamp-missing', { node: 'ns=1;s=arm_joint_2' }, sent => at(sent, new Date(Date.UTC(1601, 0, 1)))],
+      ['stamp-zero', { node: 'ns=1;s=arm_joint_3' }, sent => at(sent, new Date(0))],
+      ['stamp-future', { node: 'ns=1;s=arm_joint_4' }, sent => later(sent, 5000)],
+      ['stamp-old', { node: 'ns=1;s=arm_joint_5' }, sent => later(sent, -60_000)],
+      ['status-bad', { node: 'ns=1;s=axis_1_deg' }, sent => ({ ...sent, statusCode: StatusCodes.BadNoCommunication })],
+      ['status-uncertain', { node: 'ns=1;s=gripper_mm' }, sent => ({ ...sent, statusCode: StatusCodes.UncertainLastUsableValue })],
+      ['not-finite', { node: 'ns=1;s=not_a_number' }],
+      ['type', { node: 'ns=1;s=name' }],
+      ['type', { node: 'ns=1;s=positions' }],
+      ['type', { node: 'ns=1;s=time_s', index: 0 }],
+      ['index', { node: 'ns=1;s=positions', index: 7 }],
+    ];
+    const spoils = new Map(cases.map(([, { node }, spoil]) => [node.split('=').at(-1), spoil]));
+    spoilt(t, (variable, sent) => spoils.get(variable)?.(sent) ?? sent);
+    const joints = cases.map(([, entries], i) => ({ joint: `wrong_${i}`, ...entries }));
+    const { bridge, state, states, run } = await adapterFor(t, server, OPEN, [...joints, { joint: 'good', node: 'ns=1;s=arm_joint_1' }]);
+
+    const seen = await states(10);
+    const told = await state(s => cases.every(([reason]) => Number(s[`refused/${reason}`]) > 1));
+
+    assert.equal(told.state, 'connected');
+    assert.ok(bridge.jointStates.every(s => s.name.join() === 'good'), JSON.stringify(seen[0]));
+    cases.forEach(([reason], i) =>
+      assert.equal(run.err.split('\n').filter(line => line.includes(`wrong_${i} refused (${reason})`)).length, 1, `${reason}\n${run.err}`));
+    const counted = Object.entries(told).filter(([key]) => key.startsWith('refused/')).reduce((sum, [, count]) => sum + Number(count), 0);
+    assert.equal(Number(told.refused), counted);
+  });
+
+  it('Node_Unknown_NamesItsLine', async t => {
+    const { state, path } = await adapterFor(t, server, OPEN, [JOINTS[0], { joint: 'z', node: 'ns=1;s=nowhere' }]);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.ok(reason.includes(`${path}, line 12: joints[1].node: value ns=1;s=nowhere; the server says BadNodeIdUnknown`), reason);
+  });
+
+  it('Node_OfANamespaceByUri_IsFound', async t => {
+    const uri = server.namespaces()[1];
+    const { states } = await adapterFor(t, server, [...OPEN, `time: {node: "nsu=${uri};s=time_ns"}`], [
+      { joint: 'a', node: `nsu=${uri};s=arm_joint_2` }, { joint: 'b', node: 'ns=1;s=axis_1_deg', unit: 'deg' }]);
+
+    const seen = await until(async () => {
+      const all = await states(5);
+      return all.some(s => s.name.includes('a')) && all.some(s => s.name.includes('b')) && all;
+    }, 60000, 'both joints');
+
+    assert.ok(worst(seen, 1, 'a') < 1e-12 && worst(seen, 0, 'b') < 1e-12);
+  });
+
+  it('Node_OfANamespaceThatTheServerLacks_NamesItsLineAndThoseItHas', async t => {
+    const { state, path } = await adapterFor(t, server, OPEN, [{ joint: 'z', node: 'nsu=urn:another:server;s=x' }]);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    const expected = `${path}, line 10: joints[0].node: value nsu=urn:another:server;s=x; the server has no such namespace; it has ${server.namespaces().join(', ')}`;
+    assert.ok(reason.includes(expected), reason);
+  });
+
+  it('Server_ReadByAll_WasNeverAskedToChangeAnything', () => {
+    assert.deepEqual([...server.asked.keys()].filter(name => !READS.includes(name)), []);
+    assert.ok(server.asked.get('PublishRequest') > 100);
+  });
+
+  it('Clock_SetBackAnHour_IsFollowed', async t => {
+    const { bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
+    await states(10);
+
+    clock.step(-HOUR_MS);
+    t.after(() => clock.step(HOUR_MS));
+    const count = bridge.jointStates.length;
+    const seen = (await states(count + 20)).slice(-10);
+
+    assert.ok(seen.every(s => Math.abs(Number(nanoseconds(s.header.stamp) - clock.now)) < 5e9));
+    assert.ok(worst(seen, 1) < 1e-12);
+  });
+});
+
+describe('robot at rest', { concurrency: 2 }, () => {
+  // As of a server that stamps changes alone.
+  const resting = names => {
+    const kept = new Map();
+    return (name, sent) => {
+      if (!names(name)) return sent;
+      const ago = new Date(sent.sourceTimestamp.getTime() - HOUR_MS);
+      if (!kept.has(name)) kept.set(name, { ...sent, sourceTimestamp: ago, serverTimestamp: ago });
+      return kept.get(name);
+    };
+  };
+  const stampsOf = (seen, joint) => seen.filter(s => s.name.includes(joint)).map(s => nanoseconds(s.header.stamp));
+  const [moving, still] = [{ joint: 'a', node: 'ns=1;s=arm_joint_2' }, { joint: 'still', node: 'ns=1;s=arm_joint_3' }];
+
+  for (const plant of [[], ['time: {node: "ns=1;s=time_ns"}']])
+    it(`Joint_ThatStands${plant.length > 0 ? 'BesideATimeVariable' : ''}_IsToldAsOftenAsAHeadsetNeedsIt`, async t => {
+      const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
+      server.spoil = resting(name => name === 'arm_joint_3');
+      const from = server.clock.now, { bridge, run } = await adapterFor(t, server, [...OPEN, ...plant], [moving, still]);
+
+      const stamps = await until(() => {
+        const told = stampsOf(bridge.jointStates, 'still');
+        return told.length >= 20 && told;
+      }, 60000, () => JSON.stringify(bridge.state));
+
+      const to = server.clock.now, gaps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 1e6).sort((a, b) => a - b);
+      assert.ok(stamps.every(stamp => stamp > from && stamp < to));
+      assert.ok(gaps[10] < 300, `the middle of the gaps is ${gaps[10]} ms`);
+      assert.equal(new Set(bridge.jointStates.filter(s => s.name.includes('still')).map(s => s.position[s.name.indexOf('still')])).size, 1);
+      assert.ok(worst(bridge.jointStates, 1) < 1e-12);
+      assert.doesNotMatch(run.err, /still refused/);
+    });
+
+  it('Robot_ThatStandsAsAWhole_IsShown', async t => {
+    const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
+    server.spoil = resting(name => name.startsWith('arm_joint'));
+    const from = server.clock.now, { bridge, states } = await adapterFor(t, server, OPEN, [moving, still]);
+
+    const seen = await states(3);
+
+    assert.ok(seen.every(s => s.name.join() === 'a,still'), JSON.stringify(seen));
+    assert.ok(stampsOf(seen, 'still').every((stamp, i, all) => stamp > (all[i - 1] ?? from) && stamp < server.clock.now));
+    assert.equal(bridge.state?.refused ?? '0', '0');
+  });
+});
+
+describe('clock alone', { concurrency: 2 }, () => {
+  for (const plant of [[], ['time: {node: "ns=1;s=time_ns"}']])
+    it(`Joints_None${plant.length > 0 ? 'WithTimeVariable' : ''}_ClockIsToldAndNothingElse`, async t => {
+      const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
+      const { bridge, state } = await adapterFor(t, server, [...OPEN, ...plant], []);
+      await state(s => s.state === 'connected');
+      const diagnostics = bridge.published('/nowpose/diagnostics').length;
+
+      await until(() => bridge.published('/nowpose/diagnostics').length > diagnostics + 6, 60000, 'longer than a silence is borne');
+      const { result, values } = await bridge.call('/nowpose/plant_time/cell');
+
+      assert.equal(result, true, JSON.stringify(values));
+      assert.ok(Math.abs(Number(nanoseconds(values.sent) - server.clock.now)) < 1e9);
+      assert.deepEqual([bridge.jointStates, bridge.state.reconnects, bridge.state.refused], [[], '0', '0']);
+    });
+});
+
+describe('clock of whole milliseconds', () => {
+  it('Resolution_OfWholeMilliseconds_IsFoundOut', async t => {
+    const server = await serverFor(t, { clockStepUs: 1000 });
+    const { bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
+    await states(1);
+
+    const { values } = await bridge.call('/nowpose/plant_time/cell');
+
+    assert.equal(values.resolution_ns, 1_000_000);
+  });
+});
+
+describe('clock that is written once a second', () => {
+  it('Time_OfCurrentTimeThatStands_IsThatOfTheAnswers', async t => {
+    const server = await serverFor(t, { clockStepUs: 1_000_000 });
+    const { run, bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
+    await states(1);
+
+    const { values } = await bridge.call('/nowpose/plant_time/cell');
+
+    assert.ok(Math.abs(Number(nanoseconds(values.sent) - server.clock.now)) < 200e6, 'cut to whole seconds it would be half of one late');
+    assert.equal(values.resolution_ns, 1_000_000);
+    assert.match(run.err, /writes its CurrentTime seldom/);
+  });
+
+  it('Time_OfAnswersByAnotherClock_IsNotTaken', async t => {
+    const server = await serverFor(t, { clockStepUs: 1_000_000, clock: new ControlClock({ offsetMs: HOUR_MS }) });
+    const { run, bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
+    await states(1);
+
+    const { values } = await bridge.call('/nowpose/plant_time/cell');
+
+    assert.equal(nanoseconds(values.sent) % 1_000_000_000n, 0n);
+    assert.doesNotMatch(run.err, /seldom/);
+  });
+});
+
+describe('check', () => {
+  it('Check_OpcUa_NamesEndpointSecurityAndTimes', async t => {
+    const path = fileFor(t, 'plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', ['sampling_ms: 4', 'publishing_ms: 8'], JOINTS));
+    const run = start(t, [path, '--check']);
+
+    assert.equal(await run.ended, 0, run.err);
+    assert.match(run.out, /OPC UA opc\.tcp:\/\/plc:4840, SignAndEncrypt, Basic256Sha256; /);
+    assert.match(run.out, /t_k is the source time stamp, sampled every 4 ms, published every 8 ms; joints a, b/);
+  });
+});

@@ -1,0 +1,206 @@
+import assert from 'node:assert/strict';
+import { createPrivateKey } from 'node:crypto';
+import { existsSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { after, before, describe, it } from 'node:test';
+import { wrongIn } from '../checking.mjs';
+import { check, fileFor } from '../program.mjs';
+import { identity } from './identity.mjs';
+import { adapterFor, configuration, OPEN } from './plant.mjs';
+import { YoubotServer } from './server.mjs';
+
+const JOINTS = [{ joint: 'a', node: 'ns=1;s=arm_joint_1' }];
+const PASSWORD = 'correct-horse-battery', WITH_PASSWORD = { env: { NOWPOSE_PLANT_PASSWORD: PASSWORD } };
+
+describe('security of OPC UA', () => {
+  let server;
+  before(async () => { server = await new YoubotServer({ security: ['sign_and_encrypt'], users: { nowpose: PASSWORD } }).start(); });
+  after(() => server.stop());
+  const trusted = () => `security: {thumbprint: ${server.own.thumbprint}}`;
+
+  it('Server_Unknown_IsRefusedUntilAPersonTrustsIt', async t => {
+    const { run, bridge, path, state } = await adapterFor(t, server, ['user: {name: nowpose}'], JOINTS, WITH_PASSWORD);
+    const folder = join(dirname(path), 'opcua-certificates'), rejected = join(folder, 'rejected', `${server.own.thumbprint}.der`);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.ok(reason.includes(server.own.thumbprint) && reason.includes(`move ${rejected} to ${join(folder, 'trusted')}`), reason);
+    assert.equal(bridge.jointStates.length, 0);
+    assert.equal(server.asked.get('CreateSessionRequest'), undefined);
+    assert.deepEqual(readFileSync(rejected), Buffer.from(server.own.der));
+
+    renameSync(rejected, join(folder, 'trusted', 'youbot.der'));
+    const { security } = await state(s => s.state === 'connected');
+
+    assert.equal(security, 'SignAndEncrypt Basic256Sha256');
+    assert.doesNotMatch(run.err, new RegExp(PASSWORD));
+  });
+
+  it('OwnKey_MadeAtTheFirstStart_IsItsOwnersAlone', { skip: process.platform === 'win32' }, async t => {
+    const { path, state, run } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, WITH_PASSWORD);
+    await state(s => s.state === 'connected');
+
+    const own = join(dirname(path), 'opcua-certificates', 'own');
+
+    assert.equal(statSync(join(own, 'nowpose-key.pem')).mode & 0o777, 0o600);
+    assert.deepEqual(readdirSync(own).sort(), ['nowpose-key.pem', 'nowpose.der']);
+    run.child.kill('SIGTERM');
+    assert.equal(await run.ended, 0);
+  });
+
+  for (const policy of ['Aes128_Sha256_RsaOaep', 'Aes256_Sha256_RsaPss']) {
+    it(`Policy_${policy}_Connects`, async t => {
+      const plant = [`security: {thumbprint: ${server.own.thumbprint}, policy: ${policy}}`, 'user: {name: nowpose}'];
+      const { state } = await adapterFor(t, server, plant, JOINTS, WITH_PASSWORD);
+
+      assert.equal((await state(s => s.state === 'connected')).security, `SignAndEncrypt ${policy}`);
+    });
+  }
+
+  it('User_KnownByCertificate_LogsIn', async t => {
+    const me = await identity('urn:me'), files = `{certificate: "${me.certificateFile}", key: "${me.privateKeyFile}"}`;
+    const { state } = await adapterFor(t, server, [trusted(), `user: ${files}`], JOINTS);
+
+    await state(s => s.state === 'connected' && Number(s.samples) > 0);
+  });
+
+  it('Password_Wrong_IsToldWithoutIt', async t => {
+    const wrong = { env: { NOWPOSE_PLANT_PASSWORD: 'wrong-horse' } };
+    const { run, bridge, state } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, wrong);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.match(reason, /does not accept user nowpose; see plant\.user/);
+    assert.doesNotMatch(run.err + JSON.stringify(bridge.heard), /wrong-horse/);
+  });
+
+  it('Anonymous_WhereNobodyMayBe_IsTold', async t => {
+    const { state } = await adapterFor(t, server, [trusted()], JOINTS);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.match(reason, /plant\.user/);
+  });
+
+  it('NoSecurity_WhereServerOffersSome_FindsNothingToTalkTo', async t => {
+    const { state, bridge } = await adapterFor(t, server, OPEN, JOINTS);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.match(reason, /offers no connection without security/);
+    assert.equal(bridge.jointStates.length, 0);
+  });
+});
+
+describe('other servers', () => {
+  it('Server_WithoutSecurity_IsNotSpokenToOpenly', async t => {
+    const server = await new YoubotServer({ security: ['none'] }).start();
+    t.after(() => server.stop());
+    const { state } = await adapterFor(t, server, [], JOINTS);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.match(reason, /offers no SignAndEncrypt with Basic256Sha256/);
+    assert.equal(server.asked.get('CreateSessionRequest'), undefined);
+  });
+
+  it('CertificateFolder_ThatCannotBeMade_IsToldAndTriedAgain', async t => {
+    const server = await new YoubotServer({ security: ['none'] }).start();
+    t.after(() => server.stop());
+    const blocked = fileFor(t, 'blocked', ''), security = `security: {mode: none, i_know_this_is_open: true, folder: "${blocked}/certificates"}`;
+    const { state, run } = await adapterFor(t, server, [security], JOINTS);
+
+    const { reason } = await state(s => s.state === 'refused');
+    rmSync(blocked);
+    await state(s => s.state === 'connected');
+
+    const told = `certificates cannot be kept in ${blocked}/certificates (ENOTDIR); let this user write there, or set plant.security.folder`;
+    assert.ok(reason.startsWith(told), reason);
+    assert.equal(run.child.exitCode, null);
+  });
+
+  it('Server_ThatDoesNotTrustUs_IsToldWithOurThumbprint', async t => {
+    const server = await new YoubotServer({ security: ['sign_and_encrypt'], trusted: [] }).start();
+    t.after(() => server.stop());
+    const { state, path } = await adapterFor(t, server, [`security: {thumbprint: ${server.own.thumbprint}}`], JOINTS);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.match(reason, /the server does not trust this adapter; accept the certificate .*nowpose\.der, thumbprint [0-9a-f]{40}, at the server/);
+    assert.ok(existsSync(join(dirname(path), 'opcua-certificates', 'own', 'nowpose.der')));
+  });
+
+  it('ServerCertificate_Expired_IsRefusedThoughTrusted', async t => {
+    const own = await identity('urn:nowpose:youbot', { notBefore: new Date(Date.now() - 10 * 86_400_000), validity: 5 });
+    const server = await new YoubotServer({ security: ['sign_and_encrypt'], own }).start();
+    t.after(() => server.stop());
+    const { state } = await adapterFor(t, server, [`security: {thumbprint: ${own.thumbprint}}`], JOINTS);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.match(reason, /certificate [0-9a-f]{40} is valid from .* to .* only; renew it/);
+  });
+});
+
+describe('security in the configuration', () => {
+  const file = (test, ...plant) => fileFor(test, 'plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', plant, JOINTS));
+
+  for (const [name, plant, expected] of [
+    ['NoneWithoutFlag', ['security:', '  mode: none'], /line 8: plant\.security\.mode: value "none"; everybody .* i_know_this_is_open: true/],
+    ['FlagOfFalse', ['security:', '  mode: none', '  i_know_this_is_open: false'], /line 9: plant\.security\.i_know_this_is_open: /],
+    ['WeakPolicy', ['security:', '  policy: Basic128Rsa15'], /line 8: plant\.security\.policy: value "Basic128Rsa15"; .*allowed are Basic256Sha256/],
+    ['WrongThumbprint', ['security:', '  thumbprint: 12 34'], /line 8: plant\.security\.thumbprint: value "12 34"; allowed is the thumbprint/],
+    ['PasswordInFile', ['user: {name: me, password: hush-hush}'], /line 7: plant\.user\.password: not known here; did you mean password_file\?/],
+    ['PasswordOverOpen', ['security: {mode: none, i_know_this_is_open: true}', 'user: {name: me}'], /line 8: plant\.user: a password would go/],
+    ['NoPassword', ['user:', '  name: me'], /line 7: plant\.user\.password_file: missing; add the path of a file .*NOWPOSE_PLANT_PASSWORD/],
+    ['CertificateWithoutKey', ['user: {certificate: plant.yaml}'], /line 7: plant\.user\.key: missing/],
+    ['FlagWithoutNone', ['security:', '  i_know_this_is_open: true'], /line 8: plant\.security\.i_know_this_is_open: security\.mode is sign_and_encrypt/],
+    ['NoServerCertificate', ['security:', '  server_certificate: none.der'], /line 8: plant\.security\.server_certificate: value "none\.der"; the file cannot be read \(ENOENT\)/],
+    ['ServerCertificateThatIsNone', ['security:', '  server_certificate: plant.yaml'], /line 8: plant\.security\.server_certificate: the file holds no certificate/],
+    ['TimeWithoutNode', ['timestamp: variable'], /line 7: plant\.timestamp: value "variable"; add time/],
+    ['TimeNotAsked', ['timestamp: source', 'time: {node: i=2258}'], /line 8: plant\.time: timestamp is source/],
+    ['PublishingFasterThanSampling', ['sampling_ms: 20', 'publishing_ms: 10'], /line 8: plant\.publishing_ms: value 10; .* from sampling_ms, 20,/],
+  ]) {
+    it(`Check_${name}_NamesLineAndCure`, t => {
+      const lines = wrongIn(file(t, ...plant));
+
+      assert.match(lines.join('\n'), expected);
+      assert.doesNotMatch(lines.join('\n'), /hush-hush/);
+    });
+  }
+
+  it('Check_CertificateAndKeyOfAUser_AreOpenedAndHeldTogether', async t => {
+    const [me, other] = await Promise.all([identity('urn:me'), identity('urn:other')]);
+    const none = fileFor(t, 'none', 'garbage'), closed = fileFor(t, 'closed.pem', createPrivateKey(me.pem).export({
+      type: 'pkcs8', format: 'pem', cipher: 'aes-256-cbc', passphrase: 'hush-hush',
+    }));
+    const wrong = (certificate, key) => wrongIn(file(t, 'user:', `  certificate: "${certificate}"`, `  key: "${key}"`)).join('\n');
+
+    assert.equal(wrong(me.certificateFile, me.privateKeyFile), '');
+    assert.match(wrong(none, me.privateKeyFile), /line 8: plant\.user\.certificate: the file holds no certificate/);
+    assert.match(wrong(me.certificateFile, none), /line 9: plant\.user\.key: the file holds no private key/);
+    assert.match(wrong(me.certificateFile, closed), /line 9: plant\.user\.key: the key is guarded by a password/);
+    assert.match(wrong(me.certificateFile, other.privateKeyFile), /line 9: plant\.user\.key: it is not the key of plant\.user\.certificate/);
+  });
+
+  it('Check_CertificateFolderThatCannotBeMade_NamesItsLineAndMakesNothing', async t => {
+    const blocked = file(t, 'security:', '  folder: plant.yaml'), good = file(t, 'security:', '  folder: a/b');
+
+    const { status, lines } = await check(t, blocked);
+
+    assert.equal(status, 2);
+    assert.match(lines[0], /line 8: plant\.security\.folder: certificates cannot be kept in .*plant\.yaml \(ENOTDIR\); let this user write there/);
+    assert.equal((await check(t, good)).status, 0);
+    assert.deepEqual(readdirSync(dirname(good)), ['plant.yaml']);
+  });
+
+  it('Check_PasswordFileForEverybody_IsRefused', { skip: process.platform === 'win32' }, t => {
+    const path = file(t, 'user: {name: me, password_file: word}');
+    writeFileSync(join(dirname(path), 'word'), 'hush-hush', { mode: 0o644 });
+
+    const lines = wrongIn(path);
+
+    assert.match(lines[0], /plant\.user\.password_file: .*everybody on this machine may read/);
+    assert.doesNotMatch(lines[0], /hush-hush/);
+  });
+});

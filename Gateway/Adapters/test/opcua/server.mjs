@@ -1,0 +1,167 @@
+// A real OPC UA server, node-opcua's, that moves a youBot. Where the robot truly is, is a function of the control system's time, which has
+// an offset and a rate of its own.
+import { createServer } from 'node:net';
+import {
+  AttributeIds, DataType, DataValue, MessageSecurityMode, SecurityPolicy, setWarningLogger, StatusCodes, Variant, VariantArrayType,
+} from 'node-opcua-client';
+import { MonitoredItem, OPCUAServer, Subscription } from 'node-opcua-server';
+import { angle, arm, opening } from '../ads/youbot.mjs';
+import { identity } from './identity.mjs';
+import { OpenStore } from './openStore.mjs';
+
+const URI = 'urn:nowpose:youbot';
+// A PLC is as fast as it likes; node-opcua stops at 50 ms unless it is told.
+MonitoredItem.minimumSamplingInterval = 1;
+Subscription.minimumPublishingInterval = 1;
+
+/** The control system's clock: this machine's monotonic one, set off and going wrong. */
+export class ControlClock {
+  #start = process.hrtime.bigint();
+  #from = BigInt(Date.now()) * 1_000_000n;
+
+  constructor({ offsetMs = 0, ppm = 0 } = {}) {
+    this.#from += BigInt(Math.round(offsetMs * 1e6));
+    this.ppm = ppm;
+  }
+
+  /** Nanoseconds since 1970. */
+  get now() {
+    const passed = Number(process.hrtime.bigint() - this.#start);
+    return this.#from + BigInt(Math.round(passed * (1 + this.ppm * 1e-6)));
+  }
+
+  step(ms) {
+    this.#from += BigInt(Math.round(ms * 1e6));
+  }
+}
+
+/** A date and what it cannot hold, as the library wants both. */
+const dated = ns => ({ date: new Date(Number(ns / 1_000_000n)), picoseconds: Number(ns % 1_000_000n / 100n) * 100_000 });
+
+const halves = ns => [Number(BigInt.asUintN(64, ns) >> 32n), Number(ns & 0xffffffffn)];
+
+/** A DateTime with its 100 ns. */
+function dateTime(ns) {
+  const { date, picoseconds } = dated(ns);
+  return Object.assign(date, { picoseconds });
+}
+
+const positions = t => [...arm.map((_, joint) => angle(joint, t)), opening(t), opening(t)];
+
+/** Name, type and value at a time of the control system. */
+const VARIABLES = [
+  ...arm.map((name, joint) => [name, DataType.Double, t => angle(joint, t)]),
+  ['gripper_mm', DataType.Float, t => opening(t) * 1000],
+  ['axis_1_deg', DataType.Double, t => angle(0, t) * 180 / Math.PI],
+  ['encoder_2', DataType.Int64, t => halves(BigInt(Math.round(angle(1, t) * 1e6)))],
+  ['positions', DataType.Double, t => Float64Array.from(positions(t)), VariantArrayType.Array],
+  ['name', DataType.String, () => 'youBot'],
+  ['not_a_number', DataType.Double, () => NaN],
+  ['time_date', DataType.DateTime, t => dateTime(t)],
+  ['time_ns', DataType.Int64, t => halves(t)],
+  ['time_s', DataType.Double, t => Number(t) / 1e9],
+  ['time_real', DataType.Float, t => Number(t) / 1e9],
+];
+
+export class YoubotServer {
+  /** What was asked of it: names of requests. */
+  asked = new Map();
+  /** Changes how a value leaves: gets what would be sent and returns what is. */
+  spoil = (name, sent) => sent;
+  isStopped = false;
+  #server = null;
+  #frozen = new Map();
+
+  /**
+   * @param security Modes that it offers: none, sign_and_encrypt.
+   * @param users Names and passwords; without them anybody may read.
+   * @param cycleUs Values are of whole cycles.
+   * @param clockStepUs How coarse its CurrentTime is.
+   */
+  constructor({
+    port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
+  } = {}) {
+    Object.assign(this, { port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
+  }
+
+  get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
+
+  /** Where a joint was at a time of the control system. */
+  static truth(joint, t) { return positions(t)[joint]; }
+
+  async start() {
+    setWarningLogger(() => {});
+    this.port ||= await freePort();
+    this.own ??= await identity(URI);
+    this.store = new OpenStore(this.trusted);
+    this.#server = new OPCUAServer({
+      port: this.port, hostname: '127.0.0.1', host: '127.0.0.1',
+      serverInfo: { applicationUri: URI },
+      securityModes: this.security.map(mode => mode === 'none' ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt),
+      securityPolicies: [
+        ...this.security.includes('none') ? [SecurityPolicy.None] : [],
+        ...this.security.includes('sign_and_encrypt')
+          ? [SecurityPolicy.Basic256Sha256, SecurityPolicy.Aes128_Sha256_RsaOaep, SecurityPolicy.Aes256_Sha256_RsaPss] : [],
+      ],
+      allowAnonymous: this.users === null,
+      userManager: this.users && { isValidUser: (name, password) => this.users[name] === password },
+      certificateFile: this.own.certificateFile, privateKeyFile: this.own.privateKeyFile,
+      serverCertificateManager: this.store,
+      userCertificateManager: new OpenStore(null),
+    });
+    this.#server.on('request', request => {
+      const name = request.schema.name;
+      this.asked.set(name, (this.asked.get(name) ?? 0) + 1);
+    });
+    await this.#server.initialize();
+    this.#build(this.#server.engine.addressSpace);
+    await this.#server.start();
+    return this;
+  }
+
+  /** Their URIs, by number. */
+  namespaces() { return this.#server.engine.addressSpace.getNamespaceArray().map(namespace => namespace.namespaceUri); }
+
+  async stop() {
+    await this.#server?.shutdown(0);
+    this.#server = null;
+  }
+
+  #build(space) {
+    const namespace = space.getOwnNamespace();
+    const device = namespace.addObject({ organizedBy: space.rootFolder.objects, browseName: 'youBot' });
+    for (const [name, dataType, value, arrayType = VariantArrayType.Scalar] of VARIABLES) {
+      namespace.addVariable({
+        componentOf: device, browseName: name, nodeId: `s=${name}`, dataType, valueRank: arrayType === VariantArrayType.Array ? 1 : -1,
+        minimumSamplingInterval: 1,
+        value: { timestamped_get: () => this.#value(name, dataType, value, arrayType) },
+      });
+    }
+    // Its own clock, not this machine's. The library lets nobody bind a part of ServerStatus.
+    const currentTime = space.findNode('i=2258'), read = currentTime.readAttribute;
+    currentTime.readAttribute = (context, attribute, ...rest) => attribute === AttributeIds.Value
+      ? this.#value('CurrentTime', DataType.DateTime, dateTime, VariantArrayType.Scalar, this.clockStep)
+      : read.call(currentTime, context, attribute, ...rest);
+  }
+
+  #value(name, dataType, value, arrayType, cycle = this.cycle) {
+    const now = this.clock.now, t = now - now % cycle;
+    if (this.isStopped && this.#frozen.has(name)) return this.#frozen.get(name);
+    const { date, picoseconds } = dated(t);
+    const sent = {
+      value: new Variant({ dataType, arrayType, value: value(t) }), statusCode: StatusCodes.Good,
+      sourceTimestamp: date, sourcePicoseconds: picoseconds, serverTimestamp: date, serverPicoseconds: picoseconds,
+    };
+    const result = new DataValue(this.spoil(name, sent));
+    this.#frozen.set(name, result);
+    return result;
+  }
+}
+
+/** A port that nobody has at the moment. */
+export const freePort = () => new Promise((resolve, reject) => {
+  const server = createServer().on('error', reject).listen(0, '127.0.0.1', () => {
+    const { port } = server.address();
+    server.close(() => resolve(port));
+  });
+});

@@ -1,0 +1,123 @@
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readdirSync, utimesSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, describe, it } from 'node:test';
+import { OPCUAClient, StatusCodes } from 'node-opcua-client';
+import { parts } from '../parts.mjs';
+import { folderFor } from '../program.mjs';
+import { identity } from './identity.mjs';
+import { YoubotServer } from './server.mjs';
+
+const { TrustList, readsOnly } = await parts('opcua/security/trustList', 'opcua/readOnlySession');
+const sha256 = der => createHash('sha256').update(der).digest('hex');
+
+describe('trust list', () => {
+  let server, other;
+  before(async () => { [server, other] = [await identity('urn:server'), await identity('urn:other')]; });
+
+  async function list(test, settings = {}, now) {
+    const folder = folderFor(test), trust = new TrustList({ folder, thumbprint: null, serverCertificate: null, ...settings }, now);
+    await trust.initialize();
+    return { folder, trust };
+  }
+
+  it('Certificate_Unknown_IsRefusedKeptAndStaysRefused', async t => {
+    const { trust, folder } = await list(t);
+
+    for (let i = 0; i < 2; i++) assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateUntrusted);
+
+    assert.ok(trust.refusal.includes(server.thumbprint) && trust.refusal.includes(sha256(server.der)), trust.refusal);
+    assert.deepEqual(readdirSync(join(folder, 'rejected')), [`${server.thumbprint}.der`]);
+    assert.deepEqual(readdirSync(join(folder, 'trusted')), []);
+  });
+
+  it('Certificates_RejectedTooMany_LoseTheOldest', async t => {
+    const { trust, folder } = await list(t), rejected = join(folder, 'rejected');
+    for (let i = 0; i < 20; i++) {
+      writeFileSync(join(rejected, `${i}.der`), '');
+      utimesSync(join(rejected, `${i}.der`), 1000 + i, 1000 + i);
+    }
+
+    await trust.checkCertificate(server.der);
+
+    const newest = [...Array(20).keys()].slice(-15).map(i => `${i}.der`);
+    assert.deepEqual(readdirSync(rejected).sort(), [...newest, `${server.thumbprint}.der`].sort());
+  });
+
+  for (const [name, content] of [['Der', s => s.der], ['Pem', s => s.cert]]) {
+    it(`Certificate_InTheFolderAs${name}_IsTrusted`, async t => {
+      const { trust, folder } = await list(t);
+      writeFileSync(join(folder, 'trusted', 'broken.der'), 'no certificate');
+      writeFileSync(join(folder, 'trusted', 'server'), content(server));
+
+      assert.equal(await trust.checkCertificate(server.der), StatusCodes.Good);
+      assert.equal(await trust.checkCertificate([server.der, other.der]), StatusCodes.Good);
+      assert.equal(await trust.checkCertificate(other.der), StatusCodes.BadCertificateUntrusted);
+      // An issuer in the chain that is trusted does not help.
+      assert.equal(await trust.checkCertificate([other.der, server.der]), StatusCodes.BadCertificateUntrusted);
+    });
+  }
+
+  it('Certificate_OfTheConfiguration_IsTrusted', async t => {
+    for (const settings of [{ thumbprint: server.thumbprint }, { thumbprint: sha256(server.der) }, { serverCertificate: server.certificateFile }]) {
+      const { trust } = await list(t, settings);
+
+      assert.equal(await trust.checkCertificate(server.der), StatusCodes.Good);
+      assert.equal(await trust.checkCertificate(other.der), StatusCodes.BadCertificateUntrusted);
+    }
+  });
+
+  it('Certificate_OutOfDate_IsRefusedThoughTrusted', async t => {
+    for (const days of [-1, 366]) {
+      const { trust } = await list(t, { thumbprint: server.thumbprint }, () => new Date(Date.now() + days * 86_400_000));
+
+      assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateTimeInvalid);
+    }
+  });
+
+  it('Library_AskingToTrust_ChangesNothing', async t => {
+    const { trust } = await list(t);
+
+    await trust.trustCertificate(server.der);
+
+    assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateUntrusted);
+  });
+
+  it('Folder_ThatCannotBeWritten_LeavesTheThumbprintToTell', async t => {
+    const { trust, folder } = await list(t);
+    mkdirSync(join(folder, 'rejected', `${server.thumbprint}.der`));
+
+    await trust.checkCertificate(server.der);
+
+    assert.match(trust.refusal, /could not be kept .* add it to the configuration as plant\.security\.thumbprint/);
+    assert.ok(existsSync(folder));
+  });
+});
+
+describe('read only', () => {
+  it('Request_OfAWriter_NeverReachesTheServer', async t => {
+    const server = await new YoubotServer().start();
+    t.after(() => server.stop());
+    const own = await identity('urn:writer');
+    const client = OPCUAClient.create({
+      endpointMustExist: false, connectionStrategy: { maxRetry: 0 },
+      certificateFile: own.certificateFile, privateKeyFile: own.privateKeyFile, clientCertificateManager: server.store,
+    });
+    await client.connect(server.endpoint);
+    t.after(() => client.disconnect());
+    const session = await client.createSession();
+    client.on('send_request', readsOnly);
+
+    assert.ok((await session.read({ nodeId: 'i=2258' })).statusCode.isGood());
+    for (const name of ['WriteRequest', 'CallRequest', 'AddNodesRequest', 'DeleteNodesRequest', 'HistoryUpdateRequest'])
+      assert.throws(() => readsOnly({ schema: { name } }), new RegExp(`${name} is nothing that a reader asks`));
+    const written = new Promise(resolve => session.write(
+      { nodeId: 'ns=1;s=arm_joint_1', attributeId: 13, value: { value: { dataType: 'Double', value: 1 } } }, resolve));
+    const ended = await Promise.race([written.then(error => error?.message ?? 'written'), new Promise(resolve => setTimeout(resolve, 2000, 'never sent'))])
+      .catch(error => error.message);
+
+    assert.notEqual(ended, 'written');
+    assert.equal(server.asked.get('WriteRequest'), undefined);
+  });
+});

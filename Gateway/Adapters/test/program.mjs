@@ -1,0 +1,56 @@
+// The bundled program as a person or the gateway starts it.
+import { spawn } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const adapters = join(dirname(fileURLToPath(import.meta.url)), '..');
+const program = join(adapters, 'dist', 'plant.mjs');
+
+/** A folder that is gone after the test. */
+export function folderFor(test) {
+  const folder = mkdtempSync(join(tmpdir(), 'nowpose-adapter-'));
+  test.after(() => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
+
+export function fileFor(test, name, text) {
+  const path = join(folderFor(test), name);
+  writeFileSync(path, text, { mode: 0o600 });
+  return path;
+}
+
+/** Starts it; what it says is in `out` and `err`, and `ended` gives its status. Stopped after the test at the latest. */
+export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
+  const child = spawn(process.execPath, [program, ...args], { env: { ...process.env, ...env }, stdio: [stdin, 'pipe', 'pipe'] });
+  const run = { child, out: '', err: '' };
+  child.stdout.on('data', part => { run.out += part; });
+  child.stderr.on('data', part => { run.err += part; });
+  run.ended = new Promise(resolve => child.on('close', (status, signal) => resolve(status ?? signal)));
+  run.said = (text, ms = 60000) => until(() => run.err.includes(text), ms, () => `"${text}" in:\n${run.err}`);
+  test.after(async () => {
+    child.kill('SIGTERM');
+    const late = setTimeout(() => child.kill('SIGKILL'), 5000);
+    await run.ended;
+    clearTimeout(late);
+  });
+  return run;
+}
+
+/** What --check says, by a process of its own. */
+export async function check(test, path, env) {
+  const run = start(test, [path, '--check'], { env });
+  return { status: await run.ended, out: run.out, lines: run.err.trim().split('\n') };
+}
+
+/** Waits until something holds; says what, when it does not come. */
+export async function until(holds, ms, what) {
+  const end = performance.now() + ms;
+  for (;;) {
+    const value = await holds();
+    if (value) return value;
+    if (performance.now() > end) throw new Error(`waited ${ms} ms in vain for ${typeof what === 'function' ? what() : what}`);
+    await new Promise(resolve => setTimeout(resolve, 10));
+  }
+}

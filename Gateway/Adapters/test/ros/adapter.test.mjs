@@ -1,0 +1,162 @@
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { wrongIn } from '../checking.mjs';
+import { fileFor, start, until } from '../program.mjs';
+import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
+import { Robot } from './robot.mjs';
+
+/** Nothing is waited for that long unless it fails, or the machine has other things to do. */
+const PATIENCE_MS = 40000;
+
+/** A robot, a gateway and an adapter between them that listens already. */
+async function cell(t, options = {}, { plant = '', rest = '' } = {}) {
+  const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
+  const path = fileFor(t, 'ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
+  const adapter = start(t, [path]);
+  await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, PATIENCE_MS, () => adapter.err);
+  // Before it is known whose time the stamps are of, none passes.
+  if (options.now !== null) await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, PATIENCE_MS, 'the clock');
+  return { robot, bridge, adapter };
+}
+
+const states = (bridge, count = 1) => until(
+  () => bridge.jointStates.length >= count && bridge.jointStates, PATIENCE_MS, () => `${count} joint states: ${JSON.stringify(bridge.state)}`);
+
+const plan = (robot, points) => robot.publish('/plan', { header: { stamp: robot.time(robot.now()) }, joint_names: ['a'], points });
+
+describe('ros', { concurrency: 4 }, () => {
+  for (const ros of [1, 2])
+    it(`Adapter_Ros${ros}_PassesStatesWithTheirStamps`, async t => {
+      const { robot, bridge } = await cell(t, { ros, aheadMs: 60_000 });
+      const stamp = robot.now();
+
+      robot.jointState(stamp, ['shoulder', 'elbow'], [0.25, -1.5], [0.5, null]);
+
+      const [{ header, name, position, velocity }] = await states(bridge);
+      assert.equal(nanoseconds(header.stamp), stamp);
+      assert.deepEqual([name, position, velocity], [['shoulder', 'elbow'], [0.25, -1.5], [0.5, null]]);
+    });
+
+  it('Clock_GetTime_LiesBetweenRequestAndAnswer', async t => {
+    const { robot, bridge } = await cell(t, { aheadMs: -5000 });
+
+    for (let i = 0; i < 10; i++) {
+      const before = robot.now(), { values } = await bridge.call('/nowpose/plant_time/arm'), after = robot.now();
+      const time = nanoseconds(values.received);
+
+      assert.ok(time >= before && time <= after);
+      assert.deepEqual(values.sent, values.received);
+      assert.ok(values.resolution_ns > 0 && values.resolution_ns <= 1000, `${values.resolution_ns}`);
+    }
+  });
+
+  it('Clock_OfASimulation_IsAsCoarseAsItsSteps', async t => {
+    // /clock of a simulation that publishes it 50 times a second.
+    const { bridge } = await cell(t, { now: () => BigInt(Math.floor(performance.now() / 20)) * 20_000_000n });
+
+    const { values } = await bridge.call('/nowpose/plant_time/arm');
+
+    assert.ok(values.resolution_ns >= 10_000_000 && values.resolution_ns <= 20_000_000, `${values.resolution_ns}`);
+  });
+
+  it('Clock_WithoutRosapi_IsNotToldAndStatesPass', async t => {
+    const { robot, bridge, adapter } = await cell(t, { now: null });
+
+    await adapter.said('the robot\'s clock is not told: /rosapi/get_time: Service /rosapi/get_time does not exist; start rosapi', PATIENCE_MS);
+    assert.deepEqual(bridge.heard.filter(m => m.op === 'advertise_service'), []);
+    robot.jointState(1_700_000_000_000_000_000n, ['a'], [1]);
+    await states(bridge);
+    robot.now = () => BigInt(Date.now()) * 1_000_000n;
+    await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, PATIENCE_MS, 'the clock once rosapi runs');
+  });
+
+  it('Adapter_Description_IsPassedOnAndKept', async t => {
+    const urdf = '<robot name="r"/>';
+    const { robot, bridge } = await cell(t);
+
+    robot.publish('/robot_description', { data: urdf }, { isLatched: true });
+    await until(() => bridge.published('/robot_description').length === 1, PATIENCE_MS, 'the description');
+    bridge.clients[0].terminate();
+
+    await until(() => bridge.published('/robot_description').length === 2, PATIENCE_MS, 'the description after a reconnection');
+    assert.deepEqual(bridge.published('/robot_description'), [{ data: urdf }, { data: urdf }]);
+  });
+
+  it('Adapter_Joints_AreRenamedAndFiltered', async t => {
+    const rest = 'joints:\n  - { joint: arm_joint_1, source: axis/1, scale: -1, offset: 0.5 }\n  - { joint: arm_joint_2 }\n';
+    const { robot, bridge } = await cell(t, {}, { rest, plant: '  topics: { joint_trajectory: /controller/joint_trajectory }\n' });
+    const names = ['other', 'arm_joint_2', 'axis/1'];
+    await until(() => robot.isHeardBy('/controller/joint_trajectory'), PATIENCE_MS, 'the subscription');
+
+    robot.jointState(robot.now(), names, [9, 2, 1], [9, 0.2, 0.1]);
+    robot.publish('/controller/joint_trajectory', {
+      header: { stamp: robot.time(robot.now()), frame_id: '' }, joint_names: names,
+      points: [{ positions: [9, 2, 1], velocities: [], accelerations: [], time_from_start: { sec: 1, nanosec: 0 } }],
+    });
+
+    const [{ name, position, velocity }] = await states(bridge);
+    assert.deepEqual([name, position, velocity], [['arm_joint_2', 'arm_joint_1'], [2, -0.5], [0.2, -0.1]]);
+    const [trajectory] = await until(() => bridge.published('/joint_trajectory').length && bridge.published('/joint_trajectory'), PATIENCE_MS, 'the trajectory');
+    assert.deepEqual(trajectory.joint_names, ['arm_joint_2', 'arm_joint_1']);
+    assert.deepEqual(trajectory.points[0], { positions: [2, -0.5], velocities: [], accelerations: [], time_from_start: { sec: 1, nanosec: 0 } });
+  });
+
+  for (const [name, send, reason] of [
+    ['NoStamp', robot => robot.publish('/joint_states', { header: {}, name: ['a'], position: [1] }), 'stamp-missing'],
+    ['ZeroStamp', robot => robot.jointState(0n, ['a'], [1]), 'stamp-zero'],
+    ['FutureStamp', robot => robot.jointState(robot.now() + 5_000_000_000n, ['a'], [1]), 'stamp-future'],
+    ['OldStamp', robot => robot.jointState(robot.now() - 60_000_000_000n, ['a'], [1]), 'stamp-old'],
+    ['NaN', robot => robot.jointState(robot.now(), ['a'], [null]), 'not-finite'],
+    ['OtherLengths', robot => robot.jointState(robot.now(), ['a', 'b'], [1]), 'malformed'],
+    ['PositionOfNoNumber', robot => robot.jointState(robot.now(), ['a'], [{ toString: 1 }]), 'not-finite'],
+    ['PlanWithoutPoint', robot => plan(robot, [null]), 'malformed'],
+    ['PlanOfNoNumber', robot => plan(robot, [{ positions: [{ toString: 1, valueOf: 1 }] }]), 'malformed'],
+    ['NoDescription', robot => robot.publish('/robot_description', { data: 'not yet' }), 'malformed'],
+  ])
+    it(`Adapter_${name}_IsRefusedWithAReason`, async t => {
+      const { robot, bridge } = await cell(t, {}, { plant: '  topics: { joint_trajectory: /plan }\n' });
+
+      send(robot);
+
+      await until(() => bridge.state?.[`refused/${reason}`] === '1', PATIENCE_MS, () => JSON.stringify(bridge.state));
+      assert.deepEqual([bridge.jointStates, bridge.published('/robot_description')], [[], []]);
+    });
+
+  it('Adapter_EffortsOnly_AreNoMistake', async t => {
+    const { robot, bridge } = await cell(t);
+
+    robot.publish('/joint_states', { header: { stamp: robot.time(robot.now()) }, name: ['wheel'], position: [], effort: [3] });
+    robot.jointState(robot.now(), ['a'], [1]);
+
+    await states(bridge);
+    await until(() => bridge.state?.samples === '1', PATIENCE_MS, () => JSON.stringify(bridge.state));
+    assert.equal(bridge.state.refused, '0');
+  });
+
+  it('Adapter_RobotGoesAndComes_IsHeardAgain', async t => {
+    const { robot, bridge, adapter } = await cell(t);
+
+    await robot.stop();
+    await adapter.said('waiting: ', PATIENCE_MS);
+    await robot.listen(robot.port);
+    await until(() => robot.isHeardBy('/joint_states'), PATIENCE_MS, 'the subscription');
+    robot.jointState(robot.now(), ['a'], [1]);
+
+    await states(bridge);
+    await until(() => bridge.state?.state === 'connected' && Number(bridge.state.reconnects) > 0, PATIENCE_MS, () => JSON.stringify(bridge.state));
+  });
+
+  for (const [name, text, expected] of [
+    ['PlainToAnother', 'plant:\n  kind: ros\n  endpoint: ws://192.168.0.30:9090\n', /line 1: plant\.plain: missing; ws:\/\/ to another machine/],
+    ['Endpoint', 'plant:\n  kind: ros\n  endpoint: http://192.168.0.30\n', /line 3: plant\.endpoint: value "http:\/\/192\.168\.0\.30"; allowed is the rosbridge's address/],
+    ['PinWithoutTls', `plant:\n  kind: ros\n  endpoint: ws://127.0.0.1\n  pin: sha256/${'A'.repeat(43)}=\n`, /line 4: plant\.pin: not looked at with ws:/],
+    ['Port', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:90900\n', /line 3: plant\.endpoint: .* a port from 1 to 65535/],
+    ['Topic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', /line 4: plant\.topics\.joint_states: .*allowed is a topic's name/],
+    ['SourceTwice', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\njoints:\n  - joint: a\n  - joint: b\n    source: a\n', /line 6: joints\[1\]: the robot's joint a stands here for the second time/],
+  ])
+    it(`Check_Wrong${name}_NamesItsLine`, t => {
+      const lines = wrongIn(fileFor(t, 'ros.yaml', text));
+
+      assert.match(lines[0], expected);
+    });
+});

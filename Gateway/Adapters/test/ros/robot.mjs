@@ -1,0 +1,87 @@
+// A robot's rosbridge, as ROS 1 or as ROS 2 has it: what it spells otherwise, and what each of them refuses.
+import { once } from 'node:events';
+import { WebSocketServer } from 'ws';
+
+const pair = (nanoseconds, names) => ({ [names[0]]: Number(nanoseconds / 1_000_000_000n), [names[1]]: Number(nanoseconds % 1_000_000_000n) });
+
+export class Robot {
+  /** Every message that arrived. */
+  heard = [];
+  /** Topics whose last message a new subscriber gets. */
+  latched = new Map();
+  #sockets = new Set();
+  #started = performance.now();
+
+  /** `ros` is 1 or 2; `aheadMs` is what its clock reads more than this machine's; `now` replaces its clock, null has no rosapi. */
+  constructor({ ros = 2, aheadMs = 0, now } = {}) {
+    this.ros = ros;
+    const start = BigInt(Math.round((Date.now() + aheadMs) * 1e6));
+    this.now = now === undefined ? () => start + BigInt(Math.round((performance.now() - this.#started) * 1e6)) : now;
+  }
+
+  static async start(test, options = {}) {
+    const robot = new Robot(options);
+    await robot.listen(options.port);
+    test.after(() => robot.stop());
+    return robot;
+  }
+
+  async listen(port = 0) {
+    this.server = new WebSocketServer({ host: '127.0.0.1', port });
+    this.server.on('connection', socket => this.#serve(socket));
+    await once(this.server, 'listening');
+    this.port = this.server.address().port;
+    this.url = `ws://127.0.0.1:${this.port}`;
+  }
+
+  stop() {
+    for (const { socket } of this.#sockets) socket.terminate();
+    return new Promise(resolve => this.server.close(resolve));
+  }
+
+  #serve(socket) {
+    const client = { socket, topics: new Set() };
+    this.#sockets.add(client);
+    socket.on('close', () => this.#sockets.delete(client));
+    socket.on('error', () => {});
+    socket.on('message', data => this.#take(client, JSON.parse(data)));
+  }
+
+  #take(client, message) {
+    this.heard.push(message);
+    const send = answer => client.socket.send(JSON.stringify(answer));
+    if (message.op === 'subscribe') {
+      // ros_loader.py: ROS 1 takes package/Name only, ROS 2 package/msg/Name as well.
+      const parts = message.type?.split('/').length;
+      if (parts !== undefined && parts !== 2 && (this.ros === 1 || parts !== 3))
+        return send({ op: 'status', level: 'error', msg: `subscribe: Unable to import ${message.type}`, id: message.id });
+      client.topics.add(message.topic);
+      if (this.latched.has(message.topic)) send({ op: 'publish', topic: message.topic, msg: this.latched.get(message.topic) });
+    } else if (message.op === 'call_service') {
+      const isKnown = message.service === '/rosapi/get_time' && this.now !== null;
+      send({
+        op: 'service_response', id: message.id, service: message.service, result: isKnown,
+        values: isKnown ? { time: this.time(this.now()) } : `Service ${message.service} does not exist`,
+      });
+    }
+  }
+
+  /** As this ROS spells a time. */
+  time(nanoseconds) {
+    return pair(nanoseconds, this.ros === 1 ? ['secs', 'nsecs'] : ['sec', 'nanosec']);
+  }
+
+  publish(topic, msg, { isLatched = false } = {}) {
+    if (isLatched) this.latched.set(topic, msg);
+    for (const { socket, topics } of this.#sockets) if (topics.has(topic)) socket.send(JSON.stringify({ op: 'publish', topic, msg }));
+  }
+
+  jointState(stamp, name, position, velocity = []) {
+    const header = { ...(this.ros === 1 ? { seq: 1 } : {}), stamp: this.time(stamp), frame_id: '' };
+    this.publish('/joint_states', { header, name, position, velocity, effort: name.map(() => null) });
+  }
+
+  isHeardBy(topic) {
+    return [...this.#sockets].some(({ topics }) => topics.has(topic));
+  }
+}

@@ -1,0 +1,115 @@
+// roslib, the client that most web pages of ROS have, at the gateway itself: what it sends has to be understood.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import * as ROSLIB from 'roslib';
+import { program, start } from './gateway.mjs';
+
+const skip = program ? false : 'the gateway is not built: dotnet build Gateway';
+const limit = { timeout: 60000, skip };
+
+const within = (promise, what) => Promise.race([
+  promise, new Promise((_, reject) => setTimeout(() => reject(new Error(`not within 20 s: ${what}`)), 20000).unref())]);
+
+async function connect(t, address) {
+  const ros = new ROSLIB.Ros();
+  const open = new Promise((resolve, reject) => { ros.on('connection', resolve); ros.on('error', reject); });
+  t.after(() => ros.close());
+  await ros.connect(address);
+  await within(open, 'open');
+  return ros;
+}
+
+const call = (ros, name, request = {}) => within(
+  new Promise((resolve, reject) => new ROSLIB.Service({ ros, name, serviceType: 'rosapi/GetTime' }).callService(request, resolve, reject)), name);
+
+const topic = (ros, name, messageType, options = {}) => new ROSLIB.Topic({ ros, name, messageType, ...options });
+
+/** Everything sent before has been read when the answer is there. */
+const settled = ros => call(ros, '/rosapi/get_time');
+
+const now = () => { const ms = Date.now() - 100; return { sec: Math.floor(ms / 1000), nanosec: (ms % 1000) * 1000000 }; };
+
+const state = (stamp, name = ['a'], position = [0.5]) => ({ header: { stamp, frame_id: '' }, name, position, velocity: [], effort: [] });
+
+test('what a source publishes reaches subscribers in the spelling of the type they named', limit, async t => {
+  const address = await start(t);
+  const source = await connect(t, address);
+  for (const [type, field] of [['sensor_msgs/JointState', 'secs'], ['sensor_msgs/msg/JointState', 'sec']]) {
+    const ros = await connect(t, address);
+    const heard = new Promise(resolve => topic(ros, '/joint_states', type, { throttle_rate: 0, queue_length: 1 }).subscribe(resolve));
+    await settled(ros);
+    const stamp = now();
+
+    topic(source, '/joint_states', type, { queue_size: 10, latch: false }).publish(state(stamp));
+
+    const message = await within(heard, type);
+    assert.equal(message.header.stamp[field], stamp.sec, type);
+    assert.deepEqual(message.name, ['a']);
+    assert.deepEqual(message.position, [0.5]);
+  }
+});
+
+test('the time is told by the service, with and without the slash before its name', limit, async t => {
+  const ros = await connect(t, await start(t));
+
+  for (const name of ['/rosapi/get_time', 'rosapi/get_time']) {
+    const { time } = await call(ros, name);
+    assert.ok(Math.abs(time.sec + time.nanosec / 1e9 - Date.now() / 1000) < 60, name);
+  }
+});
+
+test('a service that the gateway does not have fails in words', limit, async t => {
+  const ros = await connect(t, await start(t));
+
+  const failed = await within(new Promise((resolve, reject) => ros.getNodes(() => reject(new Error('answered')), resolve)), 'getNodes');
+
+  assert.match(String(failed), /service/);
+});
+
+test('the topics that can be had are listed', limit, async t => {
+  const ros = await connect(t, await start(t, ['--robot', 'youbot']));
+
+  const { topics, types } = await within(new Promise((resolve, reject) => ros.getTopics(resolve, reject)), 'getTopics');
+
+  assert.equal(topics.length, types.length);
+  assert.equal(types[topics.indexOf('/joint_states')], 'sensor_msgs/JointState');
+  assert.equal(types[topics.indexOf('/robot_description')], 'std_msgs/String');
+});
+
+test('what breaks a rule is told as a status with the id of what broke it', limit, async t => {
+  const ros = await connect(t, await start(t));
+  const told = [];
+  ros.on('status', message => told.push(message));
+  const joints = topic(ros, '/joint_states', 'sensor_msgs/JointState');
+  joints.advertise();
+  const wrong = state(now(), ['a', 'a'], [1, 2]);
+  const id = 'publish:/joint_states:1';
+  const byId = new Promise(resolve => ros.on(`status:${id}`, resolve));
+
+  ros.callOnConnection({ op: 'publish', id, topic: '/joint_states', msg: wrong, latch: false });
+
+  const status = await within(byId, 'the status');
+  assert.equal(status.level, 'error');
+  assert.match(status.msg, /DuplicateName/);
+  assert.deepEqual(told, [], 'nothing else was refused');
+});
+
+test('nothing of what it sends by itself is refused: ids, latch, queue sizes, compression, levels, what is taken back', limit, async t => {
+  const address = await start(t, ['--robot', 'youbot']);
+  const ros = await connect(t, address);
+  const refused = [];
+  const emit = ros.emit.bind(ros);
+  ros.emit = (name, ...rest) => { if (String(name).startsWith('status')) refused.push(rest[0]); return emit(name, ...rest); };
+  const description = topic(ros, '/robot_description', 'std_msgs/String', { compression: 'none' });
+  const text = new Promise(resolve => description.subscribe(resolve));
+  assert.match((await within(text, 'the description')).data, /<robot/);
+  description.unsubscribe();
+  const joints = topic(ros, '/joint_states', 'sensor_msgs/JointState', { latch: true, queue_size: 1 });
+  joints.advertise();
+  joints.publish(state(now()));
+  joints.unadvertise();
+  ros.setStatusLevel('warning');
+  await settled(ros);
+
+  assert.deepEqual(refused, []);
+});

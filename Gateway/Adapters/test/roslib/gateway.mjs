@@ -1,0 +1,34 @@
+// The gateway itself, as it was built, on free ports of this machine.
+import { spawn } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { adapters } from '../program.mjs';
+
+const builds = ['Debug', 'Release'].map(kind => join(adapters, '..', 'bin', kind, 'net10.0', 'Nowpose.Gateway.dll'));
+
+/** What the built program lies in; undefined where nobody has built it yet. */
+export const program = builds.find(existsSync);
+
+/** Starts it, and resolves with its WebSocket address; ended after the test at the latest. */
+export async function start(test, args = []) {
+  const child = spawn('dotnet', [program, 'serve', '--sync-port', '0', '--ws-port', '0', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const ended = new Promise(resolve => child.on('close', resolve));
+  test.after(async () => {
+    child.kill('SIGTERM');
+    const late = setTimeout(() => child.kill('SIGKILL'), 5000);
+    await ended;
+    clearTimeout(late);
+  });
+  const lines = createInterface({ input: child.stdout });
+  let said = '';
+  for await (const line of lines) {
+    said += line + '\n';
+    const address = /wss?:\/\/[^\s/]+:\d+/.exec(line);
+    if (!address) continue;
+    lines.on('line', () => {});
+    child.stdout.resume();
+    return address[0];
+  }
+  throw new Error(`the gateway said no address:\n${said}`);
+}

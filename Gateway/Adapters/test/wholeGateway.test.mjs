@@ -1,0 +1,60 @@
+// Adapters behind the gateway itself, which decides whose clock headsets get.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import WebSocket from 'ws';
+import { fileFor, until } from './program.mjs';
+import { program, start } from './roslib/gateway.mjs';
+import { Robot } from './ros/robot.mjs';
+
+const PATIENCE_MS = 60000;
+
+const plant = (t, robot, more = '') =>
+  fileFor(t, 'ros.yaml', `plant:\n  kind: ros\n  name: robot\n  endpoint: ${robot.url}\n  topics: { robot_description: false }\n${more}`);
+
+/** Joint states that a headset of this gateway gets. */
+async function listen(t, address) {
+  const socket = new WebSocket(address), heard = [];
+  t.after(() => socket.terminate());
+  socket.on('message', data => heard.push(JSON.parse(data)));
+  await new Promise((resolve, reject) => socket.once('open', resolve).once('error', reject));
+  socket.send(JSON.stringify({ op: 'subscribe', topic: '/joint_states', type: 'sensor_msgs/msg/JointState' }));
+  return heard;
+}
+
+/** Says a position again and again until it arrives; gives its stamp as the robot had it, and as it arrived. */
+async function passed(robot, heard) {
+  const said = new Map();
+  let position = 0;
+  const arrived = await until(() => {
+    const now = robot.now?.() ?? BigInt(Date.now()) * 1_000_000n, stamp = now - now % 1000n;
+    said.set(++position, stamp);
+    robot.jointState(stamp, ['a'], [position]);
+    return heard.find(m => m.op === 'publish')?.msg;
+  }, PATIENCE_MS, 'a joint state');
+  const { sec, nanosec } = arrived.header.stamp;
+  return [said.get(arrived.position[0]), BigInt(sec) * 1_000_000_000n + BigInt(nanosec)];
+}
+
+describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the gateway is not built: dotnet build Gateway' }, () => {
+  for (const [name, more, options] of [['ClockFalse', '  clock: false\n', {}], ['WithoutRosapi', '', { now: null }]])
+    it(`Ros_${name}_PassesPositionsOnTheGatewaysOwnClock`, async t => {
+      const robot = await Robot.start(t, options), heard = await listen(t, await start(t, ['--plant', plant(t, robot, more)]));
+
+      const [said, arrived] = await passed(robot, heard);
+
+      assert.equal(arrived, said);
+    });
+
+  it('Bridge_ToABrokerBesideAPlant_LeavesTheClockToThePlant', async t => {
+    const robot = await Robot.start(t, { aheadMs: 600_000 });
+    // No broker is there: what counts is that this adapter has no time to tell.
+    const bridge = fileFor(t, 'publish.yaml',
+      'plant:\n  kind: broker\n  name: to-broker\n  direction: publish\n  endpoint: mqtt://127.0.0.1:9\n  topic: cell\n');
+    const heard = await listen(t, await start(t, ['--plant', bridge, '--plant', plant(t, robot)]));
+
+    const [said, arrived] = await passed(robot, heard);
+
+    // C1 is ten minutes ahead, as the robot is: on another clock the stamp would be another one, or refused.
+    assert.equal(arrived, said);
+  });
+});
