@@ -22,6 +22,8 @@ public sealed class StopwatchControlClock : IControlClock
 
     public ControlTime Now => AtCount(Stopwatch.GetTimestamp());
 
+    public double Skew => _skew;
+
     public TimeSpan ErrorBound { get; init; }
     public bool IsSynchronised { get; init; } = true;
 
