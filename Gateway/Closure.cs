@@ -23,7 +23,7 @@ public enum Closure
     /// <summary>More sync requests a second than allowed.</summary>
     TooManyRequests,
 
-    /// <summary>Nothing came for too long, or no pong did.</summary>
+    /// <summary>Nothing came for too long, or no pong did, or nothing was read of what was sent.</summary>
     Silence,
 
     /// <summary>A message that went on beyond what is read to get past it.</summary>

@@ -1,13 +1,18 @@
 using System.Net;
+using System.Net.Sockets;
 using System.Security.Authentication;
 using Microsoft.AspNetCore.Hosting.Server;
 using Microsoft.AspNetCore.Hosting.Server.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core;
+using Microsoft.AspNetCore.Server.Kestrel.Transport.Sockets;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Operations;
 using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Security;
+using Nowpose.Gateway.Status;
 using Nowpose.Gateway.Sync;
 using Nowpose.Gateway.VisibleLight;
 using Nowpose.Pairing;
@@ -21,26 +26,43 @@ public sealed class GatewayServer : IAsyncDisposable
 {
     static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(3);
 
-    readonly SyncServer _sync;
+    readonly GatewayOptions _options;
+    readonly QuietLog _log;
+    readonly AccessWatch _access;
     readonly RosbridgeServer _rosbridge;
     readonly CodePage _page;
     readonly PairingRoutes _pairing;
+    readonly SyncServer _sync;
+    readonly ClockComparison _comparison;
+    readonly GatewayStatus _status;
     readonly WebApplication _web;
-    readonly IPAddress _bind;
 
-    GatewayServer(
-        GatewayOptions options, SyncServer sync, RosbridgeServer rosbridge, CodePage page, PairingRoutes pairing, MessageHub hub,
-        WebApplication web)
+    // Nobody is served before StartAsync, but the port of the clock is taken.
+    GatewayServer(GatewayOptions options, IControlClock clock, Action<string> log)
     {
-        _page = page;
-        _pairing = pairing;
-        PairsHeadsets = options.Headsets != null;
-        _sync = sync;
-        _rosbridge = rosbridge;
-        _web = web;
-        _bind = options.Bind;
-        Hub = hub;
-        Pin = options.Certificate == null ? null : CertificatePin.Of(options.Certificate);
+        _options = options;
+        _log = new QuietLog(log, options.Time);
+        Hub = new MessageHub();
+        PlantClocks = new PlantClocks(options.ControlClock, new StopwatchHeadsetClock());
+        Clock = new ServedClock(clock, PlantClocks);
+        _comparison = new ClockComparison(Clock, Log);
+        _access = new AccessWatch(options, Log);
+        WebSocketConnections = new ConnectionCounters();
+        var door = new Door(options, WebSocketConnections, Log);
+        _rosbridge = new RosbridgeServer(options, Clock, PlantClocks, Hub, door, _access, WebSocketConnections, Log);
+        _page = new CodePage(options, Clock, door, WebSocketConnections, Log, LightCodePage.Html);
+        _pairing = new PairingRoutes(options, door, WebSocketConnections, Log, Web.PairingPage.Html);
+        Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
+        _sync = new SyncServer(options, Clock, _access, Log);
+        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder);
+        _web = GatewayWeb.Build(
+            options, WebSocketConnections, _rosbridge.ServeAsync,
+            _page.ServeAsync,
+            _pairing.ServeAsync,
+            new StatusRoutes(options, _status, door).ServeAsync,
+            new RecordingRoutes(Recorder, door).ServeAsync,
+            new OperationsRoutes(options, door, WebSocketConnections, Log, OperationsPage.Html).ServeAsync,
+            RosbridgeServer.CountFragmentsAsync);
     }
 
     /// <summary>With the port that was taken.</summary>
@@ -50,43 +72,65 @@ public sealed class GatewayServer : IAsyncDisposable
     public IPEndPoint WebSocketEndPoint { get; private set; }
 
     /// <summary>Where browsers find the control clock as a code for cameras, under each name; none where the page was not built.</summary>
-    public IReadOnlyList<Uri> CodePageUris => !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_bind).Select(host => PageUri(host, CodePage.Path))];
+    public IReadOnlyList<Uri> CodePageUris =>
+        !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, CodePage.Path))];
+
+    /// <summary>Where browsers find the page of operations, under each name; none where the page was not built.</summary>
+    public IReadOnlyList<Uri> OperationsPageUris =>
+        OperationsPage.Html == null ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, OperationsRoutes.Path))];
 
     /// <summary>Whether headsets are given tokens of their own.</summary>
-    public bool PairsHeadsets { get; }
+    public bool PairsHeadsets => _options.Headsets != null;
 
     /// <summary>Where a browser on this machine finds the code that pairs a headset; null where it pairs none, or the page was not built.</summary>
     public Uri PairingPageUri => PairsHeadsets && _pairing.Page.IsBuilt ? PageUri(LocalHost, PairingLimits.Path) : null;
 
+    /// <summary>Makes an adapter that this gateway starts a source.</summary>
+    internal string AdapterToken => _options.AdapterToken;
+
     /// <summary>What headsets pin; null without TLS.</summary>
-    public CertificatePin Pin { get; }
+    public CertificatePin Pin => _options.Certificate == null ? null : CertificatePin.Of(_options.Certificate);
+
+    /// <summary>When the certificate expires, or did, UTC; from then on headsets refuse it. Null without TLS.</summary>
+    public DateTime? CertificateExpires => _options.CertificateExpires;
+
+    /// <summary>What whoever runs it should know: rights it has for nothing, files that others can read.</summary>
+    public IEnumerable<string> Warnings => Precautions.Of(_options, Environment.GetEnvironmentVariable("CREDENTIALS_DIRECTORY"));
+
+    /// <summary>For those that belong to it: nobody fills the disk through it.</summary>
+    internal Action<string> Log => _log.Write;
 
     public MessageHub Hub { get; }
+
+    /// <summary>Writes what passes the hub into files, when it is switched on.</summary>
+    public Recorder Recorder { get; }
+
+    /// <summary>C1 as headsets get it.</summary>
+    public ServedClock Clock { get; }
+
+    public PlantClocks PlantClocks { get; }
 
     /// <summary>Messages of clients that were dropped, and messages slow clients lost.</summary>
     public DropCounters Drops => _rosbridge.Drops;
 
     public ConnectionCounters SyncConnections => _sync.Counters;
-    public ConnectionCounters WebSocketConnections => _rosbridge.Counters;
+    public ConnectionCounters WebSocketConnections { get; }
 
     /// <summary>Starts both servers; they accept when this returns.</summary>
+    /// <param name="clock">The gateway's own: what it serves until an adapter tells that of the control system.</param>
     /// <param name="log">Takes short lines without secrets, from any thread; null for none.</param>
-    /// <exception cref="InputException">The options contradict the protocol, or a port cannot be had.</exception>
+    /// <exception cref="InputException">The options contradict the protocol.</exception>
+    /// <exception cref="IOException">A port cannot be had: it is taken, or the address is not this machine's. Either may pass.</exception>
     public static async Task<GatewayServer> StartAsync(
         GatewayOptions options, IControlClock clock, Action<string> log = null, CancellationToken cancellation = default)
     {
         options.Check();
-        log ??= _ => { };
-        var hub = new MessageHub();
-        var connections = new ConnectionCounters();
-        var rosbridge = new RosbridgeServer(options, clock, hub, connections, log);
-        var page = new CodePage(options, clock, connections, log, LightCodePage.Html);
-        var pairing = new PairingRoutes(options, connections, log, Web.PairingPage.Html);
-        var sync = new SyncServer(options, clock, log);
-        var server = new GatewayServer(options, sync, rosbridge, page, pairing, hub, Build(options, rosbridge, page, pairing));
+        var server = new GatewayServer(options, clock, log ?? (_ => { }));
         try
         {
-            await server.StartWebAsync(options, cancellation);
+            await server.StartWebAsync(cancellation);
+            server._access.Start();
+            server._comparison.Start();
             return server;
         }
         catch
@@ -98,75 +142,40 @@ public sealed class GatewayServer : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
+        _status.Dispose();
+        _comparison.Dispose();
+        _access.Dispose();
         _rosbridge.Stop();
         _sync.Dispose();
         using var patience = new CancellationTokenSource(StopTimeout);
         await _web.StopAsync(patience.Token);
         await _web.DisposeAsync();
         _rosbridge.Dispose();
+        // Last: what was received until now is to be in the file.
+        await Recorder.DisposeAsync();
+        _log.Dispose();
     }
 
-    string LocalHost => _bind.Equals(IPAddress.Any) || _bind.Equals(IPAddress.IPv6Any) ? "localhost" : OwnHosts.Reachable(_bind).First();
+    string LocalHost => _options.Bind.Equals(IPAddress.Any) || _options.Bind.Equals(IPAddress.IPv6Any)
+        ? "localhost" : OwnHosts.Reachable(_options.Bind).First();
 
     Uri PageUri(string host, string path) =>
         new($"{(Pin == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)}://{host}:{WebSocketEndPoint.Port}{path}");
 
-    async Task StartWebAsync(GatewayOptions options, CancellationToken cancellation)
+    async Task StartWebAsync(CancellationToken cancellation)
     {
         try
         {
             await _web.StartAsync(cancellation);
         }
-        catch (IOException e)
+        catch (Exception e) when (e is IOException or SocketException)
         {
-            throw new InputException($"--ws-port {options.WebSocketPort} on {options.Bind}: {(e.InnerException ?? e).Message}", e);
+            throw PortListener.Refusal("--ws-port", _options.Bind, _options.WebSocketPort, e.GetBaseException());
         }
 
         var addresses = _web.Services.GetRequiredService<IServer>().Features.Get<IServerAddressesFeature>();
-        WebSocketEndPoint = new IPEndPoint(_bind, new Uri(addresses.Addresses.First()).Port);
+        WebSocketEndPoint = new IPEndPoint(_options.Bind, new Uri(addresses.Addresses.First()).Port);
         _pairing.Page.SyncPort = SyncEndPoint.Port;
         _pairing.Page.WebSocketPort = WebSocketEndPoint.Port;
-    }
-
-    static WebApplication Build(GatewayOptions options, RosbridgeServer rosbridge, CodePage page, PairingRoutes pairing)
-    {
-        // Empty: neither settings of the folder it is started in nor of the environment change what the gateway does.
-        var builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
-        builder.Services.AddSingleton<IHostLifetime, NoSignals>();
-        builder.WebHost.UseKestrelCore().UseKestrelHttpsConfiguration();
-        builder.WebHost.ConfigureKestrel(kestrel => Configure(kestrel, options));
-        var web = builder.Build();
-        web.Use(next => context => page.ServeAsync(context, next));
-        web.Use(next => context => pairing.ServeAsync(context, next));
-        web.Use(next => context => RosbridgeServer.CountFragmentsAsync(context, next));
-        web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = options.PingInterval, KeepAliveTimeout = options.PongTimeout });
-        web.Run(rosbridge.ServeAsync);
-        return web;
-    }
-
-    static void Configure(KestrelServerOptions kestrel, GatewayOptions options)
-    {
-        kestrel.AddServerHeader = false;
-        // The one runs from a request's first byte, the other until then.
-        kestrel.Limits.RequestHeadersTimeout = kestrel.Limits.KeepAliveTimeout = options.TokenTimeout;
-        // Twice: one that is refused must still get its answer.
-        kestrel.Limits.MaxConcurrentConnections = 2L * options.MaxConnections;
-        // A slow reader is dealt with by its queue and the pong that does not come.
-        kestrel.Limits.MinResponseDataRate = null;
-        kestrel.Listen(options.Bind, options.WebSocketPort, listen => Configure(listen, options));
-    }
-
-    static void Configure(ListenOptions listen, GatewayOptions options)
-    {
-        listen.Protocols = HttpProtocols.Http1;
-        if (options.Certificate != null)
-        {
-            listen.UseHttps(https =>
-            {
-                https.ServerCertificate = options.Certificate;
-                https.SslProtocols = SslProtocols.Tls12 | SslProtocols.Tls13;
-                https.HandshakeTimeout = options.TokenTimeout;
-            });
-        }
     }
 }

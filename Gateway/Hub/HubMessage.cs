@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Text;
 using Nowpose.Protocol;
 
@@ -9,26 +10,38 @@ public sealed class HubMessage
     readonly Lazy<byte[]> _sec;
     readonly Lazy<byte[]> _secs;
 
-    HubMessage(string topic, Func<RosTimeForm, string> write)
+    HubMessage(string topic, object content, long receivedAt, Func<RosTimeForm, string> write)
     {
         Topic = topic;
+        Content = content;
+        ReceivedAt = receivedAt;
         _sec = new Lazy<byte[]>(() => Encoding.UTF8.GetBytes(write(RosTimeForm.Sec)));
         _secs = new Lazy<byte[]>(() => Encoding.UTF8.GetBytes(write(RosTimeForm.Secs)));
     }
 
     public string Topic { get; }
 
-    public static HubMessage Of(JointStateMessage message) =>
-        new(RosTopics.JointStates, form => RosbridgeWriter.PublishJointState(RosTopics.JointStates, message, form));
+    /// <summary>The message as it was read: of the topic's type, a text for the robot description.</summary>
+    public object Content { get; }
 
-    public static HubMessage Of(JointTrajectoryMessage message) =>
-        new(RosTopics.JointTrajectory, form => RosbridgeWriter.PublishJointTrajectory(RosTopics.JointTrajectory, message, form));
+    /// <summary>When its last byte was read, or when it was made in this process; a count of <see cref="Stopwatch"/>.</summary>
+    public long ReceivedAt { get; }
 
-    public static HubMessage Of(DiagnosticsMessage message) =>
-        new(RosTopics.Diagnostics, form => RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, message, form));
+    public static HubMessage Of(JointStateMessage message, long receivedAt) =>
+        new(RosTopics.JointStates, message, receivedAt, form => RosbridgeWriter.PublishJointState(RosTopics.JointStates, message, form));
 
-    public static HubMessage Description(string urdf) =>
-        new(RosTopics.RobotDescription, _ => RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
+    public static HubMessage Of(JointTrajectoryMessage message, long receivedAt) =>
+        new(RosTopics.JointTrajectory, message, receivedAt, form => RosbridgeWriter.PublishJointTrajectory(RosTopics.JointTrajectory, message, form));
+
+    public static HubMessage Of(DiagnosticsMessage message) => new(
+        RosTopics.Diagnostics, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, message, form));
+
+    /// <summary>What a headset shows; no sample of the robot.</summary>
+    public static HubMessage Displayed(JointStateMessage message) => new(
+        RosTopics.Displayed, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishJointState(RosTopics.Displayed, message, form));
+
+    public static HubMessage Description(string urdf) => new(
+        RosTopics.RobotDescription, urdf, Stopwatch.GetTimestamp(), _ => RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
 
     /// <summary>The message as UTF-8; the same array for all who ask.</summary>
     public ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;

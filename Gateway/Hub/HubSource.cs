@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
@@ -14,24 +15,25 @@ public sealed class HubSource : IDisposable
     internal HubSource(MessageHub hub) => _hub = hub;
 
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
+    /// <param name="receivedAt">When its last byte was read, a count of <see cref="Stopwatch"/>; null for now.</param>
     /// <returns>That joint, or null when the message went out.</returns>
-    public string TryPublish(JointStateMessage message)
+    public string TryPublish(JointStateMessage message, long? receivedAt = null)
     {
         var taken = message.Names.AsSpan().SequenceEqual(_claimed) ? null : _hub.Claim(this, RosTopics.JointStates, message.Names);
         if (taken != null)
             return taken;
         _claimed = message.Names;
-        _hub.Publish(HubMessage.Of(message));
+        _hub.Publish(HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp()));
         return null;
     }
 
     /// <summary>The same with set-points; a source's newest are kept for whoever subscribes later: they last, and come once.</summary>
-    /// <inheritdoc cref="TryPublish(JointStateMessage)"/>
-    public string TryPublish(JointTrajectoryMessage message)
+    /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
+    public string TryPublish(JointTrajectoryMessage message, long? receivedAt = null)
     {
         var taken = _hub.Claim(this, RosTopics.JointTrajectory, message.Names);
         if (taken == null)
-            _hub.PublishNewest(this, HubMessage.Of(message));
+            _hub.PublishNewest(this, HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp()));
         return taken;
     }
 
@@ -44,6 +46,9 @@ public sealed class HubSource : IDisposable
             _hub.PublishDescription(HubMessage.Description(urdf));
         return taken;
     }
+
+    /// <summary>What a headset shows: forwarded, and owned by nobody.</summary>
+    public void PublishDisplayed(JointStateMessage message) => _hub.Publish(HubMessage.Displayed(message));
 
     public void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message));
 

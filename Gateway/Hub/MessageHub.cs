@@ -1,4 +1,5 @@
 using System.Collections.Immutable;
+using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
@@ -12,6 +13,12 @@ public sealed class MessageHub
         ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>>.Empty;
     readonly Dictionary<HubSource, HubMessage> _newest = [];
     HubMessage _description;
+
+    /// <summary>How many topics somebody subscribes to.</summary>
+    internal int Topics => Volatile.Read(ref _subscribers).Count;
+
+    /// <summary>How long joint states took from their receipt to the sockets of those that subscribe.</summary>
+    public ForwardingTimes Forwarding { get; } = new();
 
     /// <summary>Somebody who publishes; a joint belongs to the first source that publishes it, until that one is disposed.</summary>
     public HubSource OpenSource() => new(this);
@@ -94,7 +101,11 @@ public sealed class MessageHub
     void Unsubscribe(string topic, Action<HubMessage> receive)
     {
         lock (_lock)
-            _subscribers = _subscribers.SetItem(topic, _subscribers.GetValueOrDefault(topic, []).Remove(receive));
+        {
+            var left = _subscribers.GetValueOrDefault(topic, []).Remove(receive);
+            // Anybody may name any topic, as many as there are names: nothing may be left of them.
+            _subscribers = left.IsEmpty ? _subscribers.Remove(topic) : _subscribers.SetItem(topic, left);
+        }
     }
 
     sealed class Subscriber(MessageHub hub, string topic, Action<HubMessage> receive) : IDisposable

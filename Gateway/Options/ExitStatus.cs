@@ -7,4 +7,5 @@ public static class ExitStatus
     public const int Failed = 1;
     public const int BadInput = 2;
     public const int Interrupted = 130;
+    public const int Terminated = 143;
 }

@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Pairing;
 /// <summary>The headsets that were paired, a line each, for programs and people; only its owner may read it.</summary>
 static class HeadsetFile
 {
-    const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; it holds for the next connection.\n";
+    const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; its connections end at once.\n";
 
     const int Attempts = 20;
 

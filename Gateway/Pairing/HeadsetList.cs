@@ -1,5 +1,6 @@
 using System.Buffers.Text;
 using System.Security.Cryptography;
+using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Pairing;
 
@@ -14,11 +15,8 @@ public sealed class HeadsetList
 
     readonly string _path;
     readonly TimeProvider _time;
-    readonly Action<string> _log;
     readonly object _gate = new();
-    IReadOnlyList<PairedHeadset> _headsets;
-    (DateTime Written, long Length) _stamp;
-    string _fault;
+    readonly FollowedFile<IReadOnlyList<PairedHeadset>> _headsets;
 
     /// <param name="path">Made where there is none.</param>
     /// <param name="log">Is told when the file cannot be read any more; null for nobody.</param>
@@ -27,17 +25,26 @@ public sealed class HeadsetList
     {
         _path = path;
         _time = time ?? TimeProvider.System;
-        _log = log ?? (_ => { });
-        _headsets = HeadsetFile.Open(path);
-        _stamp = Stamp();
+        HeadsetFile.Open(path);
+        // At once: who writes it keeps all others out meanwhile.
+        _headsets = new FollowedFile<IReadOnlyList<PairedHeadset>>(
+            [path], (out string fault) => HeadsetFile.Load(path, out fault), TimeSpan.Zero, log);
     }
 
+    /// <summary>Reads the file again if it changed.</summary>
+    internal void Follow() => _ = _headsets.Current;
+
+    internal string Path => _path;
+
+    /// <inheritdoc cref="Knows(byte[])"/>
+    public bool Knows(string token) => Knows(TokenList.HashOf(token ?? ""));
+
     /// <summary>Whether the token is a headset's. Takes as long whichever it is.</summary>
-    public bool Knows(string token)
+    /// <param name="hash">As <see cref="TokenList.HashOf"/> makes it.</param>
+    public bool Knows(byte[] hash)
     {
-        var hash = PairedHeadset.HashOf(token ?? "");
         var isKnown = false;
-        foreach (var headset in Current())
+        foreach (var headset in _headsets.Current)
             isKnown |= CryptographicOperations.FixedTimeEquals(headset.Hash, hash);
         return isKnown;
     }
@@ -49,51 +56,12 @@ public sealed class HeadsetList
         var token = Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(TokenBytes));
         lock (_gate)
         {
-            if (Follow().Count >= GreatestCount)
+            if (_headsets.Current.Count >= GreatestCount)
                 throw new InputException($"{_path}: holds {GreatestCount} headsets already; revoke some");
-            headset = new PairedHeadset(PairedHeadset.NameOf(name), _time.GetUtcNow().UtcDateTime, PairedHeadset.HashOf(token));
+            headset = new PairedHeadset(PairedHeadset.NameOf(name), _time.GetUtcNow().UtcDateTime, TokenList.HashOf(token));
             HeadsetFile.Add(_path, headset);
-            Follow();
         }
 
         return token;
-    }
-
-    IReadOnlyList<PairedHeadset> Current()
-    {
-        lock (_gate)
-            return Follow();
-    }
-
-    IReadOnlyList<PairedHeadset> Follow()
-    {
-        var stamp = Stamp();
-        if (stamp == _stamp) return _headsets;
-        try
-        {
-            _headsets = HeadsetFile.Load(_path, out var fault);
-            _stamp = stamp;
-            Tell(fault, "; the other lines hold");
-        }
-        catch (InputException fault)
-        {
-            // Somebody may be writing it: what was known goes on, and it is looked at again.
-            Tell(fault.Message, "; the former list goes on, also what was removed from it");
-        }
-
-        return _headsets;
-    }
-
-    void Tell(string fault, string consequence)
-    {
-        if (fault != null && fault != _fault) _log(fault + consequence);
-        _fault = fault;
-    }
-
-    // Of a file that is not there the same each time.
-    (DateTime, long) Stamp()
-    {
-        var file = new FileInfo(_path);
-        return (file.LastWriteTimeUtc, file.Exists ? file.Length : -1);
     }
 }

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Security.Cryptography;
-using System.Text;
 
 namespace Nowpose.Gateway.Pairing;
 
@@ -33,8 +32,6 @@ sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
     static bool IsPlain(char c) => CharUnicodeInfo.GetUnicodeCategory(c) is not (
         UnicodeCategory.Control or UnicodeCategory.Format or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator
         or UnicodeCategory.Surrogate or UnicodeCategory.PrivateUse or UnicodeCategory.OtherNotAssigned);
-
-    public static byte[] HashOf(string token) => SHA256.HashData(Encoding.UTF8.GetBytes(token));
 
     public override string ToString() =>
         $"{Role} {HashPrefix}{Convert.ToBase64String(Hash)} {PairedUtc.ToString(TimeFormat, CultureInfo.InvariantCulture)} {Name}";

@@ -1,22 +1,19 @@
 using System.Net;
-using System.Text;
 using Nowpose.Gateway.Security;
-using Nowpose.Gateway.VisibleLight;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The page that shows the code and prints markers, and what it asks for. For browsers on this machine only.</summary>
+/// <summary>The page that shows the code and prints markers, and what it asks for. For browsers on this machine, and those of operators.</summary>
 /// <remarks>
-/// Who can open it can pair a headset, and a browser has no token to show when it opens a page. From elsewhere the page comes through
+/// Who can open it can pair a headset. From elsewhere an operator logs in on the page of operations first; or the page comes through
 /// a tunnel of somebody who may log in here, or the verb "pair" shows the code on a terminal.
 /// </remarks>
 /// <param name="html">Null where it was not built.</param>
-sealed class PairingPage(GatewayOptions options, ShownCode shown, ConnectionCounters counters, Action<string> log, string html)
+sealed class PairingPage(GatewayOptions options, ShownCode shown, Door door, string html)
 {
-    readonly byte[] _page = html == null ? null : Encoding.UTF8.GetBytes(html);
-    readonly Door _door = new(options, counters, log);
+    readonly HtmlPage _page = new(html);
 
     /// <summary>Of both servers, once they are known.</summary>
     public int SyncPort { get; set; }
@@ -24,28 +21,14 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, ConnectionCoun
     /// <inheritdoc cref="SyncPort"/>
     public int WebSocketPort { get; set; }
 
-    public bool IsBuilt => _page != null;
+    public bool IsBuilt => _page.IsBuilt;
 
     CertificatePin Pin => options.Certificate == null ? null : CertificatePin.Of(options.Certificate);
 
     /// <summary>GET /pair.</summary>
     public async Task ShowAsync(HttpContext context)
     {
-        if (!await AdmitAsync(context)) return;
-        if (!IsBuilt)
-        {
-            await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, CodePage.MissingPage);
-            return;
-        }
-
-        var response = context.Response;
-        response.ContentType = "text/html; charset=utf-8";
-        response.ContentLength = _page.Length;
-        response.Headers.CacheControl = "no-store";
-        response.Headers.Connection = "close";
-        // Another site that frames it could have the visitor click "print" or read along.
-        response.Headers.XFrameOptions = "DENY";
-        await response.Body.WriteAsync(_page);
+        if (await AdmitAsync(context)) await _page.SendAsync(context);
     }
 
     /// <summary>POST /pair/code: {"renew": ""} for another one.</summary>
@@ -92,20 +75,18 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, ConnectionCoun
 
     async Task<bool> AdmitAsync(HttpContext context)
     {
-        if (!await _door.AdmitOriginAsync(context)) return false;
-        if (IsFromThisMachine(context.Connection) && IsOwnHost(context)) return true;
+        if (!await door.AdmitOriginAsync(context)) return false;
+        // A page whose name was made to point here (DNS rebinding) would read along: it comes with its own name.
+        if (IsFromThisMachine(context.Connection) && door.IsOwnHost(context)) return true;
+        // An operator's cookie or header does not come with such a name.
+        if (door.IsOperator(context)) return true;
         await Door.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
-            "the page of pairing is for browsers on the gateway's own machine, by its address, its name or localhost");
+            "the page of pairing is for browsers on the gateway's own machine, by its address, its name or localhost, and for operators who logged in");
         return false;
     }
 
     // Nobody else gets an answer to an address that is this machine's own.
     static bool IsFromThisMachine(ConnectionInfo connection) =>
         IPAddress.IsLoopback(connection.RemoteIpAddress) || connection.RemoteIpAddress.Equals(connection.LocalIpAddress);
-
-    // A page whose name was made to point here (DNS rebinding) would read along: it comes with its own name.
-    bool IsOwnHost(HttpContext context) =>
-        Uri.TryCreate($"{(options.Certificate == null ? "http" : "https")}://{context.Request.Host.Value}", UriKind.Absolute, out var uri)
-        && OwnHosts.Contain(uri, context.Connection.LocalIpAddress);
 }

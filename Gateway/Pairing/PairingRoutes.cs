@@ -13,12 +13,12 @@ sealed class PairingRoutes
     readonly bool _isOn;
 
     /// <param name="html">Of the page; null where it was not built.</param>
-    public PairingRoutes(GatewayOptions options, ConnectionCounters counters, Action<string> log, string html)
+    public PairingRoutes(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log, string html)
     {
         var shown = new ShownCode(options.Certificate == null ? null : CertificatePin.Of(options.Certificate), options.Time);
         _isOn = options.Headsets != null;
-        _service = new PairingService(options, shown, counters, log);
-        Page = new PairingPage(options, shown, counters, log, html);
+        _service = new PairingService(options, shown, door, counters, log);
+        Page = new PairingPage(options, shown, door, html);
     }
 
     public PairingPage Page { get; }

@@ -4,16 +4,15 @@ using Nowpose.Pairing;
 namespace Nowpose.Gateway.Pairing;
 
 /// <summary>Gives a headset a token of its own for the one of the shown code.</summary>
-sealed class PairingService(GatewayOptions options, ShownCode shown, ConnectionCounters counters, Action<string> log)
+sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, ConnectionCounters counters, Action<string> log)
 {
-    readonly Door _door = new(options, counters, log);
     readonly WrongCodes _wrong = new(options.Time);
 
     /// <summary>POST /pair.</summary>
     public async Task ServeAsync(HttpContext context)
     {
         // A headset sends no Origin; a page of somebody else's that tries codes does.
-        if (!await _door.AdmitOriginAsync(context)) return;
+        if (!await door.AdmitOriginAsync(context)) return;
         var address = context.Connection.RemoteIpAddress;
         if (_wrong.IsBlocked(address))
         {

@@ -1,8 +1,8 @@
-using Base64Url = System.Buffers.Text.Base64Url;
 using System.Security.Cryptography;
-using System.Text;
+using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
+using Base64Url = System.Buffers.Text.Base64Url;
 
 namespace Nowpose.Gateway.Pairing;
 
@@ -40,7 +40,7 @@ sealed class ShownCode(CertificatePin pin, TimeProvider time)
         lock (_gate)
         {
             // Compared all the same: whether there is a code at all does not show in the time.
-            var isIt = CryptographicOperations.FixedTimeEquals(HashOf(token), HashOf(_code?.Token ?? ""));
+            var isIt = CryptographicOperations.FixedTimeEquals(TokenList.HashOf(token ?? ""), TokenList.HashOf(_code?.Token ?? ""));
             if (!isIt || !IsValid) return null;
             var given = give();
             _isUsed = true;
@@ -58,6 +58,4 @@ sealed class ShownCode(CertificatePin pin, TimeProvider time)
             pin, Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(TokenCode.TokenBytes)),
             time.GetUtcNow().UtcDateTime + PairingLimits.CodeValidity);
     }
-
-    static byte[] HashOf(string token) => SHA256.HashData(Encoding.UTF8.GetBytes(token));
 }

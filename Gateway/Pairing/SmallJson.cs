@@ -24,9 +24,9 @@ static class SmallJson
         return null;
     }
 
-    public static Task AnswerAsync(HttpContext context, object answer)
+    public static Task AnswerAsync(HttpContext context, object answer, JsonSerializerOptions options = null)
     {
-        var bytes = JsonSerializer.SerializeToUtf8Bytes(answer);
+        var bytes = JsonSerializer.SerializeToUtf8Bytes(answer, options);
         context.Response.ContentType = "application/json";
         context.Response.ContentLength = bytes.Length;
         context.Response.Headers.CacheControl = "no-store";

@@ -7,6 +7,9 @@ public static class RobotFiles
 {
     static readonly string[] Included = ["youbot", "ur5"];
 
+    /// <summary>Whether it names one that comes along.</summary>
+    public static bool IsIncluded(string name) => Included.Contains(name);
+
     /// <param name="nameOrPath">"youbot", "ur5" or the path of a .urdf file.</param>
     /// <exception cref="InputException">There is no such robot, or its URDF cannot be read or computed.</exception>
     public static RobotModel Load(string nameOrPath) => Load(nameOrPath, out _);
@@ -23,7 +26,7 @@ public static class RobotFiles
     /// <inheritdoc cref="Load(string)"/>
     public static string LoadText(string nameOrPath)
     {
-        if (Included.Contains(nameOrPath))
+        if (IsIncluded(nameOrPath))
             return File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Robots", nameOrPath + ".urdf"));
         if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException("no robot named; " + Allowed);
         if (Directory.Exists(nameOrPath)) throw new InputException($"{nameOrPath}: is a folder; {Allowed}");

@@ -5,7 +5,29 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>Stands before Kestrel's own upgrade so that the WebSocket's bytes are counted on their way in.</summary>
 sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
 {
+    Stream _stream;
+
     public FragmentCounter Fragments { get; } = new();
     public bool IsUpgradableRequest => inner.IsUpgradableRequest;
-    public async Task<Stream> UpgradeAsync() => new CountingStream(await inner.UpgradeAsync(), Fragments);
+
+    public async Task<Stream> UpgradeAsync()
+    {
+        _stream = await inner.UpgradeAsync();
+        return new CountingStream(_stream, Fragments);
+    }
+
+    /// <summary>Reads past what a peer still sends that was told why its WebSocket ends, until it goes or the time is up.</summary>
+    /// <remarks>Closing with bytes unread would reset the connection, and what was told be lost.</remarks>
+    public async Task DrainAsync(TimeSpan atMost)
+    {
+        using var timeUp = new CancellationTokenSource(atMost);
+        try
+        {
+            await _stream.CopyToAsync(Stream.Null, timeUp.Token);
+        }
+        catch (Exception e) when (e is IOException or OperationCanceledException or ObjectDisposedException)
+        {
+            // Gone without a goodbye, or not going.
+        }
+    }
 }

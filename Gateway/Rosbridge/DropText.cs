@@ -12,6 +12,7 @@ static class DropText
             $"longer than {ProtocolLimits.MessageBytes} bytes ({ProtocolLimits.DescriptionBytes} for {RosTopics.RobotDescription})",
         DropReason.TooDeep => $"nested deeper than {ProtocolLimits.Nesting} levels",
         DropReason.TooManyFragments => $"more than {ProtocolLimits.FragmentsPerMessage} fragments",
+        DropReason.TooManyMessages => "more messages within a second than a client of this role may send",
         DropReason.TooSlow => "not complete in time",
         DropReason.MissingField => "a field is missing or empty",
         DropReason.WrongType => "a field or topic has another type than expected",
@@ -29,6 +30,7 @@ static class DropText
         DropReason.StampOutOfRange => "the stamp's nanoseconds are not 0 to 999999999, or its seconds not 32 bits",
         DropReason.StampInFuture => "the stamp lies in the future of the control clock",
         DropReason.NotAllowed => "the role of this client does not allow it",
+        DropReason.Unsynchronised => "the clock that stamped it is not known yet",
         DropReason.JointTaken => "belongs to another source",
         _ => reason.ToString(),
     };

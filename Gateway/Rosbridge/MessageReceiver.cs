@@ -1,13 +1,22 @@
 using System.Net.WebSockets;
 using System.Text;
+using Nowpose.Gateway.Sync;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Puts messages together and gets past those that break a limit, as far as that is bounded itself.</summary>
-sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, GatewayOptions options, TimeProvider time)
+/// <param name="longest">Bytes of a message that are kept; one that is longer is dropped.</param>
+sealed class MessageReceiver(
+    WebSocket socket, FragmentCounter fragments, GatewayOptions options, int longest, RequestRate rate, TimeProvider time)
 {
     const int FirstBytes = 4096;
+
+    /// <summary>Of the one topic whose messages may be longer than the others'; without its slash, which JSON may write as "\/".</summary>
+    static readonly byte[] LongTopic = Encoding.UTF8.GetBytes(RosTopics.RobotDescription.TrimStart('/'));
+
+    /// <summary>Whoever sends more than allowed is read more slowly, and TCP makes it wait.</summary>
+    static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(50);
 
     byte[] _buffer = new byte[FirstBytes];
     long _length;
@@ -29,7 +38,7 @@ sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, Gatewa
             _startedAt ??= time.GetTimestamp();
             _length += result.Count;
             if (result.EndOfMessage)
-                return Finish(result.MessageType);
+                return await FinishAsync(result.MessageType, time.GetTimestamp());
         }
     }
 
@@ -46,10 +55,10 @@ sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, Gatewa
     // Beyond the longest message bytes are read over each other: the message is lost, but its end is found.
     Memory<byte> Room()
     {
-        if (_length >= ProtocolLimits.DescriptionBytes)
+        if (_length >= longest)
             return _buffer.AsMemory(0, FirstBytes);
         if (_length == _buffer.Length)
-            Array.Resize(ref _buffer, Math.Min(_buffer.Length * 2, ProtocolLimits.DescriptionBytes));
+            Array.Resize(ref _buffer, Math.Min(_buffer.Length * 2, longest));
         return _buffer.AsMemory((int)_length);
     }
 
@@ -67,18 +76,22 @@ sealed class MessageReceiver(WebSocket socket, FragmentCounter fragments, Gatewa
         return first == receiving;
     }
 
-    Received Finish(WebSocketMessageType type)
+    async Task<Received> FinishAsync(WebSocketMessageType type, long count)
     {
         var fault = FaultOf(type, fragments.Take());
         var text = fault == DropReason.None ? Encoding.UTF8.GetString(_buffer, 0, (int)_length) : null;
         if (_buffer.Length > ProtocolLimits.MessageBytes)
             _buffer = new byte[FirstBytes];
-        return new Received(text, fault, null);
+        if (fault == DropReason.TooManyMessages)
+            await Task.Delay(Pause, time);
+        return new Received(text, fault, null, count);
     }
 
     DropReason FaultOf(WebSocketMessageType type, int count)
     {
-        if (_length > ProtocolLimits.DescriptionBytes)
+        if (!rate.TryTake())
+            return DropReason.TooManyMessages;
+        if (_length > longest || (_length > ProtocolLimits.MessageBytes && _buffer.AsSpan(0, (int)_length).IndexOf(LongTopic) < 0))
             return DropReason.TooLarge;
         if (count > ProtocolLimits.FragmentsPerMessage)
             return DropReason.TooManyFragments;

@@ -11,14 +11,25 @@ static class Publications
         [RosTopics.JointTrajectory] = RosTopics.JointTrajectoryType,
         [RosTopics.RobotDescription] = RosTopics.StringType,
         [RosTopics.Diagnostics] = RosTopics.DiagnosticsType,
+        [RosTopics.Displayed] = RosTopics.JointStateType,
     };
+
+    /// <summary>Every topic with its type.</summary>
+    public static IReadOnlyCollection<KeyValuePair<string, string>> All => Types;
 
     public static bool IsKnown(string topic) => Types.ContainsKey(topic);
 
     /// <summary>Whether a type named for a known topic is the topic's, in either ROS's spelling; none named is.</summary>
     public static bool HasType(string topic, string type) =>
-        string.IsNullOrEmpty(type) || type == Types[topic] || type == Types[topic].Replace("/msg/", "/", StringComparison.Ordinal);
+        string.IsNullOrEmpty(type) || type.Replace("/msg/", "/", StringComparison.Ordinal) == Types[topic];
+
+    /// <summary>Whether it tells of its sender alone, as every client may.</summary>
+    public static bool IsOfItself(string topic) => topic is RosTopics.Diagnostics or RosTopics.Displayed;
+
+    /// <summary>What a client calls itself in a message of that kind; null in others.</summary>
+    public static string NameIn(RosbridgeMessage message) => message.Diagnostics?.HardwareId ?? message.Displayed?.FrameId;
 
     /// <summary>The stamp that must not lie in the future; null where there is none.</summary>
-    public static ControlTime? StampOf(RosbridgeMessage message) => message.JointState?.Stamp ?? message.JointTrajectory?.Stamp;
+    public static ControlTime? StampOf(RosbridgeMessage message) =>
+        (message.JointState ?? message.Displayed)?.Stamp ?? message.JointTrajectory?.Stamp;
 }

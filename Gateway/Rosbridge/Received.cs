@@ -6,7 +6,8 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <param name="Text">The message; null when it was dropped and at the end.</param>
 /// <param name="Fault">Why it was dropped.</param>
 /// <param name="End">Why nothing follows; null while something may.</param>
-readonly record struct Received(string Text, DropReason Fault, Closure? End)
+/// <param name="Count">When its last byte had been read, in counts of <see cref="System.Diagnostics.Stopwatch"/>.</param>
+readonly record struct Received(string Text, DropReason Fault, Closure? End, long Count = 0)
 {
     public static Received Ended(Closure why) => new(null, DropReason.None, why);
 }

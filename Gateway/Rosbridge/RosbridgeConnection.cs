@@ -1,31 +1,41 @@
 using System.Net.WebSockets;
 using System.Threading.Channels;
+using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>One client's WebSocket: reads messages one by one, sends whatever its session and subscriptions have.</summary>
 sealed class RosbridgeConnection : IDisposable
 {
-    const int WaitingReplies = 64;
-    static readonly TimeSpan GoodbyeTimeout = TimeSpan.FromSeconds(1);
+    internal const int WaitingReplies = 64;
+    const int NotEnded = -1;
+    static readonly TimeSpan GoodbyeTimeout = ProtocolLimits.GoodbyeTimeout;
 
     readonly WebSocket _socket;
     readonly MessageReceiver _receiver;
     readonly SemaphoreSlim _sending = new(1);
+    readonly TimeSpan _patience;
     readonly CancellationToken _serverStops;
     readonly CancellationTokenSource _stop = new();
-    readonly Channel<ReadOnlyMemory<byte>> _replies =
-        Channel.CreateBounded<ReadOnlyMemory<byte>>(new BoundedChannelOptions(WaitingReplies) { FullMode = BoundedChannelFullMode.DropOldest });
-    readonly List<Task> _pumps = [];
+    readonly Channel<ReadOnlyMemory<byte>> _replies;
+    readonly Dictionary<string, TopicPump> _pumps = [];
+    int _ended = NotEnded;
 
-    public RosbridgeConnection(WebSocket socket, MessageReceiver receiver, CancellationToken serverStops)
+    /// <param name="patience">
+    /// How long the peer may take for what is sent, for each <see cref="ProtocolLimits.MessageBytes"/> of it, before it counts as gone.
+    /// </param>
+    public RosbridgeConnection(
+        WebSocket socket, MessageReceiver receiver, TimeSpan patience, DropCounters drops, CancellationToken serverStops)
     {
         _socket = socket;
         _receiver = receiver;
+        _patience = patience;
         _serverStops = serverStops;
+        _replies = Channel.CreateBounded<ReadOnlyMemory<byte>>(
+            new BoundedChannelOptions(WaitingReplies) { FullMode = BoundedChannelFullMode.DropOldest }, _ => drops.Count(DropReason.SlowReader));
     }
 
-    /// <summary>Who sends, or did not long ago.</summary>
+    /// <summary>Who sends, or did not long ago: no more than one for a topic.</summary>
     internal int Pumps => _pumps.Count;
 
     /// <summary>Sends when there is room; a client that reads nothing loses the oldest replies.</summary>
@@ -34,25 +44,34 @@ sealed class RosbridgeConnection : IDisposable
     /// <summary>Sends what a subscription gets. From the thread that handles the messages.</summary>
     public void Start(Subscription subscription)
     {
-        // A client may change its subscriptions as long as it is connected. One that failed is waited for, and tells.
-        _pumps.RemoveAll(pump => pump.IsCompletedSuccessfully);
-        _pumps.Add(PumpAsync(() => subscription.PumpAsync(SendAsync, _stop.Token)));
+        // A client may name other topics as long as it is connected. One that failed is waited for, and tells.
+        foreach (var (topic, pump) in _pumps)
+            if (pump.Ended.IsCompletedSuccessfully) _pumps.Remove(topic);
+        if (!_pumps.TryGetValue(subscription.Topic, out var own))
+            _pumps.Add(subscription.Topic, own = new TopicPump(one => PumpAsync(() => one.PumpAsync(SendAsync, _stop.Token))));
+        own.Start(subscription);
+    }
+
+    /// <summary>Says goodbye, and listens to nothing more. Any thread; waits for nobody.</summary>
+    public void End(Closure why)
+    {
+        if (Interlocked.CompareExchange(ref _ended, (int)why, NotEnded) == NotEnded)
+            _ = SayGoodbyeAsync(why);
     }
 
     /// <summary>Serves until either side ends it; says why it ended.</summary>
     public async Task<Closure> RunAsync(RosbridgeSession session)
     {
-        _pumps.Add(PumpAsync(RepliesAsync));
+        var replying = PumpAsync(RepliesAsync);
         Closure why;
         // The client answers with its own close, which ends the receiving; or it does not, and time is up.
-        await using (_serverStops.UnsafeRegister(_ => _ = SayGoodbyeAsync(Closure.Stopped), null))
+        await using (_serverStops.UnsafeRegister(_ => End(Closure.Stopped), null))
             why = await ReceiveAsync(session);
         session.Dispose();
-        if (why is not (Closure.Stopped or Closure.Silence))
+        if (Ended == null && why != Closure.Silence)
             await SayGoodbyeAsync(why);
         await _stop.CancelAsync();
-        _socket.Abort();
-        await Task.WhenAll(_pumps);
+        await StopPumpsAsync(replying, isGone: why == Closure.Silence);
         return why;
     }
 
@@ -62,6 +81,9 @@ sealed class RosbridgeConnection : IDisposable
         _sending.Dispose();
     }
 
+    // What this side decided, if it did.
+    Closure? Ended => Volatile.Read(ref _ended) is var ended && ended != NotEnded ? (Closure)ended : null;
+
     async Task<Closure> ReceiveAsync(RosbridgeSession session)
     {
         try
@@ -70,15 +92,13 @@ sealed class RosbridgeConnection : IDisposable
             {
                 var received = await _receiver.NextAsync();
                 if (received.End is { } why)
-                    return _serverStops.IsCancellationRequested ? Closure.Stopped : why;
-                session.Handle(received);
+                    return Ended ?? why;
+                if (Ended == null) session.Handle(received);
             }
         }
         catch (Exception e) when (IsEndOfConnection(e))
         {
-            if (_serverStops.IsCancellationRequested)
-                return Closure.Stopped;
-            return Explain(e);
+            return Ended ?? Explain(e);
         }
     }
 
@@ -102,11 +122,31 @@ sealed class RosbridgeConnection : IDisposable
         await _sending.WaitAsync(_stop.Token);
         try
         {
-            await _socket.SendAsync(message, WebSocketMessageType.Text, true, CancellationToken.None);
+            var sending = _socket.SendAsync(message, WebSocketMessageType.Text, true, CancellationToken.None);
+            if (sending.IsCompleted)
+                await sending;
+            else
+                await BecomesSentAsync(sending.AsTask(), message.Length);
         }
         finally
         {
             _sending.Release();
+        }
+    }
+
+    // Whatever comes from a peer counts for the pong that does not: one that sends and reads nothing would stay for ever.
+    async Task BecomesSentAsync(Task sending, int length)
+    {
+        try
+        {
+            await sending.WaitAsync(_patience * (1 + (length / ProtocolLimits.MessageBytes)));
+        }
+        catch (TimeoutException)
+        {
+            // No goodbye either would get past what it does not read.
+            Interlocked.CompareExchange(ref _ended, (int)Closure.Silence, NotEnded);
+            _socket.Abort();
+            await sending;
         }
     }
 
@@ -122,13 +162,26 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
+    // Aborting throws away what is still on its way out, the close with its code among it: only for a peer that takes nothing.
+    async Task StopPumpsAsync(Task replying, bool isGone)
+    {
+        var pumps = Task.WhenAll([replying, .. _pumps.Values.Select(pump => pump.Ended)]);
+        if (isGone || await Task.WhenAny(pumps, Task.Delay(GoodbyeTimeout)) != pumps)
+            _socket.Abort();
+        await pumps;
+    }
+
     async Task SayGoodbyeAsync(Closure why)
     {
         using var patience = new CancellationTokenSource(GoodbyeTimeout);
         try
         {
-            await _socket.CloseOutputAsync(StatusOf(why), why.ToString(), patience.Token);
-            if (why == Closure.Stopped)
+            // A peer's close is answered with its own code, or with none where it gave none.
+            if (why == Closure.ByPeer)
+                await _socket.CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure, null, patience.Token);
+            else
+                await _socket.CloseOutputAsync(StatusOf(why), why.ToString(), patience.Token);
+            if (Ended != null)
                 await Task.Delay(GoodbyeTimeout, _stop.Token);
             else if (why != Closure.ByPeer)
                 await _receiver.DrainAsync(GoodbyeTimeout);
@@ -138,13 +191,12 @@ sealed class RosbridgeConnection : IDisposable
             // Already gone.
         }
 
-        if (why == Closure.Stopped)
+        if (Ended != null)
             _socket.Abort();
     }
 
     static WebSocketCloseStatus StatusOf(Closure why) => why switch
     {
-        Closure.ByPeer => WebSocketCloseStatus.NormalClosure,
         Closure.Stopped => WebSocketCloseStatus.EndpointUnavailable,
         Closure.EndlessMessage => WebSocketCloseStatus.MessageTooBig,
         _ => WebSocketCloseStatus.PolicyViolation,

@@ -1,17 +1,21 @@
 using Microsoft.AspNetCore.Http.Features;
+using Microsoft.AspNetCore.Server.Kestrel.Core.Features;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Security;
+using Nowpose.Gateway.Sync;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Speaks rosbridge v2 on every path of the WebSocket port.</summary>
 sealed class RosbridgeServer(
-    GatewayOptions options, IControlClock clock, MessageHub hub, ConnectionCounters counters, Action<string> log) : IDisposable
+    GatewayOptions options, ServedClock clock, PlantClocks plant, MessageHub hub, Door door, AccessWatch access, ConnectionCounters counters,
+    Action<string> log)
+    : IDisposable
 {
-    readonly Door _door = new(options, counters, log);
     readonly CancellationTokenSource _stop = new();
+    readonly NamesInUse _names = new(options.Time);
 
     public ConnectionCounters Counters => counters;
     public DropCounters Drops { get; } = new();
@@ -31,7 +35,7 @@ sealed class RosbridgeServer(
 
     public async Task ServeAsync(HttpContext context)
     {
-        if (await _door.AdmitAsync(context) is not { } role)
+        if (await door.AdmitAsync(context) is not { } role)
             return;
         if (!context.WebSockets.IsWebSocketRequest)
             await Door.AnswerAsync(context, StatusCodes.Status426UpgradeRequired, "this port speaks rosbridge v2 over WebSocket");
@@ -58,15 +62,29 @@ sealed class RosbridgeServer(
 
     async Task<Closure> TalkAsync(HttpContext context, Role role)
     {
-        var fragments = ((CountingUpgrade)context.Features.Get<IHttpUpgradeFeature>()).Fragments;
+        var upgrade = (CountingUpgrade)context.Features.Get<IHttpUpgradeFeature>();
+        // One that reads slowly loses messages; what is too slow, the connection knows.
+        if (context.Features.Get<IHttpMinResponseDataRateFeature>() is { } rate)
+            rate.MinDataRate = null;
         using var socket = await context.WebSockets.AcceptWebSocketAsync(new WebSocketAcceptContext
         {
             KeepAliveInterval = options.PingInterval,
             KeepAliveTimeout = options.PongTimeout,
         });
-        var receiver = new MessageReceiver(socket, fragments, options, TimeProvider.System);
-        using var connection = new RosbridgeConnection(socket, receiver, _stop.Token);
-        using var session = new RosbridgeSession(hub, clock, role, Drops, options.QueueLength, connection.Reply, connection.Start);
-        return await connection.RunAsync(session);
+        NewcomerPlaces.GiveBack(context);
+        var isSource = role == Role.Source;
+        // Only a source sends what may be long.
+        var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;
+        var allowed = new RequestRate(isSource ? options.SourceMessagesPerSecond : options.ObserverMessagesPerSecond);
+        var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, allowed, TimeProvider.System);
+        using var connection = new RosbridgeConnection(socket, receiver, options.PongTimeout, Drops, _stop.Token);
+        using var session = new RosbridgeSession(
+            hub, clock, plant, _names, role, Drops, options.QueueLength, connection.Reply, connection.Start);
+        using var watched = access.Watch(
+            door.TokenHashOf(context), role, () => connection.End(Closure.Token), door.LoginOf(context));
+        var why = await connection.RunAsync(session);
+        if (why == Closure.MalformedFrame)
+            await upgrade.DrainAsync(ProtocolLimits.GoodbyeTimeout);
+        return why;
     }
 }

@@ -2,6 +2,7 @@ using System.Text;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Security;
+using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
@@ -9,47 +10,59 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>What one client asks and what becomes of it; knows no sockets. Called by one thread at a time.</summary>
 sealed class RosbridgeSession : IDisposable
 {
-    const string Operations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, status";
+    const string Operations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, advertise_service, unadvertise_service, "
+        + "service_response, status, set_level";
 
     readonly HubSource _source;
-    readonly IControlClock _clock;
+    readonly ServedClock _clock;
+    readonly PlantTimeOffers _offers;
+    readonly NamesInUse _names;
     readonly Role _role;
     readonly DropCounters _drops;
     readonly Action<ReadOnlyMemory<byte>> _reply;
     readonly SubscriptionSet _subscriptions;
     readonly HashSet<string> _advertised = [];
     RosTimeForm _form;
-    string _hardwareId;
+    bool _wantsNoStatus;
+    string _name;
+    long _receivedAt;
 
     public RosbridgeSession(
-        MessageHub hub, IControlClock clock, Role role, DropCounters drops, int queueLength,
+        MessageHub hub, ServedClock clock, PlantClocks plant, NamesInUse names, Role role, DropCounters drops, int queueLength,
         Action<ReadOnlyMemory<byte>> reply, Action<Subscription> start)
     {
         _source = hub.OpenSource();
         _clock = clock;
+        _names = names;
         _role = role;
         _drops = drops;
         _reply = reply;
         _subscriptions = new SubscriptionSet(hub, queueLength, drops, start);
+        _offers = new PlantTimeOffers(plant, reply);
     }
 
     public void Handle(in Received received)
     {
+        _receivedAt = received.Count;
+        _offers.TryAgain();
         var message = default(RosbridgeMessage);
         var reason = received.Fault;
         if (reason == DropReason.None && RosbridgeReader.TryRead(received.Text, out message, out reason))
-            Do(message);
+            Do(message, received.Count);
         else
             Drop(message, reason);
     }
 
     public void Dispose()
     {
+        _offers.Dispose();
         _subscriptions.Dispose();
         _source.Dispose();
+        if (_name != null)
+            _names.Release(_name, this);
     }
 
-    void Do(RosbridgeMessage message)
+    void Do(RosbridgeMessage message, long count)
     {
         switch (message.Op)
         {
@@ -59,7 +72,12 @@ sealed class RosbridgeSession : IDisposable
             case RosbridgeOp.Unadvertise: Unadvertise(message); break;
             case RosbridgeOp.Publish: Publish(message); break;
             case RosbridgeOp.CallService: Call(message); break;
+            case RosbridgeOp.AdvertiseService: Offer(message); break;
+            case RosbridgeOp.UnadvertiseService: _offers.Withdraw(message.Service); break;
+            case RosbridgeOp.ServiceResponse: _offers.Answer(message, count); break;
             case RosbridgeOp.Status: break;
+            // Only errors are told anyway.
+            case RosbridgeOp.SetLevel: _wantsNoStatus = message.Level == "none"; break;
             default: Drop(message, DropReason.UnknownOp); break;
         }
     }
@@ -90,12 +108,21 @@ sealed class RosbridgeSession : IDisposable
             _source.Release(message.Topic);
     }
 
+    void Offer(RosbridgeMessage message)
+    {
+        var reason = _role == Role.Source ? _offers.Offer(message.Service) : DropReason.NotAllowed;
+        if (reason != DropReason.None)
+            Drop(message, reason, reason == DropReason.JointTaken ? "the clock" : null);
+    }
+
     void Publish(RosbridgeMessage message)
     {
         var reason = Allowance(message.Topic);
-        if (reason == DropReason.None && Publications.StampOf(message) is { } stamp && StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound))
-            reason = DropReason.StampInFuture;
-        if (reason == DropReason.None && message.Diagnostics != null && !IsOwn(message.Diagnostics))
+        var stamp = Publications.StampOf(message) ?? default;
+        if (reason == DropReason.None && stamp != default)
+            reason = Judge(ref stamp);
+        var name = Publications.NameIn(message);
+        if (reason == DropReason.None && name != null && !IsOwn(name))
             reason = DropReason.NotAllowed;
         if (reason != DropReason.None)
         {
@@ -103,44 +130,64 @@ sealed class RosbridgeSession : IDisposable
             return;
         }
 
-        var taken = Hand(message);
+        var taken = name == null || _names.TryUse(name, this) ? Hand(message, stamp) : $"the name {Short(name)}";
         if (taken != null)
             Drop(message, DropReason.JointTaken, taken);
     }
 
-    // Returns what belongs to somebody else.
-    string Hand(RosbridgeMessage message)
+    // What another clock of the plant stamped is put on C1.
+    DropReason Judge(ref ControlTime stamp)
     {
-        if (message.JointState != null)
-            return _source.TryPublish(message.JointState);
-        if (message.JointTrajectory != null)
-            return _source.TryPublish(message.JointTrajectory);
+        if (!_clock.TryMap(_offers.StampClock, stamp, out stamp))
+            return DropReason.Unsynchronised;
+        return StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
+    }
+
+    // Returns what belongs to somebody else.
+    string Hand(RosbridgeMessage message, ControlTime stamp)
+    {
+        if (message.JointState is { } state)
+            return _source.TryPublish(state.Stamp == stamp ? state : state.At(stamp), _receivedAt);
+        if (message.JointTrajectory is { } plan)
+            return _source.TryPublish(plan.Stamp == stamp ? plan : plan.At(stamp), _receivedAt);
         if (message.Data != null)
             return _source.TryDescribe(message.Data);
-        _source.Publish(message.Diagnostics);
+        if (message.Displayed != null)
+            _source.PublishDisplayed(message.Displayed);
+        else
+            _source.Publish(message.Diagnostics);
         return null;
     }
 
-    // The first name a client gives is its name.
-    bool IsOwn(DiagnosticsMessage diagnostics) => diagnostics.HardwareId == (_hardwareId ??= diagnostics.HardwareId);
+    // The first name a client gives is its name; that of a plant is not an observer's.
+    bool IsOwn(string name)
+    {
+        if (_role != Role.Source && name.StartsWith(StatusObjects.AdapterPrefix, StringComparison.Ordinal))
+            return false;
+        return name == (_name ??= name);
+    }
 
     void Call(RosbridgeMessage message)
     {
-        if (message.Service == RosTopics.GetTime)
+        switch (Absolute(message.Service))
         {
-            Reply(RosbridgeWriter.TimeResponse(message.Service, message.Id, _clock.Now, _form));
-            return;
+            case RosTopics.GetTime: Reply(RosbridgeWriter.TimeResponse(message.Service, message.Id, _clock.Now, _form)); break;
+            case RosTopics.GetTopics: Reply(RosbridgeWriter.TopicsResponse(message.Service, message.Id, Publications.All)); break;
+            default:
+                _drops.Count(DropReason.UnknownService);
+                Reply(RosbridgeWriter.FailedResponse(message.Service, message.Id, DropText.Of(DropReason.UnknownService)));
+                break;
         }
-
-        _drops.Count(DropReason.UnknownService);
-        Reply(RosbridgeWriter.FailedResponse(message.Service, message.Id, DropText.Of(DropReason.UnknownService)));
     }
+
+    // A name without its slash begins at the root, where rosbridge's own node is. roslib calls the services of rosapi so.
+    static string Absolute(string name) => name.StartsWith('/') ? name : "/" + name;
 
     DropReason Allowance(string topic)
     {
         if (!Publications.IsKnown(topic))
             return _role == Role.Source ? DropReason.UnknownTopic : DropReason.NotAllowed;
-        return _role == Role.Source || topic == RosTopics.Diagnostics ? DropReason.None : DropReason.NotAllowed;
+        return _role == Role.Source || Publications.IsOfItself(topic) ? DropReason.None : DropReason.NotAllowed;
     }
 
     bool HasRoomFor(RosbridgeMessage message)
@@ -166,7 +213,8 @@ sealed class RosbridgeSession : IDisposable
         var text = reason == DropReason.UnknownOp
             ? $"Unknown operation: {Short(message.OpName)}. Allowed operations: {Operations}"
             : $"{Subject(message)}dropped: {rule} ({reason})";
-        Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
+        if (!_wantsNoStatus)
+            Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
     }
 
     static string Subject(RosbridgeMessage message) =>

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
@@ -12,17 +13,24 @@ sealed class Subscription : IDisposable
 
     readonly Channel<HubMessage> _queue;
     readonly IDisposable _subscriber;
+    readonly ForwardingTimes _times;
     readonly SubscriptionTerms _terms;
+    readonly Action _lost;
     readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
     public Subscription(MessageHub hub, string topic, SubscriptionTerms terms, int standardQueue, DropCounters drops)
     {
+        Topic = topic;
         _terms = terms;
-        var bounds = new BoundedChannelOptions(QueueOf(terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
         // What a client does not want that often is not lost to it.
-        _queue = Channel.CreateBounded<HubMessage>(bounds, _ => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader));
+        _lost = () => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader);
+        var bounds = new BoundedChannelOptions(QueueOf(terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
+        _queue = Channel.CreateBounded<HubMessage>(bounds, _ => _lost());
+        _times = topic == RosTopics.JointStates && terms.ThrottleMs == 0 ? hub.Forwarding : null;
         _subscriber = hub.Subscribe(topic, message => _queue.Writer.TryWrite(message));
     }
+
+    public string Topic { get; }
 
     /// <summary>Sends what comes until the subscription is disposed or sending fails.</summary>
     public async Task PumpAsync(Func<ReadOnlyMemory<byte>, Task> send, CancellationToken stop)
@@ -31,10 +39,18 @@ sealed class Subscription : IDisposable
         {
             var began = Stopwatch.GetTimestamp();
             await send(message.Utf8(_terms.Form));
+            _times?.Add(message.ReceivedAt);
             var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
             if (rest > TimeSpan.Zero && await IsOverWithinAsync(rest, stop))
                 return;
         }
+    }
+
+    /// <summary>Of one that nobody empties: what waits in it is lost.</summary>
+    public void CountUnsent()
+    {
+        while (_queue.Reader.TryRead(out _))
+            _lost();
     }
 
     // A client may ask for a message a month: unsubscribed, nobody waits for the next one.

@@ -33,6 +33,12 @@ public static class CertificateFiles
     {
         if (!File.Exists(path) && keyPath == null)
             Save(path);
+        return LoadValid(path, keyPath);
+    }
+
+    /// <inheritdoc cref="LoadOrGenerate"/>
+    internal static X509Certificate2 LoadValid(string path, string keyPath)
+    {
         var certificate = Load(path, keyPath);
         var now = DateTime.Now;
         if (now < certificate.NotBefore || now > certificate.NotAfter)

@@ -1,15 +1,19 @@
+using Nowpose.Gateway.Operations;
+
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Lets requests in as the protocol says, and answers those it does not.</summary>
+/// <summary>Lets requests in as the protocol says, and answers those it does not. One for all that a gateway serves.</summary>
 sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<string> log)
 {
-    readonly AccessRule _rule = new(options);
+    public BrowserSessions Sessions { get; } = new(options.Time);
+
+    AccessRule Rule => field ??= new AccessRule(options, Sessions);
 
     /// <summary>The role of whoever asks; null when the request was refused, and answered.</summary>
     public async Task<Role?> AdmitAsync(HttpContext context)
     {
         if (!await AdmitOriginAsync(context)) return null;
-        if (_rule.RoleOf(context) is { } role) return role;
+        if (Rule.RoleOf(context) is { } role) return role;
         await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, "no or an unknown bearer token");
         return null;
     }
@@ -17,11 +21,36 @@ sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<st
     /// <summary>Whether it is not another site's page that asks; when it is, the request was refused, and answered.</summary>
     public async Task<bool> AdmitOriginAsync(HttpContext context)
     {
-        if (_rule.IsOriginAllowed(context)) return true;
+        if (Rule.IsOriginAllowed(context)) return true;
         await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin,
-            $"the Origin is not the gateway's own; allowed are {_rule.AllowedOrigins(context)}");
+            $"the Origin is not the gateway's own; allowed are {Rule.AllowedOrigins(context)}");
         return false;
     }
+
+    /// <summary>Whether the one who asks may switch and pair; when not, the request was refused, and answered.</summary>
+    public async Task<bool> AdmitOperatorAsync(HttpContext context)
+    {
+        if (await AdmitAsync(context) == null) return false;
+        if (IsOperator(context)) return true;
+        await AnswerAsync(context, StatusCodes.Status403Forbidden,
+            "this is for the role operator; log in with a token of a line \"operator TOKEN\", or ask on the gateway's own machine where there are none");
+        return false;
+    }
+
+    /// <inheritdoc cref="AccessRule.IsOperator"/>
+    public bool IsOperator(HttpContext context) => Rule.IsOperator(context);
+
+    /// <inheritdoc cref="AccessRule.TokenHashOf"/>
+    public byte[] TokenHashOf(HttpContext context) => Rule.TokenHashOf(context);
+
+    /// <inheritdoc cref="AccessRule.LoginOf"/>
+    public Func<bool> LoginOf(HttpContext context) => Rule.LoginOf(context);
+
+    /// <summary>Whether no page whose name was made to point here (DNS rebinding) can be asking: it has no token, where one is asked for.</summary>
+    public bool IsNoRebinding(HttpContext context) => options.AsksForTokens || IsOwnHost(context);
+
+    /// <inheritdoc cref="AccessRule.IsOwnHost"/>
+    public bool IsOwnHost(HttpContext context) => Rule.IsOwnHost(context);
 
     /// <summary>One line of text, and the end of the connection.</summary>
     public static Task AnswerAsync(HttpContext context, int status, string text)

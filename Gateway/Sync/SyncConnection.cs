@@ -2,6 +2,7 @@ using System.Net.Security;
 using System.Net.Sockets;
 using System.Security.Authentication;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Sync;
@@ -9,27 +10,36 @@ namespace Nowpose.Gateway.Sync;
 /// <summary>One headset's sync connection, served by one thread.</summary>
 sealed class SyncConnection
 {
+    const int NotStopped = -1;
+
     readonly Socket _socket;
     readonly GatewayOptions _options;
     readonly IControlClock _clock;
+    readonly AccessWatch _access;
+    readonly IDisposable _newcomer;
     readonly Action<SyncConnection, Closure, Exception> _ended;
     readonly RequestRate _rate;
     readonly Thread _thread;
     readonly byte[] _frame = new byte[SyncFrame.Size];
     bool _isAccepted;
-    volatile bool _isStopped;
+    IDisposable _watched;
+    int _stopped = NotStopped;
     volatile bool _isOverdue;
 
     // What the deadline ends.
-    Closure _awaited = Closure.Token;
+    Closure _awaited;
 
+    /// <param name="newcomer">Its place, given back once it was let in and has said something, or is gone.</param>
     /// <param name="ended">Takes why it ended, and the exception that ended it or null; on the connection's thread.</param>
     public SyncConnection(
-        Socket socket, GatewayOptions options, IControlClock clock, Action<SyncConnection, Closure, Exception> ended)
+        Socket socket, GatewayOptions options, IControlClock clock, AccessWatch access, IDisposable newcomer,
+        Action<SyncConnection, Closure, Exception> ended)
     {
         _socket = socket;
         _options = options;
         _clock = clock;
+        _access = access;
+        _newcomer = newcomer;
         _ended = ended;
         _isAccepted = !options.AsksForTokens;
         _rate = new RequestRate(options.SyncRequestsPerSecond);
@@ -38,9 +48,10 @@ sealed class SyncConnection
 
     public void Start() => _thread.Start();
 
-    public void Stop()
+    /// <summary>Any thread.</summary>
+    public void Stop(Closure why)
     {
-        _isStopped = true;
+        Interlocked.CompareExchange(ref _stopped, (int)why, NotStopped);
         _socket.Dispose();
     }
 
@@ -66,17 +77,18 @@ sealed class SyncConnection
             cause = e;
         }
 
+        _watched?.Dispose();
+        _newcomer.Dispose();
+        var stopped = Volatile.Read(ref _stopped);
         // Counted before the peer can see the end.
-        _ended(this, _isStopped ? Closure.Stopped : why, cause);
+        _ended(this, stopped == NotStopped ? why : (Closure)stopped, cause);
         _socket.Dispose();
     }
 
     Closure Serve()
     {
         _socket.NoDelay = true;
-        _socket.SendTimeout = _socket.ReceiveTimeout = (int)_options.SyncSilence.TotalMilliseconds;
         using var stream = new NetworkStream(_socket, false);
-        // A peer that sends a byte now and then is never silent: handshake and token have an end of their own.
         using var deadline = new Timer(_ => Overdue(), null, _options.TokenTimeout, Timeout.InfiniteTimeSpan);
         if (_options.Certificate == null)
             return Exchange(stream, deadline);
@@ -87,17 +99,18 @@ sealed class SyncConnection
             ServerCertificate = _options.Certificate,
             EnabledSslProtocols = SslProtocols.Tls12 | SslProtocols.Tls13,
         });
-        _awaited = Closure.Token;
         return Exchange(secure, deadline);
     }
 
     Closure Exchange(Stream stream, Timer deadline)
     {
+        // Who has to show a token has one time for everything until then.
+        _awaited = Closure.Token;
+        if (_isAccepted)
+            AwaitNext(deadline);
         while (true)
         {
-            if (_isAccepted)
-                deadline.Change(Timeout.Infinite, Timeout.Infinite);
-            if (!TryFill(stream, _frame))
+            if (!TryReadFrame(stream, deadline))
                 return Closure.ByPeer;
             // Before anything else: whatever is done first would count as time on the network.
             var t2 = _clock.Now;
@@ -105,7 +118,28 @@ sealed class SyncConnection
                 return Closure.TooManyRequests;
             if (!SyncFrame.TryRead(_frame, out var frame, out _) || !Answer(stream, frame, t2))
                 return Closure.MalformedFrame;
+            if (!_isAccepted)
+                continue;
+            _newcomer.Dispose();
+            AwaitNext(deadline);
         }
+    }
+
+    void AwaitNext(Timer deadline)
+    {
+        _awaited = Closure.Silence;
+        deadline.Change(_options.SyncSilence, Timeout.InfiniteTimeSpan);
+    }
+
+    // A peer that sends a byte now and then is never silent: a frame that has begun has an end of its own.
+    bool TryReadFrame(Stream stream, Timer deadline)
+    {
+        var begun = stream.Read(_frame);
+        if (begun == 0)
+            return false;
+        if (begun < _frame.Length && _isAccepted)
+            deadline.Change(_options.TokenTimeout, Timeout.InfiniteTimeSpan);
+        return TryFill(stream, _frame.AsSpan(begun));
     }
 
     bool Answer(Stream stream, in SyncFrame frame, ControlTime t2)
@@ -117,7 +151,9 @@ sealed class SyncConnection
         var synchronised = _clock.IsSynchronised;
         var bound = _clock.ErrorBound;
         var resolution = (uint)Math.Min(uint.MaxValue, _clock.Resolution.Ticks * 100);
-        SyncFrame.Reply(frame, t2.Nanoseconds, _clock.Now.Nanoseconds, synchronised, bound, resolution).Write(_frame);
+        // A clock that follows another goes back by microseconds when that one is estimated anew.
+        var t3 = Math.Max(t2.Nanoseconds, _clock.Now.Nanoseconds);
+        SyncFrame.Reply(frame, t2.Nanoseconds, t3, synchronised, bound, resolution).Write(_frame);
         stream.Write(_frame);
         return true;
     }
@@ -131,7 +167,14 @@ sealed class SyncConnection
         var text = new byte[count];
         if (!TryFill(stream, text) || !SyncToken.TryReadText(text, out var token))
             return false;
-        _isAccepted |= _options.RoleOf(token) != null;
+        var hash = TokenList.HashOf(token);
+        if (_options.RoleOf(hash) is { } role)
+        {
+            _isAccepted = true;
+            _watched?.Dispose();
+            _watched = _access.Watch(hash, role, () => Stop(Closure.Token));
+        }
+
         SyncFrame.TokenReply(_isAccepted).Write(_frame);
         stream.Write(_frame);
         return true;
@@ -149,12 +192,8 @@ sealed class SyncConnection
             return Closure.TlsHandshake;
         if (e is not (IOException or SocketException or ObjectDisposedException))
             return Closure.Failure;
-        if (_isOverdue)
-            return _awaited;
-        var socket = e as SocketException ?? e.InnerException as SocketException;
-        // A receive that timed out says TimedOut on Windows, WouldBlock on Unix.
-        return socket?.SocketErrorCode is SocketError.TimedOut or SocketError.WouldBlock ? Closure.Silence : Closure.ByPeer;
+        return _isOverdue ? _awaited : Closure.ByPeer;
     }
 
-    static bool TryFill(Stream stream, byte[] buffer) => stream.ReadAtLeast(buffer, buffer.Length, false) == buffer.Length;
+    static bool TryFill(Stream stream, Span<byte> buffer) => stream.ReadAtLeast(buffer, buffer.Length, false) == buffer.Length;
 }

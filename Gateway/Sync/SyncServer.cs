@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Sync;
 
@@ -15,27 +16,26 @@ sealed class SyncServer : IDisposable
 
     readonly GatewayOptions _options;
     readonly IControlClock _clock;
+    readonly AccessWatch _access;
     readonly Action<string> _log;
     readonly Action<SyncConnection> _startConnection;
     readonly TcpListener _listener;
+    readonly Newcomers _newcomers;
     readonly HashSet<SyncConnection> _connections = [];
     readonly Task _accepting;
     bool _isStopped;
 
     /// <param name="startConnection">Starts a connection's thread; null as it is.</param>
     public SyncServer(
-        GatewayOptions options, IControlClock clock, Action<string> log, Action<SyncConnection> startConnection = null)
+        GatewayOptions options, IControlClock clock, AccessWatch access, Action<string> log, Action<SyncConnection> startConnection = null)
     {
         _options = options;
         _clock = clock;
+        _access = access;
         _log = log;
         _startConnection = startConnection ?? (connection => connection.Start());
-        _listener = new TcpListener(options.Bind, options.SyncPort);
-        if (options.Bind.Equals(IPAddress.IPv6Any))
-            _listener.Server.DualMode = true;
-        // On Unix .NET sets SO_REUSEADDR by itself when binding, so a restart need not wait for old connections to time out;
-        // set here it would also let two gateways share the port.
-        Start();
+        _newcomers = new Newcomers(options.MaxNewcomers);
+        _listener = PortListener.Open("--sync-port", options.Bind, options.SyncPort);
         _accepting = Task.Run(AcceptAsync);
     }
 
@@ -53,23 +53,10 @@ sealed class SyncServer : IDisposable
 
         _listener.Dispose();
         foreach (var connection in open)
-            connection.Stop();
+            connection.Stop(Closure.Stopped);
         foreach (var connection in open)
             connection.Join();
         _accepting.Wait();
-    }
-
-    void Start()
-    {
-        try
-        {
-            _listener.Start();
-        }
-        catch (SocketException e)
-        {
-            _listener.Dispose();
-            throw new InputException($"--sync-port {_options.SyncPort} on {_options.Bind}: {e.Message}", e);
-        }
     }
 
     async Task AcceptAsync()
@@ -93,19 +80,29 @@ sealed class SyncServer : IDisposable
 
     void Serve(Socket socket)
     {
-        if (!Counters.TryEnter(_options.MaxConnections))
+        // First: whoever is refused for its address was never let in, and is not counted as such.
+        if (_newcomers.TryEnter(RemoteOf(socket)) is not { } place)
         {
-            _log($"sync: refused a connection beyond {_options.MaxConnections}");
+            _log($"sync: refused a connection of an address with {_options.MaxNewcomers} that said nothing yet");
+            Counters.Count(Closure.ConnectionLimit);
             socket.Dispose();
             return;
         }
 
-        var connection = new SyncConnection(socket, _options, _clock, Ended);
+        if (!Counters.TryEnter(_options.MaxConnections))
+        {
+            _log($"sync: refused a connection beyond {_options.MaxConnections}");
+            place.Dispose();
+            socket.Dispose();
+            return;
+        }
+
+        var connection = new SyncConnection(socket, _options, _clock, _access, place, Ended);
         lock (_connections)
         {
             _connections.Add(connection);
             if (_isStopped)
-                connection.Stop();
+                connection.Stop(Closure.Stopped);
         }
 
         try
@@ -116,7 +113,20 @@ sealed class SyncServer : IDisposable
         {
             // The system has no thread left; it may have one for the next.
             Ended(connection, Closure.Failure, e);
-            connection.Stop();
+            connection.Stop(Closure.Failure);
+        }
+    }
+
+    static EndPoint RemoteOf(Socket socket)
+    {
+        try
+        {
+            return socket.RemoteEndPoint;
+        }
+        catch (SocketException)
+        {
+            // Gone already.
+            return null;
         }
     }
 

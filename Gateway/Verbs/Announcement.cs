@@ -13,9 +13,11 @@ static class Announcement
         Line("sync", gateway.SyncEndPoint.ToString());
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
         foreach (var page in gateway.CodePageUris) Line("vlc", page.ToString());
-        if (gateway.CodePageUris.Count == 0) Log("vlc: " + CodePage.MissingPage);
+        if (gateway.CodePageUris.Count == 0) Log("vlc: " + HtmlPage.Missing);
+        foreach (var page in gateway.OperationsPageUris) Line("operations", page.ToString());
+        if (gateway.OperationsPageUris.Count == 0) Log("operations: " + HtmlPage.Missing);
         Line("pair", gateway.PairingPageUri?.ToString());
-        if (gateway.PairsHeadsets && gateway.PairingPageUri == null) Log("pair: " + CodePage.MissingPage);
+        if (gateway.PairsHeadsets && gateway.PairingPageUri == null) Log("pair: " + HtmlPage.Missing);
         Line("pin", gateway.Pin?.ToString());
         Line("control_time_s", clock.Now.SinceEpoch.TotalSeconds.ToString("0.0000000", CultureInfo.InvariantCulture));
         Line("skew_ppm", skewPpm.ToString(CultureInfo.InvariantCulture));
@@ -26,6 +28,7 @@ static class Announcement
             Line("cycle_s", motion.CycleSeconds.ToString("0.000", CultureInfo.InvariantCulture));
         }
 
+        foreach (var warning in gateway.Warnings) Log(warning);
         Line("state", "serving");
     }
 

@@ -12,7 +12,7 @@ static class PairingsVerb
         var file = new Option<string>("--pairing") { Description = "The gateway's list of headsets", HelpName = "FILE", Required = true };
         var revoke = new Option<string>("--revoke")
         {
-            Description = "Remove all headsets of this name; it holds for their next connection", HelpName = "NAME",
+            Description = "Remove all headsets of this name; a gateway that runs ends their connections at once", HelpName = "NAME",
         };
         var command = new Command("pairings", "Lists the paired headsets, oldest first; also while the gateway runs") { file, revoke };
         command.SetAction(parsed =>
@@ -35,7 +35,7 @@ static class PairingsVerb
         var gone = headsets.Where(headset => headset.Name == name).ToArray();
         if (gone.Length == 0)
         {
-            var there = string.Join(", ", headsets.Select(headset => $"'{headset.Name}'"));
+            var there = headsets.Count == 0 ? "none" : string.Join(", ", headsets.Select(headset => $"'{headset.Name}'"));
             throw new InputException($"--revoke '{name}': no headset is of this name; there are {there}");
         }
 

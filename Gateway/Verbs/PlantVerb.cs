@@ -1,4 +1,6 @@
 using System.CommandLine;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Robots;
@@ -29,11 +31,23 @@ static class PlantVerb
         server.AddTo(command);
         command.SetAction(async (parsed, stop) =>
         {
+            if (server.IsCheck(parsed))
+            {
+                var findings = new Findings();
+                server.Check(parsed, findings);
+                findings.Try(() => motionOf(parsed, RobotFiles.Load(plant.Robot(parsed))));
+                findings.Good("robot", plant.Robot(parsed));
+                findings.Conclude();
+                return;
+            }
+
             var motion = motionOf(parsed, RobotFiles.Load(plant.Robot(parsed), out var urdf));
             var clock = server.Clock(parsed);
-            await using var gateway = await GatewayServer.StartAsync(server.Options(parsed), clock, Announcement.Log, stop);
+            await using var gateway = await GatewayServer.StartAsync(
+                server.Options(parsed) with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             source.TryDescribe(urdf);
+            if (server.Records(parsed)) gateway.Recorder.SwitchOn();
             using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
             cell.PublishInto(gateway.Hub);
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), motion);

@@ -1,4 +1,8 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Configuration;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
 
 namespace Nowpose.Gateway.Verbs;
@@ -14,22 +18,77 @@ static class ServeVerb
             Description = "Robot description to hand to headsets: youbot, ur5 or the path of a .urdf file [default: a source sends it]",
             HelpName = "ROBOT",
         };
+        var controlClock = new Option<string>("--clock")
+        {
+            Description = "Name of the plant's clock that is C1, or own for the gateway's [default: the first that an adapter offers]",
+            HelpName = "NAME",
+        };
+        controlClock.Validators.Add(CheckClock);
+        var plants = new Option<string[]>("--plant")
+        {
+            Description = "Configuration of a control system to read, .yaml: its adapter is started with the gateway. Once for each",
+            HelpName = "FILE",
+        };
         var command = new Command("serve", "Serves what sources publish that connect to it");
         command.Options.Add(robot);
+        command.Options.Add(controlClock);
+        command.Options.Add(plants);
         server.AddTo(command);
         command.SetAction(async (parsed, stop) =>
         {
             var name = parsed.GetValue(robot);
+            var files = parsed.GetValue(plants) ?? [];
+            if (server.IsCheck(parsed))
+            {
+                await CheckAsync(server, parsed, name, files, stop);
+                return;
+            }
+
             var description = name == null ? null : Describe(name);
             var clock = server.Clock(parsed);
-            await using var gateway = await GatewayServer.StartAsync(server.Options(parsed), clock, Announcement.Log, stop);
+            var options = server.Options(parsed) with
+            {
+                ControlClock = parsed.GetValue(controlClock), ExpectsSources = files.Length > 0,
+            };
+            foreach (var good in await AdapterProcesses.CheckAsync(files, options, stop)) Announcement.Log(good);
+            await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             if (description != null)
                 source.TryDescribe(description);
+            if (server.Records(parsed)) gateway.Recorder.SwitchOn();
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), name, null);
+            await using var adapters = AdapterProcesses.Start(files, gateway);
             await Task.Delay(Timeout.Infinite, stop);
         });
         return command;
+    }
+
+    static async Task CheckAsync(ServerArguments server, ParseResult parsed, string robot, string[] plants, CancellationToken stop)
+    {
+        var findings = new Findings();
+        var options = server.Check(parsed, findings);
+        if (robot != null) findings.Try(() => Describe(robot));
+        findings.Good("robot", robot);
+        foreach (var plant in plants)
+        {
+            try
+            {
+                foreach (var good in await AdapterProcesses.CheckAsync([plant], options, stop)) findings.Good("plant", good);
+            }
+            catch (InputException wrong)
+            {
+                findings.Try(() => throw wrong);
+            }
+        }
+
+        findings.Conclude();
+    }
+
+    static void CheckClock(OptionResult result)
+    {
+        var name = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
+        if (name != PlantClocks.Own && !PlantClocks.IsName(name))
+            result.AddError($"--clock: '{name}' names no clock; allowed are own, and 1 to 32 of a-z, 0-9, _ and -.");
     }
 
     // Read as well, so that a file no headset could use is refused here.

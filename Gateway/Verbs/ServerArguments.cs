@@ -5,6 +5,7 @@ using System.Net;
 using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
@@ -43,7 +44,7 @@ sealed class ServerArguments
 
     readonly Option<string> _tokens = new("--tokens")
     {
-        Description = "Tokens that clients must have: lines \"observer TOKEN\" or \"source TOKEN\", # for comments",
+        Description = "Tokens that clients must have: lines \"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"; followed while it runs",
         HelpName = "FILE",
     };
 
@@ -58,12 +59,19 @@ sealed class ServerArguments
         Description = "Name of the cell, which the page of pairing begins with", HelpName = "NAME",
     };
 
+    readonly Option<string> _recordings = new("--recordings")
+    {
+        Description = "Folder for recordings, which the page of operations switches on and off; made when it does not exist", HelpName = "FOLDER",
+    };
+
+    readonly Option<bool> _record = new("--record") { Description = "Record from the start" };
+
     readonly Option<bool> _insecureLan = new("--insecure-lan")
     {
         Description = "Allow plain connections from other machines: on a trusted network only",
     };
 
-    readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Connections to each of the two ports", 64, 1, 10_000, "");
+    readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Connections to each of the two ports", 256, 1, 10_000, "");
 
     readonly Option<double> _skew = NumberOption.Create(
         "--skew-ppm", "Rate error of the control clock; beyond this range headsets would take it for steps", 0.0, -500, 500, "ppm");
@@ -75,11 +83,53 @@ sealed class ServerArguments
         CustomParser = ParseSeconds,
     };
 
+    readonly Option<string> _config = new(ConfiguredArguments.Option)
+    {
+        Description = "Take options from a .yaml file, one \"name: value\" a line; those that are typed win", HelpName = "FILE",
+    };
+
+    readonly Option<bool> _check = new("--check")
+    {
+        Description = "Look at everything that is configured, say what would be served, and end; makes and changes nothing",
+    };
+
     public void AddTo(Command command)
     {
         foreach (var option in new Option[]
-            { _bind, _syncPort, _webSocketPort, _tls, _certificate, _key, _tokens, _pairing, _cell, _insecureLan, _maxConnections, _clockStart, _skew })
+            {
+                _config, _check, _bind, _syncPort, _webSocketPort, _tls, _certificate, _key, _tokens, _pairing, _cell, _recordings, _record,
+                _insecureLan, _maxConnections, _clockStart, _skew,
+            })
             command.Options.Add(option);
+    }
+
+    /// <summary>Whether nothing is to be served, only checked.</summary>
+    public bool IsCheck(ParseResult parsed) => parsed.GetValue(_check);
+
+    /// <summary>What <see cref="Options"/> would return, without making or writing a file.</summary>
+    public GatewayOptions Check(ParseResult parsed, Findings findings)
+    {
+        var (tokens, certificate) = (parsed.GetValue(_tokens), parsed.GetValue(_certificate));
+        var (pairing, recordings) = (parsed.GetValue(_pairing), parsed.GetValue(_recordings));
+        var options = new GatewayOptions
+        {
+            Bind = parsed.GetValue(_bind),
+            SyncPort = parsed.GetValue(_syncPort),
+            WebSocketPort = parsed.GetValue(_webSocketPort),
+            Certificate = findings.Try(() => certificate == null
+                ? Certificate(parsed) : DryRun.Certificate(certificate, parsed.GetValue(_key), findings)),
+            Tokens = tokens == null ? TokenList.None : findings.Try(() => DryRun.Tokens(tokens, findings)) ?? TokenList.None,
+            AllowInsecureLan = parsed.GetValue(_insecureLan),
+            MaxConnections = parsed.GetValue(_maxConnections),
+        };
+        findings.Try(() => CheckPairing(parsed));
+        if (pairing != null) findings.Try(() => DryRun.Pairing(pairing, findings));
+        if (recordings != null) findings.Try(() => DryRun.Recordings(recordings, findings));
+        else if (Records(parsed)) findings.Try(() => Recordings(parsed));
+        // A certificate that cannot be used is told already; not that it is missing, too.
+        if (certificate == null || options.Certificate != null) findings.Try(() => options.Check(pairsHeadsets: pairing != null));
+        DryRun.Ports(options, findings);
+        return options;
     }
 
     /// <exception cref="InputException">A file cannot be used.</exception>
@@ -92,9 +142,11 @@ sealed class ServerArguments
             SyncPort = parsed.GetValue(_syncPort),
             WebSocketPort = parsed.GetValue(_webSocketPort),
             Certificate = Certificate(parsed),
-            Tokens = tokens == null ? TokenList.None : TokenList.Read(tokens),
+            CertificateFile = CertificateFile(parsed),
+            Tokens = tokens == null ? TokenList.None : TokenList.Read(tokens, Announcement.Log),
             Headsets = Headsets(parsed),
             Cell = parsed.GetValue(_cell),
+            Recordings = Recordings(parsed),
             AllowInsecureLan = parsed.GetValue(_insecureLan),
             MaxConnections = parsed.GetValue(_maxConnections),
         };
@@ -102,13 +154,36 @@ sealed class ServerArguments
 
     HeadsetList Headsets(ParseResult parsed)
     {
+        CheckPairing(parsed);
+        return parsed.GetValue(_pairing) is { } path ? new HeadsetList(path, log: Announcement.Log) : null;
+    }
+
+    void CheckPairing(ParseResult parsed)
+    {
         var path = parsed.GetValue(_pairing);
         if (path == null && parsed.GetValue(_cell) != null)
             throw new InputException("--cell: belongs to --pairing, which is missing");
         // What was paired with the key of one run would take the next one for another gateway.
         if (path != null && parsed.GetValue(_tls) && parsed.GetValue(_certificate) == null)
             throw new InputException("--pairing with --tls: headsets trust one key, and each start makes another; add --certificate FILE");
-        return path == null ? null : new HeadsetList(path, log: Announcement.Log);
+    }
+
+    /// <summary>Whether the recorder is to be switched on once the robot is described.</summary>
+    public bool Records(ParseResult parsed) => parsed.GetValue(_record);
+
+    string Recordings(ParseResult parsed)
+    {
+        var folder = parsed.GetValue(_recordings);
+        if (folder == null && Records(parsed))
+            throw new InputException("--record: belongs to --recordings, which is missing: the folder to record into");
+        try
+        {
+            return folder == null ? null : Directory.CreateDirectory(folder).FullName;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            throw new InputException($"--recordings {folder}: the folder cannot be made ({e.Message})", e);
+        }
     }
 
     public StopwatchControlClock Clock(ParseResult parsed)
@@ -122,14 +197,14 @@ sealed class ServerArguments
 
     X509Certificate2 Certificate(ParseResult parsed)
     {
-        var path = parsed.GetValue(_certificate);
-        var key = parsed.GetValue(_key);
-        if (path != null)
-            return CertificateFiles.LoadOrGenerate(path, key);
-        if (key != null)
+        if (parsed.GetValue(_certificate) != null) return null;
+        if (parsed.GetValue(_key) != null)
             throw new InputException("--certificate-key: belongs to a --certificate, which is missing");
         return parsed.GetValue(_tls) ? CertificateFiles.Generate() : null;
     }
+
+    CertificateFile CertificateFile(ParseResult parsed) => parsed.GetValue(_certificate) is { } path
+        ? new CertificateFile(path, parsed.GetValue(_key), Announcement.Log) : null;
 
     static IPAddress ParseAddress(ArgumentResult result)
     {

@@ -11,20 +11,15 @@ namespace Nowpose.Gateway.VisibleLight;
 /// is asked for by POST, with which browsers always say what page asks.
 /// </remarks>
 /// <param name="html">Null where it was not built.</param>
-sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCounters counters, Action<string> log, string html)
+sealed class CodePage(GatewayOptions options, IControlClock clock, Door door, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/vlc";
     const string TimePath = "/vlc/time";
 
-    /// <summary>What to do where the page is missing.</summary>
-    public const string MissingPage =
-        "the page is missing, for this gateway was built without Node.js; install Node.js 18 or newer with npm and build again";
-
-    readonly byte[] _page = html == null ? null : Encoding.UTF8.GetBytes(html);
-    readonly Door _door = new(options, counters, log);
+    readonly HtmlPage _page = new(html);
     readonly TimePlaces _places = new(options, counters, log);
 
-    public bool IsBuilt => _page != null;
+    public bool IsBuilt => _page.IsBuilt;
 
     /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
@@ -38,29 +33,22 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, ConnectionCou
 
     async Task ShowAsync(HttpContext context)
     {
-        if (!await _door.AdmitOriginAsync(context)) return;
+        if (!await door.AdmitOriginAsync(context)) return;
         if (!HttpMethods.IsGet(context.Request.Method)) await Door.RefuseMethodAsync(context, "GET");
-        else if (!IsBuilt) await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, MissingPage);
         else await SendPageAsync(context);
     }
 
     Task SendPageAsync(HttpContext context)
     {
-        var response = context.Response;
-        response.ContentType = "text/html; charset=utf-8";
-        response.ContentLength = _page.Length;
-        response.Headers.CacheControl = "no-store";
-        // Nobody had to show a token: it must not hold one of the places of those that did.
-        response.Headers.Connection = "close";
         // A page that shares its process with no other is given a finer clock by browsers.
-        response.Headers["Cross-Origin-Opener-Policy"] = "same-origin";
-        response.Headers["Cross-Origin-Embedder-Policy"] = "require-corp";
-        return response.Body.WriteAsync(_page).AsTask();
+        context.Response.Headers["Cross-Origin-Opener-Policy"] = "same-origin";
+        context.Response.Headers["Cross-Origin-Embedder-Policy"] = "require-corp";
+        return _page.SendAsync(context);
     }
 
     async Task TellTimeAsync(HttpContext context, ControlTime received)
     {
-        if (await _door.AdmitAsync(context) == null) return;
+        if (await door.AdmitAsync(context) == null) return;
         if (!HttpMethods.IsPost(context.Request.Method))
         {
             await Door.RefuseMethodAsync(context, "POST");

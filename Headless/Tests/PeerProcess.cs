@@ -11,10 +11,11 @@ sealed class PeerProcess : IDisposable
 
     /// <param name="assembly">File name of the program, beside the tests.</param>
     public PeerProcess(string assembly, params string[] arguments)
+        : this(new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, assembly), .. arguments])) { }
+
+    PeerProcess(ProcessStartInfo start)
     {
-        var start = new ProcessStartInfo("dotnet") { RedirectStandardInput = true, RedirectStandardOutput = true, RedirectStandardError = true };
-        start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, assembly));
-        foreach (var argument in arguments) start.ArgumentList.Add(argument);
+        start.RedirectStandardInput = start.RedirectStandardOutput = start.RedirectStandardError = true;
         _process = new Process { StartInfo = start };
         _process.OutputDataReceived += (_, line) => Add(line.Data);
         _process.ErrorDataReceived += (_, line) => Add(line.Data);
@@ -22,6 +23,19 @@ sealed class PeerProcess : IDisposable
         _process.BeginOutputReadLine();
         _process.BeginErrorReadLine();
     }
+
+    /// <summary>A program of Node.js.</summary>
+    /// <param name="script">Its path below the repository.</param>
+    public static PeerProcess OfNode(string script, params string[] arguments) =>
+        new(new ProcessStartInfo("node", [Path.Combine(Repository.RepositoryFiles.Root, script), .. arguments]));
+
+    public int Id => _process.Id;
+
+    /// <summary>Of the newest line "key value"; null without one.</summary>
+    public string ValueOf(string key) => _lines.LastOrDefault(line => line.StartsWith(key + " ", StringComparison.Ordinal))?[(key.Length + 1)..];
+
+    /// <summary>Waits until it has printed this.</summary>
+    public Task PrintsAsync(string words) => Soon.BecomesAsync(() => Printed(words) || _process.HasExited && !Printed(words) && Fail(words), words);
 
     /// <summary>What it printed so far, on either stream.</summary>
     public IReadOnlyCollection<string> Lines => _lines;
@@ -34,9 +48,13 @@ sealed class PeerProcess : IDisposable
 
     /// <summary>Sends what Ctrl-C sends, and waits for the end.</summary>
     /// <returns>The exit status.</returns>
-    public async Task<int> InterruptAsync()
+    public Task<int> InterruptAsync() => SignalAsync("INT");
+
+    /// <summary>Sends a signal by its name without SIG, and waits for the end.</summary>
+    /// <returns>The exit status.</returns>
+    public async Task<int> SignalAsync(string signal)
     {
-        using var kill = Process.Start("kill", ["-INT", _process.Id.ToString()]);
+        using var kill = Process.Start("kill", [$"-{signal}", _process.Id.ToString()]);
         await _process.WaitForExitAsync().Bounded();
         return _process.ExitCode;
     }
@@ -48,6 +66,8 @@ sealed class PeerProcess : IDisposable
         _process.WaitForExit();
         _process.Dispose();
     }
+
+    bool Fail(string words) => throw new InvalidOperationException($"ended with status {_process.ExitCode} before it said '{words}':\n{All}");
 
     void Add(string line)
     {

@@ -63,7 +63,9 @@ public class CodePageTests
     [Test]
     public async Task Page_NotBuilt_IsOneLineThatSaysWhatToInstall()
     {
-        var page = new CodePage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), new ConnectionCounters(), _ => { }, html: null);
+        var counters = new ConnectionCounters();
+        var door = new Door(Gateways.Options(), counters, _ => { });
+        var page = new CodePage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), door, counters, _ => { }, html: null);
         var context = new DefaultHttpContext { Request = { Method = "GET", Path = "/vlc" }, Response = { Body = new MemoryStream() } };
 
         await page.ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();
@@ -71,7 +73,7 @@ public class CodePageTests
         Assert.That(context.Response.StatusCode, Is.EqualTo(503));
         var text = Encoding.UTF8.GetString(((MemoryStream)context.Response.Body).ToArray());
         Assert.That(text.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
-        Assert.That(text, Does.Contain("install Node.js 18"));
+        Assert.That(text, Does.Contain("install Node.js 20"));
     }
 
     [Test]

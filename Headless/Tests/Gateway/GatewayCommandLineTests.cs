@@ -1,3 +1,4 @@
+using System.Globalization;
 using NUnit.Framework;
 using Nowpose.Headless.Tests.Cli;
 
@@ -60,6 +61,42 @@ public class GatewayCommandLineTests
         Assert.That(status, Is.EqualTo(2));
         Assert.That(errors.Length, Is.EqualTo(1), string.Join(" | ", errors));
         Assert.That(errors[0], Does.StartWith("nowpose-gateway: ").And.Contain(part));
+    }
+
+    [TestCase("--sync-port {0} --ws-port 0", "--sync-port")]
+    [TestCase("--sync-port 0 --ws-port {1}", "--ws-port")]
+    [TestCase("--sync-port 0 --ws-port 0 --bind 192.0.2.7 --insecure-lan", "--bind 192.0.2.7: is no address of this machine now")]
+    public async Task Serve_PortThatCannotBeHadNow_EndsWithOneLineAndStatus1(string line, string part)
+    {
+        await using var other = await Gateways.StartAsync();
+        var ports = string.Format(CultureInfo.InvariantCulture, line, other.SyncEndPoint.Port, other.WebSocketEndPoint.Port);
+
+        var (status, errors) = await RunAsync(["serve", .. ports.Split(' ')]);
+
+        Assert.That(status, Is.EqualTo(1), "a service manager tries again what may pass");
+        Assert.That(errors.Single(), Does.StartWith("nowpose-gateway: ").And.Contain(part));
+    }
+
+    [Test]
+    public async Task Serve_ConfiguredPortThatIsTaken_NamesItsLine()
+    {
+        await using var other = await Gateways.StartAsync();
+        using var file = new TemporaryFile($"ws-port: 0\nsync-port: {other.SyncEndPoint.Port}\n");
+
+        var (_, errors) = await RunAsync("serve", "--config", file.Path);
+
+        Assert.That(errors.Single(), Does.Contain($"{file.Path}:2: sync-port"));
+    }
+
+    [Test]
+    public async Task Pairings_RevokeWhereNobodyIsPaired_SaysThatThereAreNone()
+    {
+        using var file = new TemporaryFile("# Headsets\n");
+
+        var (status, errors) = await RunAsync("pairings", "--pairing", file.Path, "--revoke", "left door");
+
+        Assert.That(status, Is.EqualTo(2));
+        Assert.That(errors.Single(), Does.EndWith("'left door': no headset is of this name; there are none"));
     }
 
     [Test]

@@ -10,9 +10,11 @@ public class GatewayOptionsTests
 {
     static readonly GatewayOptions Lan = Gateways.Options() with { Bind = IPAddress.Any };
 
-    static void Refuse(GatewayOptions options, string part)
+    static void Refuse(GatewayOptions options, string part) => Refuse<InputException>(options, part);
+
+    static void Refuse<TError>(GatewayOptions options, string part) where TError : Exception
     {
-        var error = Assert.ThrowsAsync<InputException>(() => GatewayServer.StartAsync(options, new StopwatchControlClock(Gateways.Start)));
+        var error = Assert.ThrowsAsync<TError>(() => GatewayServer.StartAsync(options, new StopwatchControlClock(Gateways.Start)));
 
         Assert.That(error.Message, Does.Contain(part));
         Assert.That(error.Message, Does.Not.Contain("\n"));
@@ -48,8 +50,19 @@ public class GatewayOptionsTests
     {
         await using var gateway = await Gateways.StartAsync();
 
-        Refuse(Gateways.Options() with { SyncPort = gateway.SyncEndPoint.Port }, $"--sync-port {gateway.SyncEndPoint.Port}");
-        Refuse(Gateways.Options() with { WebSocketPort = gateway.WebSocketEndPoint.Port }, $"--ws-port {gateway.WebSocketEndPoint.Port}");
+        // No wrong input: it may be free the next time.
+        Refuse<IOException>(Gateways.Options() with { SyncPort = gateway.SyncEndPoint.Port }, $"--sync-port {gateway.SyncEndPoint.Port}");
+        Refuse<IOException>(
+            Gateways.Options() with { WebSocketPort = gateway.WebSocketEndPoint.Port }, $"--ws-port {gateway.WebSocketEndPoint.Port}");
+    }
+
+    [TestCase(0)]
+    [TestCase(int.MaxValue)]
+    public void Start_RateOutOfRange_IsRefused(int perSecond)
+    {
+        Refuse(Gateways.Options() with { SourceMessagesPerSecond = perSecond }, "SourceMessagesPerSecond");
+        Refuse(Gateways.Options() with { ObserverMessagesPerSecond = perSecond }, "ObserverMessagesPerSecond");
+        Refuse(Gateways.Options() with { SyncRequestsPerSecond = perSecond }, "allowed are 1 to 100000");
     }
 
     [TestCase(-1)]

@@ -11,10 +11,12 @@ static class Gateways
 {
     public const string ObserverToken = "observer-token";
     public const string SourceToken = "source-token";
+    public const string OperatorToken = "operator-token";
 
     public static readonly ControlTime Start = ControlTime.FromSeconds(5000);
 
-    public static readonly TokenList Tokens = new([(ObserverToken, Role.Observer), (SourceToken, Role.Source)]);
+    public static readonly TokenList Tokens =
+        new([(ObserverToken, Role.Observer), (SourceToken, Role.Source), (OperatorToken, Role.Operator)]);
 
     public static GatewayOptions Options() => new() { SyncPort = 0, WebSocketPort = 0 };
 

@@ -1,12 +1,13 @@
 using NUnit.Framework;
 using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Security;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
 public sealed class HeadsetFileTests
 {
-    static readonly PairedHeadset First = new("first", new DateTime(2026, 11, 20, 12, 0, 0, DateTimeKind.Utc), PairedHeadset.HashOf("a"));
-    static readonly PairedHeadset Second = First with { Name = "second  one", Hash = PairedHeadset.HashOf("b") };
+    static readonly PairedHeadset First = new("first", new DateTime(2026, 11, 20, 12, 0, 0, DateTimeKind.Utc), TokenList.HashOf("a"));
+    static readonly PairedHeadset Second = First with { Name = "second  one", Hash = TokenList.HashOf("b") };
 
     string _folder, _path;
 

@@ -98,6 +98,38 @@ public class MessageHubTests
         Assert.That(_received.Count, Is.EqualTo(1));
     }
 
+    [Test]
+    public void Subscriptions_ToEverNewTopics_LeaveNothingBehind()
+    {
+        var before = _hub.Topics;
+        var other = _hub.Subscribe("/other", _ => { });
+        for (var i = 0; i < 1000; i++)
+        {
+            var twice = new[] { _hub.Subscribe($"/topic{i}", _ => { }), _hub.Subscribe($"/topic{i}", _ => { }) };
+            foreach (var subscription in twice) subscription.Dispose();
+            // A second time: nothing is there to be taken away.
+            twice[0].Dispose();
+        }
+
+        Assert.That(_hub.Topics, Is.EqualTo(before + 1));
+        other.Dispose();
+        Assert.That(_hub.Topics, Is.EqualTo(before));
+    }
+
+    [Test]
+    public void Subscribe_ToATopicThatEverybodyHadLeft_GetsWhatComesAndTheDescriptionOfBefore()
+    {
+        using var source = _hub.OpenSource();
+        _hub.Subscribe(RosTopics.RobotDescription, _ => { }).Dispose();
+        source.TryDescribe("<robot/>");
+        var received = new List<HubMessage>();
+        _hub.Subscribe(RosTopics.RobotDescription, received.Add);
+
+        source.TryDescribe("<other/>");
+
+        Assert.That(received.Select(message => (string)message.Content), Is.EqualTo(new[] { "<robot/>", "<other/>" }));
+    }
+
     static JointTrajectoryMessage Plan(double position, string joint) =>
         new(Gateways.Start, [joint], [new JointTrajectoryPoint(TimeSpan.Zero, [position])]);
 

@@ -1,6 +1,7 @@
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Rosbridge;
+using Nowpose.Gateway.Sync;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
@@ -15,14 +16,17 @@ public class MessageReceiverTests
         using var socket = new ScriptedWebSocket(
             ("a ", false, () => { }), ("mess", false, () => { }), ("age", true, () => time.Advance(seconds)),
             ("the ", false, () => time.Advance(60)), ("next", true, () => time.Advance(4.9)));
-        var receiver = new MessageReceiver(socket, new FragmentCounter(), new GatewayOptions(), time);
+        var receiver = new MessageReceiver(
+            socket, new FragmentCounter(), new GatewayOptions(), ProtocolLimits.MessageBytes, new RequestRate(100), time);
 
         var late = await receiver.NextAsync();
         var next = await receiver.NextAsync();
 
-        Assert.That(late, Is.EqualTo(new Received(expected == DropReason.None ? "a message" : null, expected, null)));
-        Assert.That(next, Is.EqualTo(new Received("the next", DropReason.None, null)));
+        Assert.That(late, Is.EqualTo(new Received(expected == DropReason.None ? "a message" : null, expected, null, Count(seconds))));
+        Assert.That(next, Is.EqualTo(new Received("the next", DropReason.None, null, Count(seconds + 60 + 4.9))));
     }
+
+    static long Count(double seconds) => TimeSpan.FromSeconds(seconds).Ticks;
 
     sealed class ManualTime : TimeProvider
     {

@@ -82,6 +82,14 @@ sealed class PairingGateway : IAsyncDisposable
         return (response.StatusCode, await response.Content.ReadAsStringAsync().Bounded());
     }
 
+    /// <summary>The cookie that a request is given.</summary>
+    public async Task<string> CookieOfAsync(string path, HttpContent content)
+    {
+        var uri = new Uri($"{(Server.Pin == null ? "http" : "https")}://127.0.0.1:{Server.WebSocketEndPoint.Port}{path}");
+        using var response = await _http.PostAsync(uri, content).Bounded();
+        return response.Headers.GetValues("Set-Cookie").Single();
+    }
+
     public async ValueTask DisposeAsync()
     {
         _http.Dispose();

@@ -5,6 +5,7 @@ using Microsoft.AspNetCore.Http;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Security;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Pairing;
 
@@ -42,18 +43,23 @@ public sealed class PairingPageTests
         Assert.That(text, Does.Contain("own machine"));
     }
 
-    [TestCase("10.0.0.9", "10.0.0.7", 403)]
-    [TestCase("10.0.0.7", "10.0.0.7", 200)]
-    [TestCase("127.0.0.1", "127.0.0.1", 200)]
-    [TestCase("::ffff:10.0.0.9", "::ffff:10.0.0.7", 403)]
-    [TestCase("::1", "::1", 200)]
-    public async Task Code_AskedForFromAnAddress_IsToldToThisMachineOnly(string remote, string local, int expected)
+    [TestCase("10.0.0.9", "10.0.0.7", null, 403)]
+    [TestCase("10.0.0.9", "10.0.0.7", Gateways.ObserverToken, 403)]
+    [TestCase("10.0.0.9", "10.0.0.7", Gateways.SourceToken, 403)]
+    [TestCase("10.0.0.9", "10.0.0.7", Gateways.OperatorToken, 200)]
+    [TestCase("10.0.0.7", "10.0.0.7", null, 200)]
+    [TestCase("127.0.0.1", "127.0.0.1", null, 200)]
+    [TestCase("::ffff:10.0.0.9", "::ffff:10.0.0.7", null, 403)]
+    [TestCase("::1", "::1", null, 200)]
+    public async Task Code_AskedForFromAnAddress_IsToldToThisMachineAndOperatorsOnly(string remote, string local, string token, int expected)
     {
         using var folder = new TemporaryFile("");
-        var options = Gateways.Options() with { Headsets = new HeadsetList(folder.Path) };
-        var routes = new PairingRoutes(options, new ConnectionCounters(), _ => { }, html: null);
+        var options = Gateways.Options() with { Headsets = new HeadsetList(folder.Path), Tokens = Gateways.Tokens };
+        var counters = new ConnectionCounters();
+        var routes = new PairingRoutes(options, new Door(options, counters, _ => { }), counters, _ => { }, html: null);
         var context = new DefaultHttpContext { Response = { Body = new MemoryStream() } };
         context.Request.Method = "POST";
+        if (token != null) context.Request.Headers.Authorization = "Bearer " + token;
         context.Request.Path = "/pair/code";
         context.Request.ContentLength = 2;
         context.Request.Body = new MemoryStream("{}"u8.ToArray());

@@ -24,6 +24,15 @@ sealed class RawRosbridgeClient : IDisposable
         return client;
     }
 
+    /// <summary>By another way than the gateway's own address.</summary>
+    public static async Task<RawRosbridgeClient> ConnectAsync(Uri uri, Action<ClientWebSocketOptions> set = null)
+    {
+        var client = new RawRosbridgeClient();
+        set?.Invoke(client.Socket.Options);
+        await client.Socket.ConnectAsync(uri, default).Bounded();
+        return client;
+    }
+
     public Task SendAsync(string text) => SendAsync(text, true);
 
     public Task SendAsync(string text, bool isEnd) =>

@@ -8,15 +8,17 @@ namespace Nowpose.Headless.Tests.Gateway;
 /// <summary>Sends and receives bytes on the sync port.</summary>
 sealed class RawSyncClient : IDisposable
 {
-    readonly TcpClient _tcp = new() { NoDelay = true };
+    readonly TcpClient _tcp;
+
+    RawSyncClient(IPAddress from) => _tcp = new TcpClient(new IPEndPoint(from, 0)) { NoDelay = true };
 
     public Stream Stream { get; set; }
 
     public static Task<RawSyncClient> ConnectAsync(GatewayServer gateway) => ConnectAsync(gateway.SyncEndPoint);
 
-    public static async Task<RawSyncClient> ConnectAsync(IPEndPoint server)
+    public static async Task<RawSyncClient> ConnectAsync(IPEndPoint server, IPAddress from = null)
     {
-        var client = new RawSyncClient();
+        var client = new RawSyncClient(from ?? IPAddress.Any);
         await client._tcp.ConnectAsync(server).Bounded();
         client.Stream = client._tcp.GetStream();
         return client;

@@ -15,6 +15,22 @@ sealed class RawWebSocket : IDisposable
     readonly TcpClient _tcp = new() { NoDelay = true };
     Stream _stream;
 
+    /// <summary>For bytes that come in another order than this class sends and reads them.</summary>
+    public Stream Stream => _stream;
+
+    /// <summary>Nothing more is sent; what comes is still read.</summary>
+    public void EndSending()
+    {
+        try
+        {
+            _tcp.Client.Shutdown(SocketShutdown.Send);
+        }
+        catch (SocketException)
+        {
+            // Ended by the gateway already.
+        }
+    }
+
     public static async Task<RawWebSocket> ConnectAsync(GatewayServer gateway)
     {
         var raw = new RawWebSocket();
@@ -23,12 +39,12 @@ sealed class RawWebSocket : IDisposable
         return raw;
     }
 
-    public static async Task<RawWebSocket> OpenAsync(GatewayServer gateway)
+    public static async Task<RawWebSocket> OpenAsync(GatewayServer gateway, string headers = "")
     {
         var raw = await ConnectAsync(gateway);
         var upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
             + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n";
-        Assert.That(await raw.RequestAsync(upgrade), Does.StartWith("HTTP/1.1 101 "));
+        Assert.That(await raw.RequestAsync(upgrade + headers), Does.StartWith("HTTP/1.1 101 "));
         return raw;
     }
 
@@ -72,7 +88,7 @@ sealed class RawWebSocket : IDisposable
         _tcp.Dispose();
     }
 
-    Task SendAsync(byte[] bytes) => _stream.WriteAsync(bytes).AsTask().Bounded();
+    public Task SendAsync(byte[] bytes) => _stream.WriteAsync(bytes).AsTask().Bounded();
 
     async Task<byte[]> ReadAsync(int count)
     {

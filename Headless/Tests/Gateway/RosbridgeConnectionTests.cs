@@ -1,5 +1,6 @@
 using System.Net.WebSockets;
 using NUnit.Framework;
+using Nowpose.Gateway;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Protocol;
@@ -8,21 +9,116 @@ namespace Nowpose.Headless.Tests.Gateway;
 
 public class RosbridgeConnectionTests
 {
+    readonly MessageHub _hub = new();
+
+    static RosbridgeConnection Over(WebSocket socket, DropCounters drops = null) =>
+        new(socket, null, TimeSpan.FromMinutes(1), drops ?? new DropCounters(), CancellationToken.None);
+
+    Subscription Subscribe(string topic, DropCounters drops = null) => new(_hub, topic, default, 16, drops ?? new DropCounters());
+
     [Test]
     public async Task Start_AfterSubscriptionsThatEnded_ForgetsThem()
     {
         using var socket = WebSocket.CreateFromStream(new MemoryStream(), new WebSocketCreationOptions { IsServer = true });
-        using var connection = new RosbridgeConnection(socket, null, CancellationToken.None);
-        var hub = new MessageHub();
+        using var connection = Over(socket);
+        var topics = 0;
 
         void StartAndEnd()
         {
-            using var subscription = new Subscription(hub, RosTopics.JointStates, default, 16, new DropCounters());
+            using var subscription = Subscribe($"/topic{topics++}");
             connection.Start(subscription);
         }
 
         for (var i = 0; i < 100; i++)
             StartAndEnd();
         await Soon.BecomesAsync(() => { StartAndEnd(); return connection.Pumps < 10; }, "forgotten");
+    }
+
+    [Test]
+    public async Task Start_ThousandsOfTimesForAReaderThatStopped_LeavesOnePumpAndCountsWhatIsLost()
+    {
+        const int Changes = 5000;
+        using var socket = new StuckWebSocket();
+        using var connection = Over(socket);
+        using var source = _hub.OpenSource();
+        var drops = new DropCounters();
+
+        for (var i = 0; i < Changes; i++)
+        {
+            using var subscription = Subscribe(RosTopics.JointStates, drops);
+            connection.Start(subscription);
+            source.TryPublish(Gateways.State(i, "a"));
+        }
+
+        await Soon.BecomesAsync(() => socket.Sends == 1, "the first is being sent");
+        Assert.That(connection.Pumps, Is.EqualTo(1));
+        Assert.That(drops[DropReason.SlowReader], Is.EqualTo(Changes - 2), "all but the one that is being sent and the one that waits");
+    }
+
+    [Test]
+    public async Task Start_WhileTheFormerSubscriptionIsSent_KeepsTheOrder()
+    {
+        using var socket = new StuckWebSocket();
+        using var connection = Over(socket);
+        using var source = _hub.OpenSource();
+        var former = Subscribe(RosTopics.JointStates);
+        connection.Start(former);
+        for (var i = 0; i < 5; i++) source.TryPublish(Gateways.State(i, "a"));
+        await Soon.BecomesAsync(() => socket.Sends == 1, "the first is being sent");
+        former.Dispose();
+        using var next = Subscribe(RosTopics.JointStates);
+        connection.Start(next);
+        for (var i = 5; i < 10; i++) source.TryPublish(Gateways.State(i, "a"));
+
+        socket.GoOn();
+
+        await Soon.BecomesAsync(() => socket.Sends == 10, "all are sent");
+        var sent = socket.Sent.Select(text => RosbridgeReader.TryRead(text, out var message, out _) ? message.JointState.Positions[0] : -1);
+        Assert.That(sent, Is.EqualTo(Enumerable.Range(0, 10)));
+    }
+
+    [Test]
+    public void Reply_ToAClientThatReadsNone_LosesTheOldestAndCountsThem()
+    {
+        using var socket = new StuckWebSocket();
+        var drops = new DropCounters();
+        using var connection = Over(socket, drops);
+
+        for (var i = 0; i < RosbridgeConnection.WaitingReplies + 10; i++) connection.Reply(new byte[] { 1 });
+
+        Assert.That(drops[DropReason.SlowReader], Is.EqualTo(10));
+    }
+
+    [Test]
+    public async Task Reader_ThatSendsAndNeverReads_IsClosed()
+    {
+        // No pings: what ends it is that it reads nothing, and nothing else.
+        var options = Gateways.Options() with { PingInterval = TimeSpan.FromMinutes(5), PongTimeout = TimeSpan.FromMilliseconds(300) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway, set => set.SetBuffer(1024, 1024));
+        await client.SubscribeAsync(RosTopics.JointStates);
+        using var source = gateway.Hub.OpenSource();
+        var names = Enumerable.Range(0, 256).Select(i => "joint" + i).ToArray();
+
+        await Soon.BecomesAsync(() =>
+        {
+            for (var i = 0; i < 20; i++) source.TryPublish(Gateways.State(i, names));
+            TrySend(client);
+            return gateway.WebSocketConnections[Closure.Silence] == 1;
+        }, "closed, though it always has something to say");
+
+        Assert.That(gateway.WebSocketConnections.Open, Is.Zero);
+    }
+
+    static void TrySend(RawRosbridgeClient client)
+    {
+        try
+        {
+            client.SendAsync("{\"op\":\"status\",\"level\":\"none\",\"msg\":\"\"}").GetAwaiter().GetResult();
+        }
+        catch (Exception e) when (e is WebSocketException or OperationCanceledException)
+        {
+            // Ended meanwhile.
+        }
     }
 }

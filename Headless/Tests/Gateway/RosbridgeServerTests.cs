@@ -45,6 +45,7 @@ public class RosbridgeServerTests
 
     [TestCase(RawWebSocket.Text, "a byte that is no UTF-8")]
     [TestCase(3, "an opcode that is reserved")]
+    [TestCase(0x40 | RawWebSocket.Text, "the bit that says it is compressed")]
     public async Task Frame_AgainstTheProtocol_ClosesAndIsCountedAsSuch(int opcode, string what)
     {
         await using var gateway = await Gateways.StartAsync();

@@ -98,9 +98,44 @@ public class SyncServerTests
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncSilence = TimeSpan.FromMilliseconds(200) });
         using var client = await RawSyncClient.ConnectAsync(gateway);
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
 
         Assert.That(await client.ReceiveAsync(), Is.Null);
+        await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Silence] == 1, "counted");
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public async Task Frame_DrippedByteByByteWithoutTokens_IsClosed(bool isFirst)
+    {
+        var options = Gateways.Options() with { TokenTimeout = TimeSpan.FromMilliseconds(200) };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        if (!isFirst)
+            Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+        var frame = new byte[SyncFrame.Size];
+        SyncFrame.Request(2, 2).Write(frame);
+
+        // Good frames, each of which takes some five times as long as it may, and is never silent.
+        for (var i = 0; i < 10 * SyncFrame.Size && gateway.SyncConnections[Closure.Silence] == 0; i++)
+        {
+            await TrySendAsync(client, [frame[i % SyncFrame.Size]]);
+            await Task.Delay(20);
+        }
+
         Assert.That(gateway.SyncConnections[Closure.Silence], Is.EqualTo(1));
+    }
+
+    static async Task TrySendAsync(RawSyncClient client, byte[] bytes)
+    {
+        try
+        {
+            await client.SendAsync(bytes);
+        }
+        catch (IOException)
+        {
+            // Ended meanwhile.
+        }
     }
 
     [Test]
@@ -250,7 +285,9 @@ public class SyncServerTests
         }
 
         var clock = new StopwatchControlClock(Gateways.Start);
-        using var server = new SyncServer(Gateways.Options() with { MaxConnections = 1 }, clock, log.Enqueue, Start);
+        var options = Gateways.Options() with { MaxConnections = 1 };
+        using var access = new AccessWatch(options, log.Enqueue);
+        using var server = new SyncServer(options, clock, access, log.Enqueue, Start);
         using var first = await RawSyncClient.ConnectAsync(server.EndPoint);
         Assert.That(await first.ReceiveAsync(), Is.Null);
         using var second = await RawSyncClient.ConnectAsync(server.EndPoint);
@@ -278,6 +315,24 @@ public class SyncServerTests
         Assert.That(await again.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
         using var socketAgain = await RawRosbridgeClient.ConnectAsync(second);
         await socketAgain.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Reply_ByAClockThatGoesBackByMicroseconds_IsNeverSentBeforeItWasReceived()
+    {
+        await using var gateway = await Gateways.StartAsync(clock: new BackwardClock());
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+
+        var reply = (await client.ExchangeAsync(SyncFrame.Request(1, 2))).Value;
+
+        Assert.That(reply.T3Ns, Is.EqualTo(reply.T2Ns));
+    }
+
+    sealed class BackwardClock : IControlClock
+    {
+        int _reads;
+
+        public ControlTime Now => Gateways.Start - TimeSpan.FromMicroseconds(Interlocked.Increment(ref _reads));
     }
 
     sealed class BrokenClock : IControlClock

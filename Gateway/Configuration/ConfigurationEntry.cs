@@ -1,0 +1,8 @@
+namespace Nowpose.Gateway.Configuration;
+
+/// <summary>One line of a configuration file: an option and what it is set to.</summary>
+/// <param name="Place">File and line, for messages.</param>
+sealed record ConfigurationEntry(string Key, IReadOnlyList<string> Values, bool IsList, string Place)
+{
+    public string Wrong(string what) => $"{Place}: {Key}: {what}";
+}

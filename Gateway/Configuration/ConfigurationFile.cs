@@ -1,0 +1,141 @@
+using YamlDotNet.Core;
+using YamlDotNet.Core.Events;
+
+namespace Nowpose.Gateway.Configuration;
+
+/// <summary>Reads a configuration file: YAML, one mapping of keys to a word or to a list of words.</summary>
+/// <remarks>
+/// Event by event, without a tree: what is nested a thousand times costs nothing. References, tags and anchors are refused.
+/// </remarks>
+static class ConfigurationFile
+{
+    const int GreatestBytes = 64 * 1024;
+
+    /// <param name="wrong">Is added a line for each place that is something else.</param>
+    /// <exception cref="InputException">It cannot be read.</exception>
+    public static IReadOnlyList<ConfigurationEntry> Read(string path, List<string> wrong) => Parse(Load(path), path, wrong);
+
+    /// <param name="path">Stands in messages.</param>
+    internal static IReadOnlyList<ConfigurationEntry> Parse(string text, string path, List<string> wrong)
+    {
+        var entries = new List<ConfigurationEntry>();
+        var parser = new Parser(new StringReader(text));
+        try
+        {
+            parser.Consume<StreamStart>();
+            if (parser.TryConsume<DocumentStart>(out _) && TryReadDocument(parser, path, entries, wrong) && !parser.Accept<StreamEnd>(out _))
+                wrong.Add($"{PlaceOf(path, parser.Current)}: a second document; one is enough");
+        }
+        catch (YamlException broken)
+        {
+            wrong.Add($"{path}:{broken.Start.Line}: is no YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
+        }
+        // What the parser trips over itself, such as a plain word where a flow mapping was left open.
+        catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
+        {
+            wrong.Add($"{PlaceOf(path, parser.Current)}: is no YAML, here or in the lines that follow");
+        }
+
+        return entries;
+    }
+
+    static string Load(string path)
+    {
+        try
+        {
+            var file = new FileInfo(path);
+            if (file.Exists && file.Length > GreatestBytes)
+                throw new InputException($"--config {path}: {file.Length} bytes; a configuration has no more than {GreatestBytes}");
+            return File.ReadAllText(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            throw new InputException($"--config {path}: cannot be read ({e.Message})", e);
+        }
+    }
+
+    static bool TryReadDocument(Parser parser, string path, List<ConfigurationEntry> entries, List<string> wrong)
+    {
+        // All but comments commented out: nothing is set.
+        if (parser.Accept<Scalar>(out var only) && only.Value.Length == 0)
+        {
+            parser.Consume<Scalar>();
+        }
+        else if (!IsBare(parser.Current) || !parser.TryConsume<MappingStart>(out _))
+        {
+            wrong.Add($"{PlaceOf(path, parser.Current)}: lines \"key: value\" are needed");
+            return false;
+        }
+        else
+        {
+            while (!parser.TryConsume<MappingEnd>(out _)) ReadEntry(parser, path, entries, wrong);
+        }
+
+        parser.Consume<DocumentEnd>();
+        return true;
+    }
+
+    static void ReadEntry(Parser parser, string path, List<ConfigurationEntry> entries, List<string> wrong)
+    {
+        var place = PlaceOf(path, parser.Current);
+        if (!TryReadWord(parser, out var key))
+        {
+            wrong.Add($"{place}: a key is a word, without tags and anchors");
+            Skip(parser);
+            Skip(parser);
+            return;
+        }
+
+        var entry = ReadValue(parser, key, place);
+        var earlier = entries.FirstOrDefault(other => other.Key == key);
+        if (earlier != null) wrong.Add($"{place}: {key}: stands there twice, first at {earlier.Place}");
+        else if (entry == null) wrong.Add($"{place}: {key}: allowed is a word, a number, or a list of words, without tags and anchors");
+        else entries.Add(entry);
+    }
+
+    // Null for what is neither a word nor a list of words.
+    static ConfigurationEntry ReadValue(Parser parser, string key, string place)
+    {
+        if (TryReadWord(parser, out var word)) return new ConfigurationEntry(key, [word], false, place);
+        if (!IsBare(parser.Current) || !parser.TryConsume<SequenceStart>(out _))
+        {
+            Skip(parser);
+            return null;
+        }
+
+        var values = new List<string>();
+        var isGood = true;
+        while (!parser.TryConsume<SequenceEnd>(out _))
+        {
+            if (TryReadWord(parser, out var item)) values.Add(item);
+            else
+            {
+                isGood = false;
+                Skip(parser);
+            }
+        }
+
+        return isGood ? new ConfigurationEntry(key, values, true, place) : null;
+    }
+
+    static bool TryReadWord(Parser parser, out string word)
+    {
+        word = parser.Current is Scalar scalar && IsBare(scalar) ? scalar.Value : null;
+        return word != null && parser.MoveNext();
+    }
+
+    static bool IsBare(ParsingEvent at) => at is NodeEvent { Tag.IsEmpty: true, Anchor.IsEmpty: true };
+
+    // The next node with all that is in it.
+    static void Skip(Parser parser)
+    {
+        var depth = 0;
+        do
+        {
+            depth += parser.Consume<ParsingEvent>().NestingIncrease;
+        }
+        while (depth > 0);
+    }
+
+    static string PlaceOf(string path, ParsingEvent at) => $"{path}:{at?.Start.Line ?? 1}";
+}

@@ -1,0 +1,100 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Robots;
+
+namespace Nowpose.Gateway.Configuration;
+
+/// <summary>Puts what a configuration file says before what was typed: its keys are the verb's options, and what is typed wins.</summary>
+sealed class ConfiguredArguments
+{
+    public const string Option = "--config";
+
+    readonly ConfiguredPlaces _places = new();
+
+    /// <summary>A list stands under the plural.</summary>
+    static readonly Dictionary<string, string> Plurals = new() { ["plants"] = "plant" };
+
+    // Of the command line alone.
+    static readonly string[] NotInAFile = [Option, "--check", "--help"];
+
+    // What takes a path; in a file it is one from the file's own folder.
+    static readonly string[] Paths = ["FILE", "FOLDER"];
+
+    /// <returns>The arguments with those of the file; the same ones where no file is named.</returns>
+    /// <exception cref="InputException">The file has wrong entries: all of them, each with its line.</exception>
+    public string[] Of(Command root, string[] args)
+    {
+        var typed = root.Parse(args);
+        var verb = typed.CommandResult.Command;
+        if (verb.Options.OfType<Option<string>>().FirstOrDefault(option => option.Name == Option) is not { } config
+            || typed.GetResult(config) is not { Tokens.Count: 1 } named) return args;
+        var path = named.Tokens[0].Value;
+        var added = new List<string>();
+        var wrong = new List<string>();
+        foreach (var entry in ConfigurationFile.Read(path, wrong)) Add(root, typed, entry, path, added, wrong);
+        if (wrong.Count > 0) throw new WrongEntriesException(wrong);
+        // Before the typed ones, which may end in values that have no option before them.
+        var place = Array.IndexOf(args, verb.Name) + 1;
+        return [.. args[..place], .. added, .. args[place..]];
+    }
+
+    /// <summary>A complaint about what was configured, with its place in the file.</summary>
+    public string Place(string complaint) => _places.Place(complaint);
+
+    void Add(Command root, ParseResult typed, ConfigurationEntry entry, string path, List<string> added, List<string> wrong)
+    {
+        var verb = typed.CommandResult.Command;
+        var name = "--" + (Plurals.TryGetValue(entry.Key, out var singular) ? singular : entry.Key);
+        var option = verb.Options.FirstOrDefault(option => option.Name == name);
+        if (option == null || NotInAFile.Contains(name))
+        {
+            wrong.Add(entry.Wrong($"'{verb.Name}' has no such entry; {Allowed(entry.Key, verb)}"));
+            return;
+        }
+
+        var arguments = new List<string>();
+        var fault = Fault(entry, option);
+        if (fault == null)
+        {
+            // In one word: what begins with a dash or an @ is a value, too.
+            foreach (var value in entry.Values) arguments.Add($"{name}={Placed(value, option, path)}");
+            fault = root.Parse([verb.Name, .. arguments]).Errors.FirstOrDefault(error => IsOf(error, option))?.Message;
+        }
+
+        if (fault != null) wrong.Add(entry.Wrong(fault.StartsWith(name + ": ", StringComparison.Ordinal) ? fault[(name.Length + 2)..] : fault));
+        else if (typed.GetResult(option) is null or { Implicit: true })
+        {
+            added.AddRange(arguments);
+            _places.Add(name, entry, entry.Values.Where(value => IsPath(value, option)).Select(value => Placed(value, option, path)));
+        }
+    }
+
+    // What the command line would say of another form than it has.
+    static string Fault(ConfigurationEntry entry, Option option)
+    {
+        var takesMany = option.Arity.MaximumNumberOfValues > 1;
+        if (entry.IsList && !takesMany) return "a list; allowed is one value";
+        if (entry.Values.Count == 0 || entry.Values.Any(value => value.Length == 0)) return "has no value";
+        if (entry.Values.Any(value => value.Any(char.IsControl))) return "holds a line end or another control character";
+        if (option.ValueType == typeof(bool) && entry.Values[0] is not ("true" or "false"))
+            return $"'{entry.Values[0]}' is neither true nor false";
+        return null;
+    }
+
+    static bool IsOf(ParseError error, Option option) =>
+        error.SymbolResult is OptionResult result && result.Option == option;
+
+    static string Placed(string value, Option option, string path) =>
+        IsPath(value, option) ? Path.Combine(Path.GetDirectoryName(Path.GetFullPath(path)), value) : value;
+
+    static bool IsPath(string value, Option option) =>
+        Paths.Contains(option.HelpName) || (option.HelpName == "ROBOT" && !RobotFiles.IsIncluded(value));
+
+    static string Allowed(string key, Command verb)
+    {
+        var keys = verb.Options.Where(option => !NotInAFile.Contains(option.Name)).Select(option => option.Name[2..])
+            .Select(name => Plurals.FirstOrDefault(plural => plural.Value == name).Key ?? name).ToArray();
+        return Nearest.Of(key, keys) is { } near ? $"is '{near}' meant?" : $"there are {string.Join(", ", keys.Order(StringComparer.Ordinal))}";
+    }
+}

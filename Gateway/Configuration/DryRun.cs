@@ -1,0 +1,96 @@
+using System.Net;
+using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Security;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Configuration;
+
+/// <summary>Looks at all that a gateway would be started with, and leaves nothing behind.</summary>
+static class DryRun
+{
+    /// <param name="path">May be missing: it would be made.</param>
+    public static X509Certificate2 Certificate(string path, string keyPath, Findings findings)
+    {
+        if (!File.Exists(path) && keyPath == null)
+        {
+            RequireRoom("--certificate", path);
+            findings.Good("certificate", $"{path} (would be made)");
+            return CertificateFiles.Generate();
+        }
+
+        var certificate = CertificateFiles.LoadValid(path, keyPath);
+        findings.Good("certificate", FormattableString.Invariant($"{path} (valid to {certificate.NotAfter:yyyy-MM-dd})"));
+        findings.Good("pin", CertificatePin.Of(certificate).ToString());
+        return certificate;
+    }
+
+    public static TokenList Tokens(string path, Findings findings)
+    {
+        var tokens = TokenList.Read(path);
+        findings.Good("tokens", path);
+        return tokens;
+    }
+
+    public static void Pairing(string path, Findings findings)
+    {
+        if (!File.Exists(path)) RequireRoom("--pairing", path);
+        var paired = HeadsetFile.Load(path);
+        findings.Good("pairing", File.Exists(path) ? $"{path} ({paired.Count} headsets)" : $"{path} (would be made)");
+    }
+
+    public static void Recordings(string folder, Findings findings)
+    {
+        if (File.Exists(folder)) throw new InputException($"--recordings {folder}: is a file; a folder is needed");
+        RequireWritable("--recordings", folder, Directory.Exists(folder) ? folder : FolderOf("--recordings", folder));
+        findings.Good("recordings", Directory.Exists(folder) ? folder : $"{folder} (would be made)");
+    }
+
+    public static void Ports(GatewayOptions options, Findings findings)
+    {
+        var (bind, scheme) = (options.Bind, options.Certificate == null ? "ws" : "wss");
+        var (sync, webSocket) = (new IPEndPoint(bind, options.SyncPort), new IPEndPoint(bind, options.WebSocketPort));
+        findings.Try(() => findings.Good("sync", sync + Remark("--sync-port", sync)));
+        findings.Try(() => findings.Good("websocket", $"{scheme}://{webSocket}/{Remark("--ws-port", webSocket)}"));
+    }
+
+    // A port that is taken is no mistake in what is configured: it may be by the gateway that this one is to replace.
+    static string Remark(string option, IPEndPoint at)
+    {
+        try
+        {
+            PortListener.Open(option, at.Address, at.Port).Dispose();
+            return "";
+        }
+        catch (IOException refused)
+        {
+            return PortListener.IsTaken(refused) ? $" (port {at.Port} is taken now)" : throw new InputException(refused.Message, refused);
+        }
+    }
+
+    static void RequireRoom(string option, string path)
+    {
+        if (Directory.Exists(path)) throw new InputException($"{option} {path}: is a folder; a file is needed");
+        RequireWritable(option, path, FolderOf(option, path));
+    }
+
+    static string FolderOf(string option, string path)
+    {
+        var folder = Path.GetDirectoryName(Path.GetFullPath(path));
+        return Directory.Exists(folder) ? folder : throw new InputException($"{option} {path}: there is no folder {folder}");
+    }
+
+    static void RequireWritable(string option, string path, string folder)
+    {
+        try
+        {
+            // Tried, for rights alone do not tell: not of a file system that can only be read.
+            using var trial = new FileStream(
+                Path.Combine(folder, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new InputException($"{option} {path}: this user cannot write into the folder {folder}", e);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Security;
+
+namespace Nowpose.Gateway.Operations;
+
+/// <summary>Exchanges a token for a cookie, and takes it back.</summary>
+/// <remarks>No script reads the cookie, no other site's page sends it, and over TLS it travels over TLS only. It ends with its token.</remarks>
+sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log)
+{
+    readonly WrongCodes _wrong = new(options.Time);
+
+    /// <summary>POST /operations/login: {"token": …}.</summary>
+    public async Task LogInAsync(HttpContext context)
+    {
+        var address = context.Connection.RemoteIpAddress;
+        if (_wrong.IsBlocked(address))
+            await RefuseAsync(context, StatusCodes.Status429TooManyRequests, "too many wrong tokens; wait a minute");
+        else if (!options.AsksForTokens)
+            await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway asks for no token");
+        else if (await SmallJson.ReadAsync(context) is not { } request)
+            return;
+        else if (options.RoleOf(request.GetValueOrDefault("token", "").Trim()) is { } role)
+            await WelcomeAsync(context, request["token"].Trim(), role);
+        else
+        {
+            _wrong.Count(address);
+            counters.Count(Closure.Token);
+            log("operations: refused a token that is none of those known");
+            await RefuseAsync(context, StatusCodes.Status401Unauthorized, "not a token of this gateway");
+        }
+    }
+
+    /// <summary>POST /operations/logout.</summary>
+    public Task LogOutAsync(HttpContext context)
+    {
+        Forget(context);
+        context.Response.Cookies.Delete(BrowserSessions.CookieOf(context), Terms());
+        return SmallJson.AnswerAsync(context, new { });
+    }
+
+    Task WelcomeAsync(HttpContext context, string token, Role role)
+    {
+        Forget(context);
+        context.Response.Cookies.Append(BrowserSessions.CookieOf(context), door.Sessions.Open(TokenList.HashOf(token)), Terms());
+        log($"operations: a browser logged in as {role}");
+        return SmallJson.AnswerAsync(context, new { role = role.ToString().ToLowerInvariant() });
+    }
+
+    void Forget(HttpContext context)
+    {
+        if (context.Request.Cookies[BrowserSessions.CookieOf(context)] is { } id) door.Sessions.Close(id);
+    }
+
+    CookieOptions Terms() => new() { HttpOnly = true, SameSite = SameSiteMode.Strict, Secure = options.Certificate != null, Path = "/" };
+
+    static Task RefuseAsync(HttpContext context, int status, string text) => Door.AnswerAsync(context, status, text);
+}

@@ -1,0 +1,44 @@
+using Nowpose.Gateway.Security;
+
+namespace Nowpose.Gateway.Operations;
+
+/// <summary>The page of operations, and how a browser logs in for it. What it shows is served below the same path by others.</summary>
+/// <remarks>The page itself tells nothing and needs no token: it has the form that asks for one.</remarks>
+/// <param name="html">Null where it was not built.</param>
+sealed class OperationsRoutes(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log, string html)
+{
+    public const string Path = "/operations";
+    const string LoginPath = Path + "/login", LogoutPath = Path + "/logout";
+
+    readonly HtmlPage _page = new(html);
+    readonly BrowserLogin _login = new(options, door, counters, log);
+
+    /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
+    public async Task ServeAsync(HttpContext context, RequestDelegate next)
+    {
+        var request = context.Request;
+        var isBelow = request.Path.StartsWithSegments(Path, StringComparison.Ordinal);
+        if (!isBelow || request.Headers.Upgrade.Count > 0) await next(context);
+        else if (await AdmitAsync(context)) await AnswerAsync(context, next);
+    }
+
+    Task AnswerAsync(HttpContext context, RequestDelegate next) => context.Request.Path.Value switch
+    {
+        Path when HttpMethods.IsGet(context.Request.Method) => _page.SendAsync(context),
+        LoginPath when HttpMethods.IsPost(context.Request.Method) => _login.LogInAsync(context),
+        LogoutPath when HttpMethods.IsPost(context.Request.Method) => _login.LogOutAsync(context),
+        Path => Door.RefuseMethodAsync(context, "GET"),
+        LoginPath or LogoutPath => Door.RefuseMethodAsync(context, "POST"),
+        _ => next(context),
+    };
+
+    async Task<bool> AdmitAsync(HttpContext context)
+    {
+        if (!await door.AdmitOriginAsync(context)) return false;
+        if (door.IsNoRebinding(context)) return true;
+        await Door.AnswerAsync(
+            context, StatusCodes.Status403Forbidden,
+            "without tokens the page of operations is found by the gateway's address, its machine's name or localhost");
+        return false;
+    }
+}

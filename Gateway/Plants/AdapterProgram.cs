@@ -1,0 +1,72 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Text;
+using Nowpose.Gateway.Options;
+
+namespace Nowpose.Gateway.Plants;
+
+/// <summary>The program under Node.js that reads a control system; Gateway/Adapters makes it.</summary>
+static class AdapterProgram
+{
+    const string Needed = "--plant: Node.js 20 or newer is needed to read a control system";
+    static readonly TimeSpan CheckTimeout = TimeSpan.FromSeconds(30);
+    static readonly string Script = Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs");
+
+    /// <summary>Has the program check a configuration file, without reading the plant.</summary>
+    /// <returns>What it says of a good one: from where it reads what.</returns>
+    /// <exception cref="InputException">The file has wrong entries, each with its line; or the program cannot run.</exception>
+    public static async Task<string> CheckAsync(string file, CancellationToken stop)
+    {
+        using var process = Start(file, ["--check"], null);
+        process.StandardInput.Close();
+        using var patience = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        patience.CancelAfter(CheckTimeout);
+        try
+        {
+            var good = process.StandardOutput.ReadToEndAsync(patience.Token);
+            var bad = process.StandardError.ReadToEndAsync(patience.Token);
+            await process.WaitForExitAsync(patience.Token);
+            if (process.ExitCode != 0) throw new WrongEntriesException((await bad).Trim().Split('\n'));
+            return (await good).Trim();
+        }
+        catch (OperationCanceledException) when (!stop.IsCancellationRequested)
+        {
+            throw new InputException($"{file}: its check did not end within {CheckTimeout.TotalSeconds} s");
+        }
+        finally
+        {
+            if (!process.HasExited) process.Kill();
+        }
+    }
+
+    /// <summary>Starts it with its input and outputs redirected.</summary>
+    /// <param name="access">Where the gateway is; null for a run that needs none.</param>
+    /// <exception cref="InputException">Node.js is missing, or was where this program was built.</exception>
+    public static Process Start(string file, IEnumerable<string> options, AdapterAccess access)
+    {
+        if (!File.Exists(Script)) throw new InputException($"{Needed}; this program was built without it: install it and build again");
+        var process = new Process
+        {
+            StartInfo = new ProcessStartInfo("node", [Script, file, .. options])
+            {
+                RedirectStandardInput = true,
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
+                StandardOutputEncoding = Encoding.UTF8,
+                StandardErrorEncoding = Encoding.UTF8,
+            },
+        };
+        // It ends when its input does: also when this process was killed.
+        process.StartInfo.Environment["NOWPOSE_SUPERVISED"] = "1";
+        access?.Tell(process.StartInfo.Environment);
+        try
+        {
+            process.Start();
+            return process;
+        }
+        catch (Win32Exception e)
+        {
+            throw new InputException($"{Needed}; it could not be started: {e.Message}. Install it from nodejs.org", e);
+        }
+    }
+}

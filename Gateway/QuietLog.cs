@@ -1,0 +1,57 @@
+namespace Nowpose.Gateway;
+
+/// <summary>Passes lines on, but of the same one only so many a minute and then how many it was: nobody outside fills the disk. Any thread.</summary>
+sealed class QuietLog : IDisposable
+{
+    public const int LinesAMinute = 10;
+
+    /// <summary>Of more different lines than this all others are one.</summary>
+    public const int GreatestKinds = 100;
+
+    static readonly TimeSpan Span = TimeSpan.FromMinutes(1);
+
+    readonly Action<string> _log;
+    readonly TimeProvider _time;
+    readonly Dictionary<string, (long Since, int Count)> _lines = [];
+    ITimer _timer;
+
+    public QuietLog(Action<string> log, TimeProvider time)
+    {
+        _log = log;
+        _time = time;
+    }
+
+    public void Write(string line)
+    {
+        Conclude(Span);
+        lock (_lines)
+        {
+            _timer ??= _time.CreateTimer(_ => Conclude(Span), null, Span, Span);
+            var kind = _lines.ContainsKey(line) || _lines.Count < GreatestKinds ? line : "other lines";
+            var (since, count) = _lines.GetValueOrDefault(kind, (_time.GetTimestamp(), 0));
+            _lines[kind] = (since, count + 1);
+            if (count >= LinesAMinute) return;
+        }
+
+        _log(line);
+    }
+
+    public void Dispose()
+    {
+        _timer?.Dispose();
+        Conclude(TimeSpan.Zero);
+    }
+
+    void Conclude(TimeSpan age)
+    {
+        KeyValuePair<string, (long Since, int Count)>[] over;
+        lock (_lines)
+        {
+            over = [.. _lines.Where(line => _time.GetElapsedTime(line.Value.Since) >= age)];
+            foreach (var (line, _) in over) _lines.Remove(line);
+        }
+
+        foreach (var (line, seen) in over)
+            if (seen.Count > LinesAMinute) _log($"{line} ({seen.Count - LinesAMinute} more of these)");
+    }
+}

@@ -1,0 +1,139 @@
+namespace Nowpose.Gateway.Recording;
+
+/// <summary>A file of lines that knows which of them are on the disk: also when a disk is full in the middle of one.</summary>
+/// <remarks>
+/// A buffered file that fails has lost what was in its buffer, and nobody knows how much that was. Of one thread, except for the counts.
+/// </remarks>
+sealed class LineFile : Stream
+{
+    const int BufferBytes = 64 * 1024;
+    const byte End = (byte)'\n';
+
+    // What the recording says of itself is none of the lines that can be missed.
+    static readonly byte[][] Own = [.. new[] { "session", "lost", "end" }.Select(kind => System.Text.Encoding.ASCII.GetBytes($"{{\"kind\":\"{kind}\""))];
+
+    readonly Stream _disk;
+    readonly byte[] _buffer = new byte[BufferBytes];
+    int _length;
+    long _lines, _waiting;
+    bool _hasFailed;
+
+    /// <param name="disk">Unbuffered; disposed of with this.</param>
+    public LineFile(Stream disk) => _disk = disk;
+
+    /// <summary>A file that did not exist; for its owner, to be read by the group.</summary>
+    public static LineFile Create(string path)
+    {
+        var options = new FileStreamOptions
+        {
+            Mode = FileMode.CreateNew, Access = FileAccess.Write, Share = FileShare.Read, BufferSize = 0,
+        };
+        if (!OperatingSystem.IsWindows())
+            options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead;
+        return new LineFile(new FileStream(path, options));
+    }
+
+    /// <summary>Records on the disk, or on their way to it as long as nothing failed. Any thread.</summary>
+    public long Records => Interlocked.Read(ref _lines) + (Volatile.Read(ref _hasFailed) ? 0 : Interlocked.Read(ref _waiting));
+
+    public override bool CanRead => false;
+    public override bool CanSeek => false;
+    public override bool CanWrite => true;
+    public override long Length => _disk.Length;
+    public override long Position { get => _disk.Position; set => throw new NotSupportedException(); }
+
+    /// <summary>Takes whole lines.</summary>
+    public override void Write(ReadOnlySpan<byte> line)
+    {
+        if (_length + line.Length > _buffer.Length) Flush();
+        Interlocked.Add(ref _waiting, RecordsIn(line));
+        if (line.Length > _buffer.Length)
+        {
+            WriteOut(line);
+            return;
+        }
+
+        line.CopyTo(_buffer.AsSpan(_length));
+        _length += line.Length;
+    }
+
+    public override void Write(byte[] buffer, int offset, int count) => Write(buffer.AsSpan(offset, count));
+
+    public override void Flush()
+    {
+        if (_length == 0) return;
+        var full = _buffer.AsSpan(0, _length);
+        _length = 0;
+        WriteOut(full);
+    }
+
+    public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+    public override void SetLength(long value) => throw new NotSupportedException();
+
+    protected override void Dispose(bool disposing)
+    {
+        try
+        {
+            if (disposing && !_hasFailed) Flush();
+        }
+        finally
+        {
+            if (disposing) _disk.Dispose();
+            base.Dispose(disposing);
+        }
+    }
+
+    void WriteOut(ReadOnlySpan<byte> lines)
+    {
+        var before = _disk.Position;
+        try
+        {
+            _disk.Write(lines);
+        }
+        catch
+        {
+            Volatile.Write(ref _hasFailed, true);
+            Interlocked.Add(ref _lines, RecordsIn(lines[..Mend(before, lines)]));
+            throw;
+        }
+
+        Interlocked.Add(ref _lines, RecordsIn(lines));
+        Interlocked.Exchange(ref _waiting, 0);
+    }
+
+    // How many of the bytes stay: the whole lines of those that reached the disk. A torn one is cut off.
+    int Mend(long before, ReadOnlySpan<byte> lines)
+    {
+        try
+        {
+            var reached = (int)Math.Clamp(_disk.Length - before, 0, lines.Length);
+            var whole = lines[..reached].LastIndexOf(End) + 1;
+            _disk.SetLength(before + whole);
+            return whole;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            return 0;
+        }
+    }
+
+    static int RecordsIn(ReadOnlySpan<byte> lines)
+    {
+        var records = 0;
+        for (var end = lines.IndexOf(End); end >= 0; end = lines.IndexOf(End))
+        {
+            if (!IsOwn(lines)) records++;
+            lines = lines[(end + 1)..];
+        }
+
+        return records;
+    }
+
+    static bool IsOwn(ReadOnlySpan<byte> line)
+    {
+        foreach (var kind in Own)
+            if (line.StartsWith(kind)) return true;
+        return false;
+    }
+}

@@ -1,0 +1,114 @@
+using System.Diagnostics;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+using Nowpose.Recording;
+using Nowpose.Session;
+using Nowpose.Sync;
+
+namespace Nowpose.Gateway.Recording;
+
+/// <summary>Puts what passes the gateway into the words of a session file: its counter stands in the place of C2.</summary>
+/// <remarks>Any thread; who publishes waits for nobody.</remarks>
+sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters drops)
+{
+    readonly IPerformanceCounterClock _counter = plant.Counter;
+    (string Source, int Steps)? _timeLine;
+    long _dropsTold;
+
+    public void Add(RecordedFile file, HubMessage message)
+    {
+        switch (message.Content)
+        {
+            case JointStateMessage state: AddSample(file, message, state); break;
+            case JointTrajectoryMessage plan: AddPlan(file, message, plan); break;
+            case DiagnosticsMessage diagnostics: AddDiagnostics(file, message, diagnostics); break;
+        }
+    }
+
+    public void Add(RecordedFile file, PlantClock asked, in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault)
+    {
+        // C1 is one clock: exchanges with the others would tell of another.
+        if (asked != plant.Control || file.TryClaim(RecordKind.Sync) is not { } record) return;
+        record.Exchange = exchange;
+        record.Verdict = verdict;
+        record.Fault = fault;
+        file.Publish(record);
+    }
+
+    /// <summary>What there is to say once a second; one thread at a time.</summary>
+    public void Tick(RecordedFile file)
+    {
+        AddTimeLine(file);
+        if (plant.Control == null) AddOwnClock(file);
+        AddDrops(file);
+    }
+
+    /// <summary>A new file says again what C1 is.</summary>
+    public void Begin()
+    {
+        _timeLine = null;
+        _dropsTold = 0;
+    }
+
+    void AddSample(RecordedFile file, HubMessage message, JointStateMessage state)
+    {
+        var arrival = clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt);
+        if (file.TryClaim(RecordKind.Sample) is not { } record) return;
+        record.Arrival = new SampleArrival(state, _counter.At(message.ReceivedAt));
+        record.ControlArrival = arrival;
+        record.Reason = DropReason.None;
+        file.Publish(record);
+    }
+
+    void AddPlan(RecordedFile file, HubMessage message, JointTrajectoryMessage plan)
+    {
+        if (file.TryClaim(RecordKind.Plan) is not { } record) return;
+        record.Plan = new PlanArrival(plan, _counter.At(message.ReceivedAt));
+        record.Reason = DropReason.None;
+        file.Publish(record);
+    }
+
+    void AddDiagnostics(RecordedFile file, HubMessage message, DiagnosticsMessage diagnostics)
+    {
+        if (file.TryClaim(RecordKind.Diagnostics) is not { } record) return;
+        record.At = _counter.At(message.ReceivedAt);
+        record.Diagnostics = diagnostics;
+        file.Publish(record);
+    }
+
+    // Stamps from before mean something else: C1 is another clock now, or was set.
+    void AddTimeLine(RecordedFile file)
+    {
+        var now = (clock.Source, plant.Control?.Model.Steps ?? 0);
+        if (now == _timeLine || file.TryClaim(RecordKind.Clock) is not { } record) return;
+        record.At = _counter.Now;
+        record.Clock = plant.Control?.Model ?? default;
+        record.IsNewStart = _timeLine != null;
+        _timeLine = now;
+        file.Publish(record);
+    }
+
+    // Of the gateway's own clock it knows the offset: told as an exchange with itself, so that whoever reads files finds it.
+    void AddOwnClock(RecordedFile file)
+    {
+        var before = _counter.Now;
+        var now = clock.Now;
+        var exchange = new SyncExchange(before, now, now, _counter.Now, clock.Resolution, clock.ErrorBound, clock.IsSynchronised);
+        if (file.TryClaim(RecordKind.Sync) is not { } record) return;
+        record.Exchange = exchange;
+        record.Verdict = SyncVerdict.Consistent;
+        record.Fault = SyncExchangeFault.None;
+        file.Publish(record);
+    }
+
+    void AddDrops(RecordedFile file)
+    {
+        var total = drops.Total;
+        if (total == _dropsTold || file.TryClaim(RecordKind.Drops) is not { } record) return;
+        _dropsTold = total;
+        record.At = _counter.Now;
+        DropsLine.Fill(drops, record.Numbers);
+        file.Publish(record);
+    }
+}

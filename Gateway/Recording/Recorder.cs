@@ -1,0 +1,266 @@
+using System.Diagnostics;
+using System.Globalization;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Status;
+using Nowpose.Protocol;
+using Nowpose.Recording;
+
+namespace Nowpose.Gateway.Recording;
+
+/// <summary>Records what passes the gateway into session files, when it is switched on. Any thread; the hub never waits for it.</summary>
+/// <remarks>
+/// Another robot begins another file, for a file's header describes one; so does the greatest size. A disk that fails ends the
+/// recording until it is switched on again: the status tells why, and how many lines are missing.
+/// </remarks>
+public sealed class Recorder : IAsyncDisposable
+{
+    static readonly string[] Topics = [RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.Diagnostics];
+    static readonly TimeSpan TickInterval = TimeSpan.FromSeconds(1);
+
+    /// <summary>After which nobody has the former file in hand any more.</summary>
+    static readonly TimeSpan Retirement = TimeSpan.FromSeconds(0.5);
+
+    /// <summary>For a disk that hangs, not one that is slow.</summary>
+    static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(8);
+
+    readonly GatewayOptions _options;
+    readonly PlantClocks _plant;
+    readonly RecordedTraffic _traffic;
+    readonly Action<string> _log;
+    readonly Func<string, LineFile> _open;
+    readonly long _greatestBytes;
+    readonly Lock _gate = new();
+    readonly List<IDisposable> _subscriptions = [];
+    readonly HashSet<PlantClock> _listened = [];
+    // Replaced, but a publisher may hold one for a moment longer.
+    readonly List<RecordedFile> _retired = [];
+    readonly List<Task> _ending = [];
+    // Each file is made on a thread of its own: on the disk it may be seen only later.
+    readonly HashSet<string> _begun = [];
+    readonly Timer _timer;
+    volatile RecordedFile _file;
+    volatile bool _isWanted;
+    DescribedRobot _robot = DescribedRobot.None;
+    bool _isDisposed;
+    // Of the files before, since it was switched on.
+    long _linesBefore, _lostBefore;
+
+    /// <param name="open">Makes the file of a path that did not exist; null for one on the disk.</param>
+    /// <param name="greatestBytes">Of a file; then the next is begun.</param>
+    internal Recorder(
+        GatewayOptions options, MessageHub hub, ServedClock clock, PlantClocks plant, DropCounters drops, Action<string> log,
+        Func<string, LineFile> open = null, long greatestBytes = RecordedFile.GreatestBytes)
+    {
+        _greatestBytes = greatestBytes;
+        _options = options;
+        _plant = plant;
+        _traffic = new RecordedTraffic(clock, plant, drops);
+        _log = log;
+        _open = open ?? LineFile.Create;
+        _timer = new Timer(_ => Tick());
+        _subscriptions.Add(hub.Subscribe(RosTopics.RobotDescription, Describe));
+        foreach (var topic in Topics) _subscriptions.Add(hub.Subscribe(topic, Take));
+        plant.Added += Listen;
+        foreach (var asked in plant.All) Listen(asked);
+    }
+
+    /// <summary>Whether it was given a folder.</summary>
+    public bool CanRecord => _options.Recordings != null;
+
+    /// <summary>Whether it records: it was switched on, and no disk has failed since.</summary>
+    public bool IsOn => _isWanted && _file.Problem == null;
+
+    /// <summary>The file that is written, or was last; null before the first.</summary>
+    public string Path => _file?.Path;
+
+    internal RecordingStatus Status
+    {
+        get
+        {
+            lock (_gate)
+            {
+                if (_file == null) return RecordingStatus.None with { Can = CanRecord };
+                return new RecordingStatus(
+                    CanRecord, IsOn, System.IO.Path.GetFileName(_file.Path), _linesBefore + _retired.Sum(file => file.Records) + _file.Records,
+                    _file.Bytes, _lostBefore + _retired.Sum(file => file.Lost) + _file.Lost, _file.Problem);
+            }
+        }
+    }
+
+    /// <summary>Begins a file; nothing where one is being written.</summary>
+    /// <exception cref="InputException">It was given no folder.</exception>
+    public void SwitchOn()
+    {
+        if (!CanRecord) throw new InputException("recording: there is no folder for it; start the gateway with --recordings FOLDER");
+        var next = Prepare();
+        lock (_gate)
+        {
+            if (_isDisposed || IsOn) return;
+            // Of a recording that a disk has ended: it is counted no more, but what it holds is still written.
+            EndRetired(TimeSpan.Zero);
+            _retired.Clear();
+            _linesBefore = _lostBefore = 0;
+            Begin(next);
+            _isWanted = true;
+            _timer.Change(TickInterval, TickInterval);
+        }
+
+        RenewForANewRobot();
+    }
+
+    /// <summary>Ends the file; completes when all that was received by now is in it.</summary>
+    public Task SwitchOffAsync()
+    {
+        lock (_gate)
+        {
+            if (_isWanted)
+            {
+                _traffic.Tick(_file);
+                End(_file);
+            }
+
+            _isWanted = false;
+            EndRetired(TimeSpan.Zero);
+            if (!_isDisposed) _timer.Change(Timeout.Infinite, Timeout.Infinite);
+            return Task.WhenAll(_ending);
+        }
+    }
+
+    /// <summary>Ends the file as <see cref="SwitchOffAsync"/>; a disk that does not answer is not waited for for long.</summary>
+    public async ValueTask DisposeAsync()
+    {
+        foreach (var subscription in _subscriptions) subscription.Dispose();
+        _plant.Added -= Listen;
+        lock (_gate) _isDisposed = true;
+        await _timer.DisposeAsync();
+        var ended = SwitchOffAsync();
+        if (await Task.WhenAny(ended, Task.Delay(TimeToEnd)) != ended)
+            _log($"recording {_file.Path}: the disk did not take it within {TimeToEnd.TotalSeconds:0} s; what is missing in it is lost");
+    }
+
+    void Take(HubMessage message)
+    {
+        if (!_isWanted) return;
+        var file = _file;
+        _traffic.Add(file, message);
+        if (file.AsksForTheNext(_greatestBytes)) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
+    }
+
+    void Describe(HubMessage message)
+    {
+        // Under the hub's lock: it waits for nobody here.
+        Interlocked.Exchange(ref _robot, new DescribedRobot((string)message.Content));
+        RenewForANewRobot();
+    }
+
+    // After a robot was described, and after a file was begun: whichever is later sees the other.
+    void RenewForANewRobot()
+    {
+        Interlocked.MemoryBarrier();
+        if (!_isWanted) return;
+        var file = _file;
+        // Reading a URDF takes its time: not the publisher's.
+        if (file.Robot.Urdf != _robot.Urdf) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
+    }
+
+    void Listen(PlantClock asked)
+    {
+        lock (_gate)
+            if (!_listened.Add(asked)) return;
+        asked.Judged += (in Nowpose.Sync.SyncExchange exchange, Nowpose.Sync.SyncVerdict verdict, Nowpose.Sync.SyncExchangeFault fault) =>
+        {
+            if (_isWanted) _traffic.Add(_file, asked, exchange, verdict, fault);
+        };
+    }
+
+    void Tick()
+    {
+        lock (_gate)
+        {
+            if (!_isWanted) return;
+            EndRetired(Retirement);
+            _traffic.Tick(_file);
+        }
+    }
+
+    void Renew(RecordedFile old)
+    {
+        var next = Prepare();
+        lock (_gate)
+        {
+            // Somebody else may have done it, or switched it off, or the disk has failed.
+            if (!IsOn || _isDisposed || _file != old) return;
+            Begin(next);
+            old.RetiredAt = Stopwatch.GetTimestamp();
+            _retired.Add(old);
+        }
+
+        RenewForANewRobot();
+    }
+
+    // Without the lock: a long URDF is read here, and the disk asked.
+    (DateTime Now, string Path, DescribedRobot Robot) Prepare()
+    {
+        var robot = _robot;
+        _ = robot.Model;
+        var now = _options.Time.GetUtcNow().UtcDateTime;
+        return (now, FreePath(now), robot);
+    }
+
+    void Begin((DateTime Now, string Path, DescribedRobot Robot) next)
+    {
+        // Begun by somebody else since it was looked for.
+        if (!_begun.Add(next.Path)) _begun.Add((next = Prepare()).Path);
+        _traffic.Begin();
+        var file = new RecordedFile(next.Path, _open, _options.Cell, next.Robot, next.Now);
+        _file = file;
+        _log($"recording {file.Path}");
+        _traffic.Tick(file);
+        _ending.RemoveAll(ended => ended.IsCompleted);
+        _ = file.Ended.ContinueWith(_ => Settle(file), TaskScheduler.Default);
+    }
+
+    void EndRetired(TimeSpan since)
+    {
+        foreach (var file in _retired)
+            if (file.State == RecordingState.Recording && Stopwatch.GetElapsedTime(file.RetiredAt) >= since) End(file);
+    }
+
+    void Settle(RecordedFile file)
+    {
+        if (file.Problem != null) _log(file.Problem);
+        lock (_gate)
+        {
+            _begun.Remove(file.Path);
+            if (!_retired.Remove(file)) return;
+            _linesBefore += file.Records;
+            _lostBefore += file.Lost;
+        }
+    }
+
+    void End(RecordedFile file)
+    {
+        file.Stop();
+        _ending.Add(file.Ended);
+    }
+
+    // Two within one second, or two gateways, make two files.
+    string FreePath(DateTime now)
+    {
+        var name = $"{Safe(_options.Cell) ?? "gateway"}-{now.ToString("yyyyMMdd'T'HHmmss'Z'", CultureInfo.InvariantCulture)}";
+        for (var number = 1; ; number++)
+        {
+            var path = System.IO.Path.Combine(_options.Recordings, number == 1 ? $"{name}.jsonl" : $"{name}-{number}.jsonl");
+            if (!IsBegun(path) && !File.Exists(path)) return path;
+        }
+    }
+
+    bool IsBegun(string path)
+    {
+        lock (_gate) return _begun.Contains(path);
+    }
+
+    static string Safe(string cell) =>
+        string.IsNullOrWhiteSpace(cell) ? null : new string([.. cell.Select(c => char.IsAsciiLetterOrDigit(c) || c is '-' or '_' ? c : '_').Take(40)]);
+}

@@ -1,0 +1,27 @@
+using System.Globalization;
+
+namespace Nowpose.Gateway.Security;
+
+/// <summary>Says once, and in time, that a certificate expires, that it has expired, and that it was renewed.</summary>
+sealed class ExpiryNotice(Action<string> log)
+{
+    static readonly TimeSpan Ahead = TimeSpan.FromDays(30);
+
+    bool _isClose, _isOver;
+
+    /// <param name="expires">When; null without a certificate.</param>
+    public void Look(DateTime? expires, DateTime now)
+    {
+        if (expires is not { } end) return;
+        var (isClose, isOver) = (end - now < Ahead, end < now);
+        var day = end.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture);
+        if (isOver && !_isOver)
+            log($"certificate: expired on {day}, headsets refuse it; renew the file with the same key, it is taken without a restart");
+        else if (isClose && !_isClose)
+            log(string.Create(CultureInfo.InvariantCulture,
+                $"certificate: expires on {day}, in {(end - now).TotalDays:0.0} days; renew the file with the same key, it is taken without a restart"));
+        else if (!isClose && _isClose)
+            log($"certificate: renewed, valid to {day}");
+        (_isClose, _isOver) = (isClose, isOver);
+    }
+}

@@ -1,0 +1,29 @@
+namespace Nowpose.Gateway.Security;
+
+/// <summary>What whoever runs a gateway should know about how it is run.</summary>
+static class Precautions
+{
+    const UnixFileMode Group = UnixFileMode.GroupRead | UnixFileMode.GroupWrite;
+    const UnixFileMode Others = UnixFileMode.OtherRead | UnixFileMode.OtherWrite;
+
+    /// <param name="credentials">The folder in which a service manager hands secrets over, and guards them; null for none.</param>
+    public static IEnumerable<string> Of(GatewayOptions options, string credentials)
+    {
+        if (Environment.IsPrivilegedProcess)
+            yield return "security: runs as root or administrator, and needs no such rights; run it as a user of its own";
+        if (options.Certificate == null && !options.IsLoopback)
+            yield return "security: everybody on this network can read and change what is sent, for --insecure-lan was given; better use --tls";
+        if (OperatingSystem.IsWindows()) yield break;
+        foreach (var path in options.SecretFiles.Where(File.Exists).Where(path => !IsBelow(credentials, path)))
+        {
+            var mode = File.GetUnixFileMode(path);
+            // Root's file that only the gateway's own group may read is kept as well as one of its own.
+            var shared = (mode & Group) == UnixFileMode.GroupRead && FileOwner.IsOthersForOwnGroup(path) ? Others : Others | Group;
+            if ((mode & shared) != 0)
+                yield return $"security: {path} can be read by others than its owner (mode {Convert.ToString((int)mode, 8)}); chmod 600 {path}";
+        }
+    }
+
+    static bool IsBelow(string folder, string path) =>
+        !string.IsNullOrEmpty(folder) && Path.GetFullPath(path).StartsWith(folder.TrimEnd('/') + "/", StringComparison.Ordinal);
+}

@@ -1,0 +1,161 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Text.Json.Nodes;
+
+namespace Nowpose.Gateway.Status;
+
+/// <summary>How a gateway does, as metrics: in seconds, bytes and ratios, named nowpose_….</summary>
+static class Metrics
+{
+    const string Gauge = "gauge", Counter = "counter";
+    const double Milli = 1e-3, Micro = 1e-6;
+
+    public static string Of(StatusSnapshot state, ForwardingTimes forwarding)
+    {
+        var text = new PrometheusText();
+        text.Begin("nowpose_gateway_info", Gauge, "Version of the gateway.").Add(1, ("version", state.Version));
+        text.One("nowpose_uptime_seconds", Gauge, "Time since the start.", state.UptimeS);
+        text.One("nowpose_ready", Gauge, "1 when the clock is served and expected sources are there.", state.IsReady ? 1 : 0);
+        text.One(
+            "nowpose_certificate_expiry_timestamp_seconds", Gauge, "When headsets will refuse the certificate, Unix time.",
+            (state.CertificateExpiresUtc - DateTime.UnixEpoch)?.TotalSeconds);
+        AddClock(text, state.Clock);
+        AddPlantClocks(text, state.PlantClocks);
+        AddAdapters(text, state.Adapters);
+        AddSources(text, state.Sources);
+        AddForwarding(text, forwarding);
+        AddHeadsets(text, state.Headsets);
+        AddCounts(text, state);
+        AddRecording(text, state.Recording);
+        AddProcess(text);
+        return text.ToString();
+    }
+
+    static void AddClock(PrometheusText text, ClockStatus clock)
+    {
+        text.Begin("nowpose_clock_synchronised", Gauge, "1 while headsets may trust the control clock that is served.")
+            .Add(clock.IsServed ? 1 : 0, ("source", clock.Source));
+        text.One("nowpose_clock_error_bound_seconds", Gauge, "How wrong the served control clock may be.", clock.ErrorBoundUs * Micro);
+        text.One("nowpose_clock_skew_ratio", Gauge, "Rate of the control clock against the gateway's counter, less one.", clock.SkewPpm * Micro);
+        text.One("nowpose_clock_resolution_seconds", Gauge, "Step of the control clock.", clock.ResolutionUs * Micro);
+        text.One("nowpose_clock_steps_total", Counter, "Steps of the control clock since the start.", clock.Steps);
+    }
+
+    static void AddPlantClocks(PrometheusText text, IReadOnlyList<PlantClockView> clocks)
+    {
+        void Add(string name, string type, string help, Func<PlantClockView, double?> value) =>
+            AddEach(text, name, type, help, clocks, clock => ("clock", clock.Name), value);
+
+        Add("nowpose_plant_clock_connected", Gauge, "1 while it can be asked.", clock => clock.Connected ? 1 : 0);
+        Add("nowpose_plant_clock_offset_seconds", Gauge, "This clock less the control clock.", clock => clock.OffsetToControlMs * Milli);
+        Add("nowpose_plant_clock_drift_ratio", Gauge, "Rate of this clock against the control clock, less one.", clock => clock.DriftPpm * Micro);
+        Add("nowpose_plant_clock_round_trip_seconds", Gauge, "Time of an exchange.", clock => clock.RttMs * Milli);
+        Add("nowpose_plant_clock_error_bound_seconds", Gauge, "How wrong the estimate may be.", clock => clock.ErrorBoundUs * Micro);
+        Add("nowpose_plant_clock_exchanges_total", Counter, "Exchanges that were answered.", clock => clock.Exchanges);
+        Add("nowpose_plant_clock_failures_total", Counter, "Exchanges that were not.", clock => clock.Failures);
+    }
+
+    static void AddAdapters(PrometheusText text, IReadOnlyList<JsonObject> adapters)
+    {
+        void Add(string name, string type, string help, Func<JsonObject, double?> value) =>
+            AddEach(text, name, type, help, adapters, adapter => ("adapter", NameOf(adapter)), value);
+
+        Add("nowpose_adapter_connected", Gauge, "1 while the adapter is connected with its plant.", adapter => Says(adapter, "state", "connected"));
+        Add("nowpose_adapter_samples_total", Counter, "Samples that the adapter published.", adapter => StatusObjects.Number(adapter, "samples"));
+        Add("nowpose_adapter_refused_total", Counter, "Values without a usable stamp.", adapter => StatusObjects.Number(adapter, "refused"));
+        Add("nowpose_adapter_reconnects_total", Counter, "Connections after the first.", adapter => StatusObjects.Number(adapter, "reconnects"));
+    }
+
+    static void AddSources(PrometheusText text, IReadOnlyList<SourceStatus> sources)
+    {
+        AddEach(text, "nowpose_source_rate_hertz", Gauge, "Messages a second, of the last seconds.", sources, LabelOf, source => source.RateHz);
+        text.Begin("nowpose_source_age_seconds", "summary", "Control time at the gateway less the samples' stamp, of the last seconds.");
+        foreach (var source in sources)
+        {
+            text.Add(source.AgeMs?.P50 * Milli, LabelOf(source), ("quantile", "0.5"));
+            text.Add(source.AgeMs?.P95 * Milli, LabelOf(source), ("quantile", "0.95"));
+        }
+    }
+
+    static void AddForwarding(PrometheusText text, ForwardingTimes times)
+    {
+        text.Begin("nowpose_forward_seconds", "histogram", "From a sample's receipt to a subscriber's socket.");
+        var counts = times.Counts();
+        var below = 0L;
+        for (var i = 0; i < ForwardingTimes.Limits.Length; i++)
+        {
+            below += counts[i];
+            text.Add("_bucket", below, ("le", ForwardingTimes.Limits[i].ToString("R", CultureInfo.InvariantCulture)));
+        }
+
+        text.Add("_bucket", below + counts[^1], ("le", "+Inf")).Add("_sum", times.Sum).Add("_count", below + counts[^1]);
+    }
+
+    static void AddHeadsets(PrometheusText text, IReadOnlyList<JsonObject> headsets)
+    {
+        text.One("nowpose_headsets", Gauge, "Headsets that spoke within the last half minute.", headsets.Count);
+        void Add(string name, string help, string key, double unit) => AddEach(
+            text, name, Gauge, help, headsets, headset => ("headset", NameOf(headset)), headset => StatusObjects.Number(headset, key) * unit);
+
+        AddEach(
+            text, "nowpose_headset_synchronised", Gauge, "1 while it knows the control clock.", headsets, headset => ("headset", NameOf(headset)),
+            headset => Says(headset, "state", "synchronised", "holdover"));
+        Add("nowpose_headset_seen_seconds", "Since it spoke last.", "seen_s_ago", 1);
+        Add("nowpose_headset_clock_error_bound_seconds", "How wrong its control clock may be.", "error_bound_us", Micro);
+        Add("nowpose_headset_round_trip_seconds", "Of its clock sync.", "rtt_ms", Milli);
+        Add("nowpose_headset_application_latency_seconds", "L_app.", "l_app_ms", Milli);
+        Add("nowpose_headset_visualisation_latency_seconds", "L_visu.", "l_visu_ms", Milli);
+        Add("nowpose_headset_render_seconds", "Render time of the last frame.", "render_ms", Milli);
+        Add("nowpose_headset_error_reduction_ratio", "Share of the error without compensation that it removes.", "reduction", 1);
+    }
+
+    static void AddCounts(PrometheusText text, StatusSnapshot state)
+    {
+        var servers = state.Connections.ToList();
+        AddEach(text, "nowpose_connections", Gauge, "Open connections.", servers, server => ("server", server.Key), server => server.Value.Open);
+        AddEach(
+            text, "nowpose_connections_accepted_total", Counter, "Connections that were let in.", servers, server => ("server", server.Key),
+            server => server.Value.Accepted);
+        text.Begin("nowpose_connections_closed_total", Counter, "Connections that were refused or ended, by reason.");
+        foreach (var (server, connections) in servers)
+            foreach (var (reason, count) in connections.Closures) text.Add(count, ("server", server), ("reason", reason));
+        AddEach(text, "nowpose_messages_total", Counter, "Messages that passed.", [.. state.Messages], one => ("topic", one.Key), one => one.Value);
+        AddEach(text, "nowpose_drops_total", Counter, "Messages that were dropped.", [.. state.Drops], one => ("reason", one.Key), one => one.Value);
+    }
+
+    static void AddRecording(PrometheusText text, RecordingStatus recording)
+    {
+        text.One("nowpose_recording_on", Gauge, "1 while the gateway records.", recording.On ? 1 : 0);
+        text.One("nowpose_recording_failed", Gauge, "1 when the recording stopped by itself.", recording.Problem == null ? 0 : 1);
+        text.One("nowpose_recording_lines", Gauge, "Lines in the newest recording.", recording.Lines);
+        text.One("nowpose_recording_bytes", Gauge, "Size of the newest recording.", recording.Bytes);
+        text.One("nowpose_recording_lost_lines", Gauge, "Lines that are missing in the newest recording.", recording.Lost);
+    }
+
+    static void AddProcess(PrometheusText text)
+    {
+        using var process = Process.GetCurrentProcess();
+        text.One("process_cpu_seconds_total", Counter, "Processor time.", process.TotalProcessorTime.TotalSeconds);
+        text.One("process_resident_memory_bytes", Gauge, "Resident memory.", process.WorkingSet64);
+        text.One("nowpose_managed_memory_bytes", Gauge, "Memory of the managed heap.", GC.GetTotalMemory(false));
+    }
+
+    static void AddEach<T>(
+        PrometheusText text, string name, string type, string help, IReadOnlyList<T> all, Func<T, (string, string)> label, Func<T, double?> value)
+    {
+        if (all.Count == 0) return;
+        text.Begin(name, type, help);
+        foreach (var one in all) text.Add(value(one), label(one));
+    }
+
+    // A comma within a name is not one between two. In order, whichever joint of the source moved first.
+    static (string, string) LabelOf(SourceStatus source) => (
+        "joints", string.Join(',', source.Joints.Order(StringComparer.Ordinal).Select(Escaped)));
+
+    static string Escaped(string name) => name.Replace("\\", "\\\\", StringComparison.Ordinal).Replace(",", "\\,", StringComparison.Ordinal);
+
+    static string NameOf(JsonObject words) => (string)words["name"];
+
+    static double? Says(JsonObject words, string key, params string[] yes) =>
+        words[key] is JsonValue value && value.TryGetValue(out string word) ? (yes.Contains(word) ? 1 : 0) : null;
+}

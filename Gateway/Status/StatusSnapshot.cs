@@ -1,0 +1,54 @@
+using System.Text.Json.Nodes;
+
+namespace Nowpose.Gateway.Status;
+
+/// <summary>How a gateway does at one moment: what /operations/state answers, its names in snake case. Units stand in the names.</summary>
+/// <param name="ControlTimeS">What the control clock shows.</param>
+/// <param name="Adapters">What each said last of itself, and how long ago.</param>
+/// <param name="Headsets">Likewise, with what each hop takes of its latency.</param>
+/// <param name="Messages">That passed, by topic.</param>
+/// <param name="Drops">Messages that did not, by reason.</param>
+/// <param name="Role">Of whoever asks.</param>
+/// <param name="CertificateExpiresUtc">From then on headsets refuse it; null without TLS.</param>
+sealed record StatusSnapshot(
+    string Cell, string Version, string StartedUtc, double UptimeS, double ControlTimeS, ClockStatus Clock, IReadOnlyList<PlantClockView> PlantClocks,
+    IReadOnlyList<JsonObject> Adapters, IReadOnlyList<SourceStatus> Sources, IReadOnlyList<JsonObject> Headsets, SpanStatus ForwardMs,
+    IReadOnlyDictionary<string, ConnectionStatus> Connections, IReadOnlyDictionary<string, long> Messages, IReadOnlyDictionary<string, long> Drops,
+    RecordingStatus Recording, bool PairsHeadsets, bool IsReady, string Role = null,
+    DateTime? CertificateExpiresUtc = null);
+
+/// <param name="Source">"own", or the name of the plant clock that is served.</param>
+/// <param name="State">unsynchronised, converging, synchronised or holdover.</param>
+/// <param name="IsServed">Whether headsets are told that they may trust it.</param>
+/// <param name="ErrorBoundUs">Null while nothing is known of it; likewise what follows.</param>
+/// <param name="SkewPpm">Its rate over that of the gateway's counter, less one.</param>
+sealed record ClockStatus(
+    string Source, string State, bool IsServed, double? ErrorBoundUs, double? SkewPpm, double? RttMs, double? ResolutionUs, long? Steps);
+
+/// <param name="OffsetToControlMs">This clock less the control clock; null while one of them is not known.</param>
+/// <param name="RttMs">Null before the first exchange: 0 would be the best there is. Likewise what follows.</param>
+sealed record PlantClockView(
+    string Name, bool Connected, bool IsControlClock, string State, double? OffsetToControlMs, double? DriftPpm, double? RttMs, double? ErrorBoundUs,
+    double? ResolutionUs, long Exchanges, long Failures, string LastFailure);
+
+/// <param name="Joints">That are published together, or in sets that have joints in common.</param>
+/// <param name="RateHz">Messages a second.</param>
+/// <param name="AgeMs">C1 at the gateway less t_k.</param>
+sealed record SourceStatus(IReadOnlyList<string> Joints, double RateHz, AgeStatus AgeMs);
+
+sealed record AgeStatus(double P50, double P95);
+
+/// <summary>From a sample's receipt to the sockets, of the last half minute to minute; null while there were none.</summary>
+sealed record SpanStatus(double P50, double P99);
+
+/// <param name="Closures">How many ended, by reason.</param>
+sealed record ConnectionStatus(int Open, long Accepted, IReadOnlyDictionary<string, long> Closures);
+
+/// <param name="Can">Whether there is a folder to record into.</param>
+/// <param name="File">The one that is written, or was last; its name without the folder.</param>
+/// <param name="Lost">Lines that are missing in it.</param>
+/// <param name="Problem">Why it stopped by itself; null otherwise.</param>
+sealed record RecordingStatus(bool Can, bool On, string File, long Lines, long Bytes, long Lost, string Problem)
+{
+    public static readonly RecordingStatus None = new(false, false, null, 0, 0, 0, null);
+}

@@ -1,0 +1,286 @@
+using System.Diagnostics;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway.Clock;
+
+/// <summary>Over real sockets: the gateway serves the clock of the control system that an adapter tells.</summary>
+public class PlantTimeTests
+{
+    static readonly ControlTime PlantStart = ControlTime.FromSeconds(900_000);
+
+    [Test]
+    public async Task PlantTime_Offered_IsServedAsC1WithItsBound()
+    {
+        var plc = new StopwatchControlClock(PlantStart, 80e-6);
+        await using var gateway = await Gateways.StartAsync();
+        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc, ",\"error_bound_ns\":300000");
+
+        await Soon.BecomesAsync(() => gateway.Clock.IsSynchronised && gateway.Clock.Source == "plc", "the plant's clock is served");
+
+        using var headset = await RawSyncClient.ConnectAsync(gateway);
+        var before = plc.Now;
+        var reply = (await headset.ExchangeAsync(SyncFrame.Request(1, 42))).Value;
+        var after = plc.Now;
+        var bound = TimeSpan.FromMicroseconds(reply.ErrorBoundUs);
+        Assert.That(reply.IsServerSynchronised, Is.True);
+        Assert.That(bound, Is.GreaterThan(TimeSpan.FromMicroseconds(300)), "the plant's own bound is in it");
+        Assert.That(ControlTime.FromNanoseconds(reply.T2Ns), Is.InRange(before - bound, after + bound));
+        Assert.That(reply.T3Ns, Is.GreaterThanOrEqualTo(reply.T2Ns));
+        Assert.That(reply.ResolutionNs, Is.EqualTo(100u));
+    }
+
+    [Test]
+    public async Task SyncReply_NamedClockNotOfferedYet_SaysNotSynchronised()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { ControlClock = "plc" });
+        using var headset = await RawSyncClient.ConnectAsync(gateway);
+        using var other = await PlantAdapterDouble.ConnectAsync(gateway, "other", new StopwatchControlClock(PlantStart));
+        await Soon.BecomesAsync(() => StatusOf(gateway, "other")?.State == ClockState.Synchronised, "the other clock is known");
+
+        var reply = await headset.ExchangeAsync(SyncFrame.Request(1, 42));
+
+        Assert.That(reply.Value.IsServerSynchronised, Is.False);
+        Assert.That(gateway.Clock.Source, Is.EqualTo("plc"));
+    }
+
+    [Test]
+    public async Task PlantTime_OwnClockAskedFor_IsComparedOnly()
+    {
+        var own = new StopwatchControlClock(Gateways.Start);
+        var plc = new StopwatchControlClock(Gateways.Start + TimeSpan.FromSeconds(3));
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { ControlClock = PlantClocks.Own }, own);
+        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
+
+        await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.State == ClockState.Synchronised, "the plant's clock is known");
+
+        var status = StatusOf(gateway, "plc");
+        Assert.That(status.OffsetToControl.Value.TotalSeconds, Is.EqualTo((plc.Now - own.Now).TotalSeconds).Within(status.ErrorBound.TotalSeconds + 1e-3));
+        var before = own.Now;
+        var served = gateway.Clock.Now;
+        Assert.That(served, Is.InRange(before, own.Now));
+    }
+
+    [Test]
+    public async Task JointState_StampedByASecondClockOfThePlant_IsPutOnC1()
+    {
+        var ads = new StopwatchControlClock(PlantStart);
+        var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(2));
+        await using var gateway = await Gateways.StartAsync();
+        using var first = await KnownAsync(gateway, "ads", ads);
+        using var second = await KnownAsync(gateway, "opcua", opcua);
+        using var headset = await RawRosbridgeClient.ConnectAsync(gateway);
+        await headset.SubscribeAsync(RosTopics.JointStates);
+
+        var count = Stopwatch.GetTimestamp();
+        var state = new JointStateMessage(opcua.AtCount(count), ["a"], [0.5]);
+        await second.Client.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
+
+        var error = (await headset.ReceiveAsync()).JointState.Stamp - ads.AtCount(count);
+        var bound = StatusOf(gateway, "ads").ErrorBound + StatusOf(gateway, "opcua").ErrorBound;
+        Assert.That(error.Duration(), Is.LessThanOrEqualTo(bound + TimeSpan.FromMilliseconds(1)));
+        Assert.That(bound, Is.LessThan(TimeSpan.FromMilliseconds(500)), "two seconds apart must not pass");
+    }
+
+    [Test]
+    public async Task JointState_WhileItsClockIsUnknown_IsRefusedAndSaysSo()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", (_, _) => null);
+        await Soon.BecomesAsync(() => StatusOf(gateway, "plc") != null, "the clock is offered");
+
+        await adapter.Client.SendAsync(Gateways.StateText(0.5));
+
+        await Soon.BecomesAsync(() => gateway.Drops[DropReason.Unsynchronised] == 1, "the sample is dropped");
+    }
+
+    [Test]
+    public async Task PlantTime_AdapterGoneAndBack_GoesOnWithWhatWasKnown()
+    {
+        var plc = new StopwatchControlClock(PlantStart);
+        await using var gateway = await Gateways.StartAsync();
+        using (await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc))
+            await Soon.BecomesAsync(() => gateway.Clock.Source == "plc" && gateway.Clock.State == ClockState.Synchronised, "the clock is known");
+
+        await Soon.BecomesAsync(() => gateway.Clock.State == ClockState.Holdover, "the clock is in holdover");
+        var isServed = gateway.Clock.IsSynchronised;
+        var error = (gateway.Clock.Now - plc.Now).Duration();
+        using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
+        await Soon.BecomesAsync(() => gateway.Clock.State == ClockState.Synchronised, "the clock is measured again");
+
+        Assert.That(isServed, Is.True, "a holdover of seconds is good enough");
+        Assert.That(error, Is.LessThan(TimeSpan.FromMilliseconds(50)));
+        Assert.That(gateway.PlantClocks.All, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public async Task PlantTime_CallFails_IsCountedWithItsReason()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", (id, service) =>
+            $$"""{"op":"service_response","id":"{{id}}","service":"{{service}}","result":false,"values":"the PLC is in stop"}""");
+
+        await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.Failures > 0, "the failure is counted");
+
+        Assert.That(StatusOf(gateway, "plc").LastFailure, Is.EqualTo("the PLC is in stop"));
+        Assert.That(gateway.Clock.IsSynchronised, Is.False);
+    }
+
+    [Test]
+    public async Task PlantTime_WithdrawnService_IsAskedNoMore()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", new StopwatchControlClock(PlantStart));
+        using var other = await PlantAdapterDouble.ConnectAsync(gateway, "other", new StopwatchControlClock(PlantStart));
+        await Soon.BecomesAsync(() => adapter.Questions > 3, "the clock is asked");
+
+        await adapter.WithdrawAsync();
+
+        await Soon.BecomesAsync(() => !StatusOf(gateway, "plc").IsConnected, "nobody answers for the clock");
+        // One question may still be on its way to it.
+        await AsksFiveTimesAsync(other);
+        var asked = adapter.Questions;
+        await AsksFiveTimesAsync(other);
+        Assert.That(adapter.Questions, Is.EqualTo(asked));
+    }
+
+    [TestCase("/nowpose/plant_time/Two Words", "no such service")]
+    [TestCase("/nowpose/plant_time/own", "no such service")]
+    [TestCase("/nowpose/plant_time/", "no such service")]
+    [TestCase("/rosapi/get_time", "no such service")]
+    public async Task AdvertiseService_OfSomethingElse_IsRefused(string service, string reason)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync($$"""{"op":"advertise_service","service":"{{service}}","type":"nowpose/PlantTime"}""");
+
+        await client.ExpectErrorAsync(reason);
+        Assert.That(gateway.PlantClocks.All, Is.Empty);
+    }
+
+    [Test]
+    public async Task AdvertiseService_OfAClockThatAnotherAnswersFor_IsRefused()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", new StopwatchControlClock(PlantStart));
+        await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.IsConnected == true, "the clock is offered");
+        using var second = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await second.SendAsync("""{"op":"advertise_service","service":"/nowpose/plant_time/plc","type":"nowpose/PlantTime"}""");
+
+        await second.ExpectErrorAsync("belongs to another source");
+    }
+
+    [Test]
+    public async Task AdvertiseService_WhenTheFormerConnectionFellSilent_TakesTheClockOver()
+    {
+        var plc = new StopwatchControlClock(PlantStart);
+        var isGone = false;
+        await using var gateway = await Gateways.StartAsync();
+        using var lost = await PlantAdapterDouble.ConnectAsync(
+            gateway, "plc", (id, service) => Volatile.Read(ref isGone) ? null : PlantAdapterDouble.AnswerOf(id, service, plc.Now, plc.Now));
+        await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.State == ClockState.Synchronised, "the clock is known");
+        using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
+        await Soon.BecomesAsync(() => gateway.Drops[DropReason.JointTaken] == 1, "it is refused while the former one answers");
+        // As behind a broken cable: open, and without a word.
+        Volatile.Write(ref isGone, true);
+        var before = StatusOf(gateway, "plc").Exchanges;
+
+        await Soon.BecomesAsync(() =>
+        {
+            // Any message of its will do; adapters tell their state each second.
+            back.Client.SendAsync("{\"op\":\"status\",\"level\":\"none\",\"msg\":\"\"}").GetAwaiter().GetResult();
+            return StatusOf(gateway, "plc").Exchanges > before + 5;
+        }, "the clock is asked for on the new connection");
+
+        Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1), "it was not told again and again");
+        Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(2), "the former one was not noticed to be gone");
+    }
+
+    [Test]
+    public async Task JointState_OfAClientWhoseOfferWasRefused_IsStillMappedByThatClock()
+    {
+        var ads = new StopwatchControlClock(PlantStart);
+        var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(-2));
+        await using var gateway = await Gateways.StartAsync();
+        using var first = await KnownAsync(gateway, "ads", ads);
+        using var second = await KnownAsync(gateway, "opcua", opcua);
+        using var headset = await RawRosbridgeClient.ConnectAsync(gateway);
+        await headset.SubscribeAsync(RosTopics.JointStates);
+        using var rival = await RawRosbridgeClient.ConnectAsync(gateway);
+        await rival.SendAsync("{\"op\":\"advertise_service\",\"service\":\"/nowpose/plant_time/opcua\",\"type\":\"nowpose/PlantTime\"}");
+        await rival.ExpectErrorAsync("belongs to another source");
+
+        var count = Stopwatch.GetTimestamp();
+        var state = new JointStateMessage(opcua.AtCount(count), ["a"], [0.5]);
+        await rival.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
+
+        var error = (await headset.ReceiveAsync()).JointState.Stamp - ads.AtCount(count);
+        Assert.That(error.Duration(), Is.LessThan(TimeSpan.FromSeconds(1)), "two seconds apart must not pass");
+    }
+
+    [Test]
+    public async Task JointState_OfAClockBeyondTheGreatestNumber_IsRefused()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        for (var i = 0; i <= PlantClocks.AtMost; i++)
+        {
+            using var other = i < PlantClocks.AtMost ? await RawRosbridgeClient.ConnectAsync(gateway) : null;
+            await (other ?? client).SendAsync(
+                $$"""{"op":"advertise_service","service":"/nowpose/plant_time/clock{{i}}","type":"nowpose/PlantTime"}""");
+            if (other != null) await Soon.BecomesAsync(() => gateway.PlantClocks.All.Count == i + 1, "it is offered");
+        }
+
+        await client.ExpectErrorAsync("OutOfRange");
+        await client.SendAsync(Gateways.StateText(0.5));
+
+        await client.ExpectErrorAsync("Unsynchronised");
+    }
+
+    [Test]
+    public async Task PlantTime_CallFailsWithALongText_IsKeptAsAShortLine()
+    {
+        var reason = "stop\\n\\u0007" + new string('x', 5000);
+        await using var gateway = await Gateways.StartAsync();
+        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", (id, service) =>
+            $$"""{"op":"service_response","id":"{{id}}","service":"{{service}}","result":false,"values":"{{reason}}"}""");
+
+        await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.Failures > 0, "the failure is counted");
+
+        var kept = StatusOf(gateway, "plc").LastFailure;
+        Assert.That(kept, Does.StartWith("stop  xxx").And.Length.LessThanOrEqualTo(PlantClock.LongestFailure));
+    }
+
+    [Test]
+    public async Task AdvertiseService_ByAnObserver_IsRefused()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+        using var observer = await RawRosbridgeClient.ConnectAsync(
+            gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
+
+        await observer.SendAsync("""{"op":"advertise_service","service":"/nowpose/plant_time/plc","type":"nowpose/PlantTime"}""");
+
+        await observer.ExpectErrorAsync("role");
+        Assert.That(gateway.PlantClocks.All, Is.Empty);
+    }
+
+    // An adapter whose clock the gateway knows.
+    static async Task<PlantAdapterDouble> KnownAsync(GatewayServer gateway, string name, StopwatchControlClock clock)
+    {
+        var adapter = await PlantAdapterDouble.ConnectAsync(gateway, name, clock);
+        await Soon.BecomesAsync(() => StatusOf(gateway, name)?.State == ClockState.Synchronised, $"the clock '{name}' is known");
+        return adapter;
+    }
+
+    static Task AsksFiveTimesAsync(PlantAdapterDouble adapter)
+    {
+        var before = adapter.Questions;
+        return Soon.BecomesAsync(() => adapter.Questions >= before + 5, "it is asked");
+    }
+
+    static PlantClockStatus StatusOf(GatewayServer gateway, string name) => gateway.Clock.Status().FirstOrDefault(clock => clock.Name == name);
+}

@@ -1,0 +1,202 @@
+using NUnit.Framework;
+using Nowpose.Gateway.Clock;
+using Nowpose.Sync;
+
+namespace Nowpose.Headless.Tests.Gateway.Clock;
+
+/// <summary>In virtual time: two clocks of one control system against a counter, each with a rate of its own.</summary>
+public class ServedClockTests
+{
+    static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(0.4);
+
+    [TestCase(0, 0)]
+    [TestCase(40, -25)]
+    [TestCase(-120, 90)]
+    public void Status_TwoClocksOfOnePlant_TellsOffsetAndDrift(double adsPpm, double opcuaPpm)
+    {
+        var plant = new VirtualPlant();
+        var ads = plant.Add("ads", 1000, adsPpm);
+        var opcua = plant.Add("opcua", 1003.5, opcuaPpm);
+
+        plant.Run(TimeSpan.FromMinutes(3));
+
+        var status = plant.Served.Status();
+        var truth = opcua.Shown - ads.Shown;
+        Assert.That(status[0].IsControlClock, Is.True);
+        Assert.That(status[0].OffsetToControl, Is.EqualTo(TimeSpan.Zero));
+        Assert.That(status[1].State, Is.EqualTo(ClockState.Synchronised));
+        Assert.That((status[1].OffsetToControl.Value - truth).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(0.05)));
+        Assert.That(status[1].DriftPpm.Value, Is.EqualTo(opcuaPpm - adsPpm).Within(1));
+        Assert.That((plant.Served.Now - ads.Shown).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(0.05)));
+    }
+
+    [Test]
+    public void Now_PlantStepsByASecond_FollowsAndSaysSoMeanwhile()
+    {
+        var plant = new VirtualPlant();
+        var plc = plant.Add("plc", 1000, 20);
+        plant.Run(TimeSpan.FromMinutes(1));
+
+        plc.Step(TimeSpan.FromSeconds(-1));
+        var wasDoubted = false;
+        var recovery = TimeSpan.Zero;
+        for (var i = 0; i < 200 && (plant.Served.Now - plc.Shown).Duration() > TimeSpan.FromMilliseconds(1); i++)
+        {
+            plant.Run(TimeSpan.FromMilliseconds(50));
+            recovery += TimeSpan.FromMilliseconds(50);
+            wasDoubted |= !plant.Served.IsSynchronised;
+        }
+
+        TestContext.Out.WriteLine($"followed after {recovery.TotalSeconds:0.0} s");
+        Assert.That(recovery, Is.LessThan(TimeSpan.FromSeconds(5)));
+        Assert.That(wasDoubted, Is.True);
+    }
+
+    [Test]
+    public void IsSynchronised_ClockLostForMinutes_IsNoLonger()
+    {
+        var plant = new VirtualPlant();
+        plant.Add("plc", 1000, 20);
+        plant.Run(TimeSpan.FromMinutes(1));
+
+        plant.Pass(TimeSpan.FromSeconds(10));
+        var soon = plant.Served.IsSynchronised;
+        plant.Pass(TimeSpan.FromHours(1));
+
+        Assert.That(soon, Is.True);
+        Assert.That(plant.Served.State, Is.EqualTo(ClockState.Holdover));
+        Assert.That(plant.Served.ErrorBound, Is.GreaterThan(TimeSpan.FromMilliseconds(10)));
+        Assert.That(plant.Served.IsSynchronised, Is.False);
+    }
+
+    [Test]
+    public void Quality_WhileTheClockThatIsToBeC1IsUnknown_IsThatOfTheClockServed()
+    {
+        var own = new StopwatchControlClock(ControlTime.FromSeconds(1), 40e-6)
+        {
+            ErrorBound = TimeSpan.FromMilliseconds(3), Resolution = TimeSpan.FromMilliseconds(1),
+        };
+        var plant = new VirtualPlant("plc", own);
+
+        Assert.That(plant.Served.ErrorBound, Is.EqualTo(own.ErrorBound));
+        Assert.That(plant.Served.Resolution, Is.EqualTo(own.Resolution));
+        Assert.That(plant.Served.Skew, Is.EqualTo(own.Skew));
+        Assert.That(plant.Served.IsSynchronised, Is.False, "it is not the clock that was asked for");
+
+        plant.Add("plc", 1000, -20);
+        plant.Run(TimeSpan.FromMinutes(1));
+
+        Assert.That(plant.Served.ErrorBound, Is.LessThan(own.ErrorBound));
+        Assert.That(plant.Served.Resolution, Is.EqualTo(new TimeSpan(1)));
+        Assert.That(plant.Served.Skew, Is.EqualTo(-20e-6).Within(1e-6));
+        Assert.That(plant.Served.IsSynchronised, Is.True);
+    }
+
+    [Test]
+    public void TryMap_StampOfAnotherCentury_IsRefused()
+    {
+        var plant = new VirtualPlant();
+        plant.Add("ads", 1000, 0);
+        plant.Add("opcua", 1001, 0);
+        plant.Run(TimeSpan.FromSeconds(30));
+
+        var isMapped = plant.Served.TryMap(plant.Clocks.All[1], new ControlTime(TimeSpan.MaxValue), out _);
+
+        Assert.That(isMapped, Is.False);
+    }
+
+    [Test]
+    public void TryMap_SecondClockLostForAnHour_IsRefusedAndC1Itself_IsNot()
+    {
+        var plant = new VirtualPlant();
+        var ads = plant.Add("ads", 1000, 0);
+        var opcua = plant.Add("opcua", 1001, 0);
+        plant.Run(TimeSpan.FromSeconds(30));
+
+        plant.Pass(TimeSpan.FromSeconds(10));
+        var isMappedSoon = plant.Served.TryMap(plant.Clocks.All[1], opcua.Shown, out var onControl);
+        var error = (onControl - ads.Shown).Duration();
+        plant.Pass(TimeSpan.FromHours(1));
+
+        Assert.That(isMappedSoon, Is.True, "a holdover of seconds is good enough");
+        Assert.That(error, Is.LessThan(TimeSpan.FromMilliseconds(1)));
+        Assert.That(plant.Served.TryMap(plant.Clocks.All[1], opcua.Shown, out _), Is.False);
+        Assert.That(plant.Served.TryMap(plant.Clocks.All[0], ads.Shown, out _), Is.True);
+    }
+
+    [Test]
+    public void Look_ClocksDriftApart_SaysItOnceAndAgainWhenTheyMoved()
+    {
+        var plant = new VirtualPlant();
+        plant.Add("ads", 1000, 0);
+        plant.Add("opcua", 1001, 100);
+        var lines = new List<string>();
+        using var comparison = new ClockComparison(plant.Served, lines.Add);
+
+        plant.Run(TimeSpan.FromMinutes(1));
+        comparison.Look();
+        comparison.Look();
+        var first = lines.Count(line => line.Contains("against", StringComparison.Ordinal));
+        plant.Run(TimeSpan.FromMinutes(1));
+        comparison.Look();
+
+        Assert.That(first, Is.EqualTo(1), string.Join("\n", lines));
+        Assert.That(lines.Last(), Does.StartWith("clock 'opcua': +1012.").And.Contains("against 'ads', drifting by +100"), string.Join("\n", lines));
+        Assert.That(lines[0], Is.EqualTo("clock 'ads': synchronised; it is the control clock"));
+    }
+
+    /// <summary>A gateway's counter and the clocks that are measured against it, every 200 ms, each way 0.4 ms long and up to 0.2 ms longer.</summary>
+    sealed class VirtualPlant : IPerformanceCounterClock
+    {
+        readonly List<VirtualPlantClock> _clocks = [];
+        readonly Random _random = new(7);
+
+        public VirtualPlant(string wanted = null, IControlClock own = null)
+        {
+            Clocks = new PlantClocks(wanted, this);
+            Served = new ServedClock(own ?? new StopwatchControlClock(ControlTime.FromSeconds(1)), Clocks);
+        }
+
+        public PlantClocks Clocks { get; }
+        public ServedClock Served { get; }
+        public HeadsetTime Now { get; private set; } = HeadsetTime.FromSeconds(50);
+
+        public HeadsetTime At(long count) => throw new NotSupportedException("virtual time has no counts");
+
+        public VirtualPlantClock Add(string name, double startSeconds, double ppm)
+        {
+            var clock = new VirtualPlantClock(this, Clocks.Find(name), ControlTime.FromSeconds(startSeconds), ppm * 1e-6);
+            _clocks.Add(clock);
+            return clock;
+        }
+
+        public void Run(TimeSpan length)
+        {
+            for (var end = Now + length; Now < end; Pass(TimeSpan.FromMilliseconds(50)))
+                foreach (var clock in _clocks) clock.Exchange(Way(), Way());
+        }
+
+        public void Pass(TimeSpan length) => Now += length;
+
+        TimeSpan Way() => OneWay + TimeSpan.FromMilliseconds(0.2 * _random.NextDouble());
+    }
+
+    sealed class VirtualPlantClock(VirtualPlant plant, PlantClock measured, ControlTime start, double skew)
+    {
+        readonly HeadsetTime _started = plant.Now;
+        ControlTime _start = start;
+
+        public ControlTime Shown => At(plant.Now);
+
+        public void Step(TimeSpan by) => _start += by;
+
+        public void Exchange(TimeSpan there, TimeSpan back)
+        {
+            // The answer is at hand when the exchange is added: it was asked for that long ago.
+            var asked = plant.Now - there - back;
+            measured.Add(new SyncExchange(asked, At(asked + there), At(asked + there), plant.Now));
+        }
+
+        ControlTime At(HeadsetTime time) => _start + new TimeSpan((long)((time - _started).Ticks * (1 + skew)));
+    }
+}

@@ -1,0 +1,71 @@
+using System.Text;
+using NUnit.Framework;
+using Nowpose.Gateway.Recording;
+
+namespace Nowpose.Headless.Tests.Gateway.Recording;
+
+public class LineFileTests
+{
+    static byte[] Line(string text) => Encoding.UTF8.GetBytes(text + "\n");
+
+    static LineFile Written(SmallDisk disk, params string[] lines)
+    {
+        var file = new LineFile(disk);
+        foreach (var line in lines) file.Write(Line(line));
+        return file;
+    }
+
+    [Test]
+    public void Records_OfAGoodDisk_AreAllButTheRecordingsOwn()
+    {
+        using var file = Written(new SmallDisk(1000), "{\"kind\":\"session\"}", "{\"kind\":\"sample\"}", "{\"kind\":\"lost\"}", "{\"kind\":\"sync\"}", "{\"kind\":\"end\"}");
+
+        Assert.That(file.Records, Is.EqualTo(2));
+        file.Flush();
+        Assert.That(file.Records, Is.EqualTo(2));
+    }
+
+    [TestCase(0, 0)]
+    [TestCase(9, 0)]
+    [TestCase(10, 1)]
+    [TestCase(25, 2)]
+    public void Flush_DiskFullInTheMiddle_KeepsTheWholeLinesAndSaysHowMany(int bytes, int whole)
+    {
+        var disk = new SmallDisk(bytes);
+        var file = Written(disk, "123456789", "123456789", "123456789");
+
+        Assert.That(file.Flush, Throws.InstanceOf<IOException>());
+
+        Assert.That(file.Records, Is.EqualTo(whole));
+        Assert.That(disk.Text, Is.EqualTo(string.Concat(Enumerable.Repeat("123456789\n", whole))), "no torn line");
+        Assert.That(file.Dispose, Throws.Nothing, "it does not try again");
+        Assert.That(disk.IsDisposed, Is.True);
+    }
+
+    [Test]
+    public void Write_LineLongerThanTheBuffer_IsWrittenAfterThoseBefore()
+    {
+        var disk = new SmallDisk(1_000_000);
+        using var file = Written(disk, "first", new string('x', 200_000), "last");
+        file.Flush();
+
+        Assert.That(file.Records, Is.EqualTo(3));
+        Assert.That(disk.Text, Is.EqualTo("first\n" + new string('x', 200_000) + "\nlast\n"));
+    }
+
+    [Test]
+    public void Create_FileThatIsThere_IsNotReplaced()
+    {
+        var path = Path.Combine(TestContext.CurrentContext.WorkDirectory, Guid.NewGuid().ToString("N"));
+        try
+        {
+            LineFile.Create(path).Dispose();
+            Assert.That(() => LineFile.Create(path), Throws.InstanceOf<IOException>());
+            if (!OperatingSystem.IsWindows()) Assert.That((int)File.GetUnixFileMode(path), Is.EqualTo(Convert.ToInt32("640", 8)));
+        }
+        finally
+        {
+            File.Delete(path);
+        }
+    }
+}

@@ -1,0 +1,23 @@
+using System.Text;
+
+namespace Nowpose.Headless.Tests.Gateway.Recording;
+
+/// <summary>A disk on which there is room for so many bytes; what is too much is written in part, as disks do.</summary>
+sealed class SmallDisk(int room) : MemoryStream
+{
+    public bool IsDisposed { get; private set; }
+    public string Text => Encoding.UTF8.GetString(ToArray());
+
+    public override void Write(ReadOnlySpan<byte> buffer)
+    {
+        var fitting = Math.Min(buffer.Length, room - (int)Position);
+        base.Write(buffer[..fitting]);
+        if (fitting < buffer.Length) throw new IOException("No space left on device");
+    }
+
+    protected override void Dispose(bool disposing)
+    {
+        IsDisposed = true;
+        base.Dispose(disposing);
+    }
+}

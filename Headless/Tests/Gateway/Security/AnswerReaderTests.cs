@@ -1,0 +1,77 @@
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using Microsoft.AspNetCore.Builder;
+using Microsoft.AspNetCore.Hosting.Server;
+using Microsoft.AspNetCore.Hosting.Server.Features;
+using Microsoft.AspNetCore.Http;
+using Microsoft.Extensions.DependencyInjection;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+/// <summary>Whoever asks for a page reads it, or gives its place to others.</summary>
+public class AnswerReaderTests
+{
+    const int Piece = 64 * 1024;
+
+    // Fast, so that what the sockets hold is due at once.
+    static readonly GatewayOptions Options = Gateways.Options() with { AnswerBytesPerSecond = 100_000_000 };
+
+    [Test]
+    public Task Answer_ThatNobodyReads_Ends() => AskAndReadNothingAsync();
+
+    [Test]
+    public async Task WebSocket_ThatIsNotReadForAsLong_GoesOn()
+    {
+        await using var gateway = await Gateways.StartAsync(Options with { PongTimeout = TimeSpan.FromMinutes(5) });
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));
+        await client.SubscribeAsync(RosTopics.JointStates);
+        using var source = gateway.Hub.OpenSource();
+        var names = Enumerable.Range(0, 256).Select(i => "joint" + i).ToArray();
+        var sent = 0;
+        using var quick = await RawRosbridgeClient.ConnectAsync(gateway);
+        await quick.SubscribeAsync(RosTopics.JointStates);
+        // Until what lies between the gateway and the client is full.
+        while (gateway.Drops[DropReason.SlowReader] < 100)
+        {
+            source.TryPublish(Gateways.State(++sent, names));
+            await quick.ReceiveAsync();
+        }
+
+        await AskAndReadNothingAsync();
+
+        while ((await client.ReceiveAsync()).JointState.Positions[0] < sent)
+        {
+            // To the newest: nothing was cut off.
+        }
+    }
+
+    // Completes when the gateway has had enough of it.
+    static async Task AskAndReadNothingAsync()
+    {
+        var isEnded = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        await using var web = GatewayWeb.Build(Options, new ConnectionCounters(), context => AnswerAsync(context, isEnded));
+        await web.StartAsync().Bounded();
+        using var reader = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { ReceiveBufferSize = 4096 };
+        await reader.ConnectAsync(IPAddress.Loopback, PortOf(web));
+
+        await reader.SendAsync(Encoding.ASCII.GetBytes("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"));
+
+        await isEnded.Task.Bounded();
+    }
+
+    // Endless: longer than whatever lies between.
+    static async Task AnswerAsync(HttpContext context, TaskCompletionSource isEnded)
+    {
+        using var aborted = context.RequestAborted.Register(isEnded.SetResult);
+        var piece = new byte[Piece];
+        while (!context.RequestAborted.IsCancellationRequested)
+            await context.Response.Body.WriteAsync(piece);
+    }
+
+    static int PortOf(WebApplication web) =>
+        new Uri(web.Services.GetRequiredService<IServer>().Features.Get<IServerAddressesFeature>().Addresses.First()).Port;
+}

@@ -1,0 +1,88 @@
+using System.Collections.Concurrent;
+using System.Security.Cryptography;
+using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Security;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+public class CertificateRenewalTests
+{
+    readonly ConcurrentQueue<string> _log = [];
+    string _folder;
+
+    string CertificatePath => Path.Combine(_folder, "gateway.pem");
+
+    [SetUp]
+    public void SetUp()
+    {
+        _folder = Directory.CreateTempSubdirectory("nowpose-renewal").FullName;
+        _log.Clear();
+    }
+
+    [TearDown]
+    public void TearDown() => Directory.Delete(_folder, true);
+
+    [Test]
+    public async Task File_RenewedWithTheSameKey_IsShownWithoutARestart()
+    {
+        using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
+        CertificatesOfOneKey.Write(CertificatePath, key, days: 10);
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { CertificateFile = Follow() });
+        var former = await ShownAsync(gateway);
+
+        CertificatesOfOneKey.Write(CertificatePath, key, days: 400);
+
+        await Soon.BecomesAsync(() => ShownAsync(gateway).Result.NotAfter > former.NotAfter, "shown");
+        Assert.That(CertificatePin.Of(await ShownAsync(gateway)), Is.EqualTo(gateway.Pin));
+        Assert.That(gateway.CertificateExpires, Is.GreaterThan(DateTime.UtcNow.AddDays(399)));
+    }
+
+    [Test]
+    public async Task File_OfAnotherKey_IsNotTakenAndTold()
+    {
+        using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
+        using var other = ECDsa.Create(ECCurve.NamedCurves.nistP256);
+        CertificatesOfOneKey.Write(CertificatePath, key, days: 400);
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { CertificateFile = Follow() });
+
+        CertificatesOfOneKey.Write(CertificatePath, other, days: 400);
+
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("another key")), "told");
+        Assert.That(CertificatePin.Of(await ShownAsync(gateway)), Is.EqualTo(gateway.Pin));
+    }
+
+    [TestCase(100, 90, null)]
+    [TestCase(20, 10, "expires on")]
+    [TestCase(20, 21, "expired on")]
+    public void Expiry_Near_IsToldOnceAndSoIsTheRenewal(int lastsDays, int atDays, string expected)
+    {
+        var notice = new ExpiryNotice(_log.Enqueue);
+        var start = new DateTime(2026, 11, 20);
+
+        notice.Look(start.AddDays(lastsDays + 80), start.AddDays(0));
+        for (var i = 0; i < 3; i++)
+            notice.Look(start.AddDays(expected == null ? lastsDays + 80 : lastsDays), start.AddDays(atDays));
+        var told = _log.ToArray();
+        notice.Look(start.AddDays(1000), start.AddDays(atDays));
+
+        Assert.That(told.Length, Is.EqualTo(expected == null ? 0 : 1));
+        if (expected != null)
+        {
+            Assert.That(told[0], Does.Contain(expected).And.Contain("renew"));
+            Assert.That(_log.Last(), Does.Contain("renewed"));
+        }
+    }
+
+    CertificateFile Follow() => new(CertificatePath, null, _log.Enqueue);
+
+    static async Task<X509Certificate2> ShownAsync(Nowpose.Gateway.GatewayServer gateway)
+    {
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        var shown = default(X509Certificate2);
+        await using var secure = new System.Net.Security.SslStream(client.Stream, false, (_, given, _, _) => (shown = new X509Certificate2(given)) != null);
+        await secure.AuthenticateAsClientAsync("localhost").Bounded();
+        return shown;
+    }
+}

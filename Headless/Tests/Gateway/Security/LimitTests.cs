@@ -1,0 +1,173 @@
+using System.Buffers.Binary;
+using System.Collections.Concurrent;
+using System.Net;
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+/// <summary>What a client sends is measured before it is kept, decoded or parsed.</summary>
+public class LimitTests
+{
+    const int Clients = 64;
+    const int Mebibyte = 1024 * 1024;
+
+    static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
+
+    // Clients that answer no ping and never end their message must stay while their memory is measured, however long that takes.
+    static readonly GatewayOptions Patient = WithTokens with
+    {
+        MaxNewcomers = Clients, PongTimeout = TimeSpan.FromMinutes(2), MessageTimeout = TimeSpan.FromMinutes(2),
+    };
+
+    [Test]
+    public async Task Messages_BeyondTheRate_AreDroppedUnparsedAndTheConnectionGoesOn()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SourceMessagesPerSecond = 20 });
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        for (var i = 0; i < 30; i++)
+            await client.SendAsync("junk");
+
+        await Soon.BecomesAsync(() => gateway.Drops.Total == 30, "all judged");
+        Assert.That(gateway.Drops[DropReason.TooManyMessages], Is.GreaterThan(0));
+        Assert.That(gateway.Drops[DropReason.NotJson], Is.GreaterThanOrEqualTo(20), "no more than allowed were parsed in the first second");
+        for (var i = 0; i < 30; i++)
+            Assert.That((await client.ReceiveAsync()).Text, Does.Contain("JSON").Or.Contain("within a second"));
+        await SendsAgainAsync(client);
+    }
+
+    [Test]
+    public async Task Messages_OfASourceAt2000Hz_AreAllTaken()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        for (var i = 0; i < 2000; i++)
+            await client.SendAsync(Gateways.StateText(i));
+
+        await client.RoundTripAsync();
+        Assert.That(gateway.Drops.Total, Is.Zero);
+    }
+
+    [Test]
+    public async Task Message_LongOfAnObserver_IsNotEvenKept()
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens);
+        using var client = await RawRosbridgeClient.ConnectAsync(
+            gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
+
+        await client.SendAsync(RosbridgeWriter.PublishString(RosTopics.RobotDescription, new string('u', 100_000)));
+
+        await client.ExpectErrorAsync("longer");
+        Assert.That(gateway.Drops[DropReason.TooLarge], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Message_LongOfASourceOnAnotherTopic_IsNotDecoded()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        // Of deep nesting, which would be what it is refused for if it were looked into.
+        await client.SendAsync(new string('[', 900_000));
+
+        await client.ExpectErrorAsync("longer");
+        Assert.That(gateway.Drops[DropReason.TooLarge], Is.EqualTo(1));
+        Assert.That(gateway.Drops[DropReason.TooDeep], Is.Zero);
+    }
+
+    [Test]
+    public async Task Junk_AMebibyteOnEachOf64Connections_KeepsMemoryBounded()
+    {
+        await using var gateway = await Gateways.StartAsync(Patient);
+        var clients = new List<RawWebSocket>();
+        try
+        {
+            for (var i = 0; i < Clients; i++)
+                clients.Add(await RawWebSocket.OpenAsync(gateway, $"Authorization: Bearer {Gateways.ObserverToken}\r\n"));
+            var junk = HalfOfAMessage(2L * Mebibyte);
+            var before = GC.GetTotalMemory(true);
+
+            await Task.WhenAll(clients.Select(client => client.SendAsync(junk)));
+            var kept = 0L;
+            for (var look = 0; look < 10; look++)
+            {
+                kept = Math.Max(kept, GC.GetTotalMemory(true) - before);
+                await Task.Delay(50);
+            }
+
+            Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(Clients));
+            TestContext.Out.WriteLine($"kept of {Clients} MiB of junk: {kept / 1024} KiB");
+            Assert.That(kept, Is.LessThan(Clients * 4L * ProtocolLimits.MessageBytes));
+        }
+        finally
+        {
+            foreach (var client in clients) client.Dispose();
+        }
+    }
+
+    [Test]
+    public async Task Refusals_ByTheThousand_WriteAFewLines()
+    {
+        var log = new ConcurrentQueue<string>();
+        var gateway = await GatewayServer.StartAsync(
+            Gateways.Options(), new Nowpose.Gateway.Clock.StopwatchControlClock(Gateways.Start), log.Enqueue);
+        await using (gateway)
+        {
+            for (var i = 0; i < 200; i++)
+            {
+                using var client = await RawWebSocket.ConnectAsync(gateway);
+                Assert.That(await client.RequestAsync("Origin: http://evil.example\r\n"), Does.StartWith("HTTP/1.1 403 "));
+            }
+        }
+
+        Assert.That(log.Count(line => line.Contains("Origin")), Is.EqualTo(QuietLog.LinesAMinute + 1), "and one that says how many more");
+        Assert.That(log.Last(line => line.Contains("Origin")), Does.Contain("(190 more"));
+        Assert.That(gateway.WebSocketConnections[Closure.Origin], Is.EqualTo(200));
+    }
+
+    [Test]
+    public async Task Newcomers_OfOneAddress_LeavePlacesForOthers()
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens with { MaxNewcomers = 3 });
+        var silent = new List<RawSyncClient>();
+        try
+        {
+            for (var i = 0; i < 10; i++) silent.Add(await RawSyncClient.ConnectAsync(gateway));
+            await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.ConnectionLimit] == 7, "no more than three");
+            Assert.That(gateway.SyncConnections.Accepted, Is.EqualTo(3));
+
+            using var other = await RawSyncClient.ConnectAsync(gateway.SyncEndPoint, IPAddress.Parse("127.0.0.2"));
+            await other.SendAsync(SyncToken.Write(Gateways.ObserverToken));
+
+            Assert.That((await other.ReceiveAsync()).Value.IsAccepted, Is.True);
+        }
+        finally
+        {
+            foreach (var client in silent) client.Dispose();
+        }
+    }
+
+    static async Task SendsAgainAsync(RawRosbridgeClient client)
+    {
+        // The second in which too much came must be over.
+        while (true)
+        {
+            await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "again"));
+            if ((await client.ReceiveAsync()).Id == "again") return;
+        }
+    }
+
+    // A frame that says it is longer than what follows: the message never ends.
+    static byte[] HalfOfAMessage(long length)
+    {
+        var bytes = new byte[14 + (length / 2)];
+        bytes[0] = 0x80 | RawWebSocket.Text;
+        bytes[1] = 0x80 | 127;
+        BinaryPrimitives.WriteInt64BigEndian(bytes.AsSpan(2), length);
+        bytes.AsSpan(14).Fill((byte)' ');
+        return bytes;
+    }
+}

@@ -1,0 +1,66 @@
+using Nowpose.Gateway.Security;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+public class PrecautionTests
+{
+    [TestCase("600", false)]
+    [TestCase("640", true)]
+    [TestCase("644", true)]
+    public async Task TokensFile_OthersMayRead_IsWarnedOf(string mode, bool expected)
+    {
+        if (OperatingSystem.IsWindows()) Assert.Ignore("files have no such modes on Windows");
+        var path = Path.GetTempFileName();
+        try
+        {
+            File.WriteAllText(path, "observer a\n");
+            if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(path, (UnixFileMode)Convert.ToInt32(mode, 8));
+            await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = TokenList.Read(path) });
+
+            var warnings = gateway.Warnings.Where(line => line.Contains(path)).ToArray();
+
+            Assert.That(warnings.Length, Is.EqualTo(expected ? 1 : 0));
+            if (expected) Assert.That(warnings[0], Does.Contain("mode " + mode).And.Contain("chmod 600"));
+        }
+        finally
+        {
+            File.Delete(path);
+        }
+    }
+
+    [TestCase("root's, of the own group", "640", false)]
+    [TestCase("root's, of the own group", "660", true)]
+    [TestCase("root's, of the own group", "644", true)]
+    [TestCase("root's, of another group", "640", true)]
+    [TestCase("handed over", "440", false)]
+    public void TokensFile_OfSomebodyElse_IsWarnedOfWhereMoreThanTheOwnGroupMayRead(string whose, string mode, bool expected)
+    {
+        if (!OperatingSystem.IsLinux() || !Environment.IsPrivilegedProcess) Assert.Ignore("only root can give files away, on Linux");
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, "tokens.txt");
+        File.WriteAllText(path, "observer a\n");
+        // Seen from this process: somebody else's, of its own group or not.
+        Run("chown", whose.EndsWith("another group") ? "65534:65534" : "65534", path);
+        Run("chmod", mode, path);
+
+        var warnings = Precautions.Of(Gateways.Options() with { Tokens = TokenList.Read(path) }, whose == "handed over" ? folder.Path : null);
+
+        Assert.That(warnings.Count(line => line.Contains(path)), Is.EqualTo(expected ? 1 : 0));
+    }
+
+    static void Run(string program, params string[] arguments)
+    {
+        using var process = System.Diagnostics.Process.Start(program, arguments);
+        process.WaitForExit();
+        Assert.That(process.ExitCode, Is.Zero);
+    }
+
+    [Test]
+    public async Task Root_WithoutNeed_IsWarnedOf()
+    {
+        await using var gateway = await Gateways.StartAsync();
+
+        Assert.That(gateway.Warnings.Any(line => line.Contains("runs as root")), Is.EqualTo(Environment.IsPrivilegedProcess));
+    }
+}

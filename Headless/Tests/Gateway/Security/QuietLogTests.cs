@@ -1,0 +1,63 @@
+using Nowpose.Gateway;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+public class QuietLogTests
+{
+    readonly List<string> _lines = [];
+    readonly SteppedTime _time = new();
+    QuietLog _log;
+
+    [SetUp]
+    public void SetUp()
+    {
+        _lines.Clear();
+        _log = new QuietLog(_lines.Add, _time);
+    }
+
+    [TearDown]
+    public void TearDown() => _log.Dispose();
+
+    [Test]
+    public void Lines_Same_AreSaidAFewTimesAndThenCounted()
+    {
+        for (var i = 0; i < 1000; i++) _log.Write("refused");
+        var atOnce = _lines.Count;
+        _time.Advance(TimeSpan.FromSeconds(61));
+        _log.Write("something else");
+
+        Assert.That(atOnce, Is.EqualTo(QuietLog.LinesAMinute));
+        Assert.That(_lines[^2..], Is.EqualTo(new[] { "refused (990 more of these)", "something else" }));
+    }
+
+    [Test]
+    public void Lines_AllDifferent_AreBoundedTogether()
+    {
+        for (var i = 0; i < 1000; i++) _log.Write("refused " + i);
+
+        Assert.That(_lines.Count, Is.EqualTo(QuietLog.GreatestKinds + QuietLog.LinesAMinute));
+    }
+
+    [Test]
+    public void Lines_InEachMinute_BeginAnew()
+    {
+        for (var minute = 0; minute < 3; minute++)
+        {
+            for (var i = 0; i < QuietLog.LinesAMinute; i++) _log.Write("closed");
+            _time.Advance(TimeSpan.FromSeconds(61));
+        }
+
+        Assert.That(_lines, Is.EqualTo(Enumerable.Repeat("closed", 3 * QuietLog.LinesAMinute)));
+    }
+
+    [Test]
+    public void Dispose_WithLinesHeldBack_SaysHowMany()
+    {
+        for (var i = 0; i < 12; i++) _log.Write("closed");
+
+        _log.Dispose();
+
+        Assert.That(_lines.Last(), Is.EqualTo("closed (2 more of these)"));
+    }
+}

@@ -1,0 +1,204 @@
+using System.Collections.Concurrent;
+using System.Diagnostics;
+using System.Net;
+using System.Net.WebSockets;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Security;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+/// <summary>Tokens come and go while the gateway runs and connections are open.</summary>
+public class RevocationTests
+{
+    readonly ConcurrentQueue<string> _log = [];
+    string _folder;
+
+    string TokensPath => Path.Combine(_folder, "tokens.txt");
+    string PairingPath => Path.Combine(_folder, "paired.txt");
+
+    [SetUp]
+    public void SetUp()
+    {
+        _folder = Directory.CreateTempSubdirectory("nowpose-revocation").FullName;
+        _log.Clear();
+    }
+
+    [TearDown]
+    public void TearDown() => Directory.Delete(_folder, true);
+
+    [Test]
+    public async Task Token_Removed_EndsBothItsConnectionsAndNoOthers()
+    {
+        await using var gateway = await StartAsync("observer gone-token", "observer kept-token");
+        using var gone = await ConnectAsync(gateway, "gone-token");
+        using var kept = await ConnectAsync(gateway, "kept-token");
+        using var goneSync = await SyncAsync(gateway, "gone-token");
+        using var keptSync = await SyncAsync(gateway, "kept-token");
+        await gone.RoundTripAsync();
+        var since = Stopwatch.GetTimestamp();
+
+        Write("observer kept-token");
+
+        var close = await gone.Socket.ReceiveAsync(new byte[100], default).Bounded();
+        Assert.That(close.CloseStatus, Is.EqualTo(WebSocketCloseStatus.PolicyViolation));
+        Assert.That(close.CloseStatusDescription, Is.EqualTo("Token"));
+        Assert.That(await goneSync.ReceiveAsync(), Is.Null);
+        Tell("revoked token: both connections ended", since);
+        await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Token] == 1, "counted");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Token] == 1, "counted");
+        await kept.RoundTripAsync();
+        Assert.That(await keptSync.ExchangeAsync(SyncFrame.Request(2, 2)), Is.Not.Null);
+        Assert.That(await RefusalAsync(gateway, "gone-token"), Is.EqualTo(HttpStatusCode.Unauthorized));
+    }
+
+    /// <summary>What a busy machine adds is no promise; what is waited for by design is.</summary>
+    [Test]
+    public void Token_Removed_IsWaitedForNoLongerThanTwoSeconds() =>
+        Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.GoodbyeTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
+
+    [Test]
+    public async Task Token_RemovedOfAClientThatReadsNothing_EndsItAllTheSame()
+    {
+        await using var gateway = await StartAsync("source gone-token", "observer other");
+        using var gone = await ConnectAsync(gateway, "gone-token");
+        await gone.SendAsync(Gateways.StateText(1));
+        var since = Stopwatch.GetTimestamp();
+
+        Write("observer other");
+
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "ended");
+        // The half second it takes to look, a quarter for the file to settle, and a second for the goodbye that is not answered.
+        Tell("revoked token of a client that reads nothing: ended", since);
+        Assert.That(gateway.WebSocketConnections[Closure.Token], Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Token_RemovedOfASource_IsHeardNoMore()
+    {
+        await using var gateway = await StartAsync("source gone-token", "observer other");
+        using var observer = await ConnectAsync(gateway, "other");
+        await observer.SubscribeAsync(RosTopics.JointStates);
+        using var gone = await ConnectAsync(gateway, "gone-token");
+        await gone.RoundTripAsync();
+
+        Write("observer other");
+        var close = await gone.Socket.ReceiveAsync(new byte[100], default).Bounded();
+        Assert.That(close.MessageType, Is.EqualTo(WebSocketMessageType.Close));
+        // Instead of answering the close, as an attacker would.
+        await gone.SendAsync(Gateways.StateText(1));
+
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "ended");
+        await observer.RoundTripAsync(); // and no sample before it
+    }
+
+    [Test]
+    public async Task Token_ThatBecomesAnotherRole_ComesInAnewAsThat()
+    {
+        await using var gateway = await StartAsync("source changing");
+        using var before = await ConnectAsync(gateway, "changing");
+
+        Write("observer changing");
+
+        Assert.That((await before.Socket.ReceiveAsync(new byte[100], default).Bounded()).CloseStatusDescription, Is.EqualTo("Token"));
+        using var after = await ConnectAsync(gateway, "changing");
+        await after.SendAsync(Gateways.StateText(1));
+        await after.ExpectErrorAsync("role");
+    }
+
+    [Test]
+    public async Task Token_Added_IsAcceptedWithoutARestart()
+    {
+        await using var gateway = await StartAsync("observer first");
+        Assert.That(await RefusalAsync(gateway, "second"), Is.EqualTo(HttpStatusCode.Unauthorized));
+
+        Write("observer first", "source second");
+
+        await Soon.BecomesAsync(() => AcceptsAsync(gateway, "second").Result, "accepted");
+    }
+
+    [Test]
+    public async Task Tokens_AllRemoved_LetInNobody()
+    {
+        await using var gateway = await StartAsync("observer only");
+        using var client = await ConnectAsync(gateway, "only");
+
+        Write("# nobody at the moment");
+
+        Assert.That((await client.Socket.ReceiveAsync(new byte[100], default).Bounded()).CloseStatusDescription, Is.EqualTo("Token"));
+        Assert.That(await RefusalAsync(gateway, "only"), Is.EqualTo(HttpStatusCode.Unauthorized));
+    }
+
+    [TestCase("observer kept\nadmin wrong-secret\n", "line 2")]
+    [TestCase(null, "cannot be read")]
+    public async Task File_ThatCannotBeUsed_LeavesTheLastListAndIsToldOnce(string text, string part)
+    {
+        await using var gateway = await StartAsync("observer kept", "observer also-kept");
+        using var client = await ConnectAsync(gateway, "also-kept");
+
+        if (text == null) File.Delete(TokensPath);
+        else File.WriteAllText(TokensPath, text);
+        await Soon.BecomesAsync(() => !_log.IsEmpty, "told");
+        await client.RoundTripAsync();
+        Write("observer kept", "observer also-kept", "observer new");
+        await Soon.BecomesAsync(() => AcceptsAsync(gateway, "new").Result, "followed again");
+
+        var told = _log.Where(line => line.Contains(TokensPath)).ToArray();
+        Assert.That(told.Length, Is.EqualTo(1), string.Join('\n', told));
+        Assert.That(told[0], Does.Contain(part).And.Contain("goes on").And.Not.Contain("secret"));
+        await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task Headset_Revoked_LosesBothItsConnections()
+    {
+        var headsets = new HeadsetList(PairingPath, log: _log.Enqueue);
+        var token = headsets.Add("seven", out var headset);
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Headsets = headsets });
+        using var client = await ConnectAsync(gateway, token);
+        using var sync = await SyncAsync(gateway, token);
+        var since = Stopwatch.GetTimestamp();
+
+        HeadsetFile.Remove(PairingPath, [headset]);
+
+        Assert.That((await client.Socket.ReceiveAsync(new byte[100], default).Bounded()).CloseStatusDescription, Is.EqualTo("Token"));
+        Assert.That(await sync.ReceiveAsync(), Is.Null);
+        Tell("revoked headset: both connections ended", since);
+        await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Token] == 1, "counted");
+    }
+
+    // By design within a second or two; each wait above is bounded, and how long a loaded machine takes is no law.
+    static void Tell(string what, long since) =>
+        TestContext.Out.WriteLine($"{what} after {Stopwatch.GetElapsedTime(since).TotalMilliseconds:0} ms");
+
+    Task<GatewayServer> StartAsync(params string[] tokens)
+    {
+        Write(tokens);
+        return Gateways.StartAsync(Gateways.Options() with { Tokens = TokenList.Read(TokensPath, _log.Enqueue) });
+    }
+
+    void Write(params string[] lines) => File.WriteAllLines(TokensPath, lines);
+
+    static Task<RawRosbridgeClient> ConnectAsync(GatewayServer gateway, string token) =>
+        RawRosbridgeClient.ConnectAsync(gateway, options => options.SetRequestHeader("Authorization", "Bearer " + token));
+
+    static async Task<RawSyncClient> SyncAsync(GatewayServer gateway, string token)
+    {
+        var client = await RawSyncClient.ConnectAsync(gateway);
+        await client.SendAsync(SyncToken.Write(token));
+        Assert.That((await client.ReceiveAsync()).Value.IsAccepted, Is.True);
+        return client;
+    }
+
+    static Task<HttpStatusCode> RefusalAsync(GatewayServer gateway, string token) =>
+        RosbridgeServerTests.RefusalAsync(gateway, options => options.SetRequestHeader("Authorization", "Bearer " + token));
+
+    static async Task<bool> AcceptsAsync(GatewayServer gateway, string token)
+    {
+        using var client = await RawSyncClient.ConnectAsync(gateway);
+        await client.SendAsync(SyncToken.Write(token));
+        return (await client.ReceiveAsync()).Value.IsAccepted;
+    }
+}

@@ -1,0 +1,128 @@
+using System.Diagnostics;
+using System.Text.Json.Nodes;
+using NUnit.Framework;
+using Nowpose.Gateway.Status;
+
+namespace Nowpose.Headless.Tests.Gateway.Status;
+
+/// <summary>The metrics, read by Prometheus' own Python parser where it is installed (Debian: python3-prometheus-client).</summary>
+public class MetricsTests
+{
+    const string Python = "/usr/bin/python3";
+
+    const string Parser = """
+        import json, sys
+        from prometheus_client.parser import text_string_to_metric_families
+        families = list(text_string_to_metric_families(sys.stdin.read()))
+        print(json.dumps([[f.type, f.documentation, [[s.name, s.labels, s.value] for s in f.samples]] for f in families]))
+        """;
+
+    static JsonObject Words(string name, params (string Key, object Value)[] words)
+    {
+        var all = new JsonObject { ["name"] = name, ["seen_s_ago"] = 0.5 };
+        foreach (var (key, value) in words) all[key] = value is double number ? number : (string)value;
+        return all;
+    }
+
+    static StatusSnapshot Snapshot(params JsonObject[] headsets) => new(
+        "press", "1.2.3", "2026-11-20T12:00:00Z", 5, 100, new ClockStatus("own", "synchronised", true, 120, 3, 0.5, 1000, 2),
+        [new PlantClockView("press", true, true, "synchronised", null, null, 1.5, 200, 1000, 40, 2, "no answer within 2 s")],
+        [Words("press", ("state", "connected"), ("samples", 12.0))],
+        [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120))], headsets, new SpanStatus(0.2, 0.9),
+        new Dictionary<string, ConnectionStatus> { ["sync"] = new(2, 5, new Dictionary<string, long> { ["Silence"] = 3 }) },
+        new Dictionary<string, long> { ["/joint_states"] = 77 }, new Dictionary<string, long> { ["NotJson"] = 4 },
+        new RecordingStatus(true, true, "x.jsonl", 10, 2000, 1, null), false, true);
+
+    static JsonNode Parse(string text)
+    {
+        if (!File.Exists(Python)) Assert.Ignore($"{Python} is not installed");
+        var start = new ProcessStartInfo(Python) { RedirectStandardInput = true, RedirectStandardOutput = true, RedirectStandardError = true };
+        start.ArgumentList.Add("-c");
+        start.ArgumentList.Add(Parser);
+        using var process = Process.Start(start);
+        var errors = process.StandardError.ReadToEndAsync();
+        process.StandardInput.Write(text);
+        process.StandardInput.Close();
+        var output = process.StandardOutput.ReadToEnd();
+        Assert.That(process.WaitForExit(20_000), Is.True);
+        if (errors.Result.Contains("No module named 'prometheus_client'")) Assert.Ignore("python3-prometheus-client is not installed");
+        Assert.That(process.ExitCode, Is.EqualTo(0), errors.Result);
+        return JsonNode.Parse(output);
+    }
+
+    static double Value(JsonNode families, string name, string label = null) => (double)families.AsArray()
+        .SelectMany(family => family[2].AsArray())
+        .Single(sample => (string)sample[0] == name && (label == null || sample[1].AsObject().Any(pair => (string)pair.Value == label)))[2];
+
+    [Test]
+    public void Of_ASnapshot_IsWhatTheParserReads()
+    {
+        var times = new ForwardingTimes();
+        times.Add(TimeSpan.FromMilliseconds(3));
+        times.Add(TimeSpan.FromMilliseconds(30));
+
+        var families = Parse(Metrics.Of(Snapshot(Words("goggles", ("state", "holdover"), ("l_app_ms", 95.0))), times));
+
+        Assert.That(Value(families, "nowpose_clock_error_bound_seconds"), Is.EqualTo(120e-6).Within(1e-12));
+        Assert.That(Value(families, "nowpose_clock_skew_ratio"), Is.EqualTo(3e-6).Within(1e-12));
+        Assert.That(Value(families, "nowpose_plant_clock_round_trip_seconds", "press"), Is.EqualTo(1.5e-3).Within(1e-12));
+        Assert.That(Value(families, "nowpose_adapter_connected", "press"), Is.EqualTo(1));
+        Assert.That(Value(families, "nowpose_source_age_seconds", "0.95"), Is.EqualTo(0.12).Within(1e-12));
+        Assert.That(Value(families, "nowpose_forward_seconds_bucket", "0.005"), Is.EqualTo(1));
+        Assert.That(Value(families, "nowpose_forward_seconds_bucket", "+Inf"), Is.EqualTo(2));
+        Assert.That(Value(families, "nowpose_forward_seconds_sum"), Is.EqualTo(0.033).Within(1e-9));
+        Assert.That(Value(families, "nowpose_headset_synchronised", "goggles"), Is.EqualTo(1));
+        Assert.That(Value(families, "nowpose_headset_application_latency_seconds", "goggles"), Is.EqualTo(0.095).Within(1e-12));
+        Assert.That(Value(families, "nowpose_connections_closed_total", "Silence"), Is.EqualTo(3));
+        Assert.That(Value(families, "nowpose_recording_lost_lines"), Is.EqualTo(1));
+        foreach (var family in families.AsArray())
+        {
+            Assert.That((string)family[0], Is.Not.EqualTo("unknown").And.Not.EqualTo("untyped"), family.ToJsonString());
+            Assert.That((string)family[1], Is.Not.Empty, family.ToJsonString());
+        }
+    }
+
+    [Test]
+    public void Of_SourcesWhoseNamesHoldACommaOrNoUtf8_AreToldApartAndNeverWrittenTwice()
+    {
+        string[][] sources = [["a,b"], ["a", "b"], ["a\\", "b"], ["\ud800"], ["\ud801"]];
+        var state = Snapshot() with { Sources = [.. sources.Select(names => new SourceStatus(names, 50, new AgeStatus(80, 120)))] };
+
+        var text = Metrics.Of(state, new ForwardingTimes());
+
+        var rates = text.Split('\n').Where(line => line.StartsWith("nowpose_source_rate_hertz{", StringComparison.Ordinal)).ToList();
+        Assert.That(rates, Is.Unique.And.Count.EqualTo(4), text);
+        Assert.That(text.Split('\n').Where(line => line.Length > 0 && line[0] != '#').Select(line => line[..line.LastIndexOf(' ')]), Is.Unique);
+    }
+
+    [Test]
+    public void Of_ACertificate_TellsWhenItExpires()
+    {
+        var text = Metrics.Of(Snapshot() with { CertificateExpiresUtc = new DateTime(2027, 1, 1, 0, 0, 0, DateTimeKind.Utc) }, new ForwardingTimes());
+
+        Assert.That(text, Does.Contain("\nnowpose_certificate_expiry_timestamp_seconds 1798761600\n"));
+        Assert.That(Metrics.Of(Snapshot(), new ForwardingTimes()), Does.Not.Contain("certificate"));
+    }
+
+    [Test]
+    public void Of_NumbersThatAreNone_LeavesThemOut()
+    {
+        var state = Snapshot() with { Sources = [new SourceStatus(["a"], double.PositiveInfinity, new AgeStatus(double.NaN, 120))] };
+
+        var text = Metrics.Of(state, new ForwardingTimes());
+
+        Assert.That(text, Does.Not.Contain("Infinity").And.Not.Contain("NaN").And.Not.Contain("∞"));
+        Assert.That(text, Does.Contain("nowpose_source_age_seconds{joints=\"a\",quantile=\"0.95\"} 0.12"));
+    }
+
+    [TestCase("quote \" backslash \\ line\nfeed \\n")]
+    [TestCase("} 1\nevil_metric 1")]
+    [TestCase("\r\u2028 \u0085 ünïcode 头")]
+    public void Of_AHeadsetWithANastyName_KeepsItWhole(string name)
+    {
+        var families = Parse(Metrics.Of(Snapshot(Words(name, ("state", "synchronised"))), new ForwardingTimes()));
+
+        Assert.That(Value(families, "nowpose_headset_synchronised", name), Is.EqualTo(1));
+        Assert.That(families.ToJsonString(), Does.Not.Contain("\"evil_metric\""));
+    }
+}

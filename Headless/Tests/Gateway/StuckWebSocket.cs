@@ -1,0 +1,43 @@
+using System.Collections.Concurrent;
+using System.Net.WebSockets;
+using System.Text;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+/// <summary>Takes what is sent, and is done with none of it until it is told to go on; nothing comes from it.</summary>
+sealed class StuckWebSocket : WebSocket
+{
+    readonly TaskCompletionSource _goOn = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    readonly ConcurrentQueue<string> _sent = [];
+
+    public int Sends => _sent.Count;
+    public IEnumerable<string> Sent => _sent;
+
+    public override WebSocketCloseStatus? CloseStatus => null;
+    public override string CloseStatusDescription => null;
+    public override WebSocketState State => WebSocketState.Open;
+    public override string SubProtocol => null;
+
+    public void GoOn() => _goOn.TrySetResult();
+
+    public override Task SendAsync(
+        ArraySegment<byte> buffer, WebSocketMessageType messageType, bool endOfMessage, CancellationToken cancellationToken)
+    {
+        _sent.Enqueue(Encoding.UTF8.GetString(buffer));
+        return _goOn.Task;
+    }
+
+    public override Task<WebSocketReceiveResult> ReceiveAsync(ArraySegment<byte> buffer, CancellationToken cancellationToken) =>
+        throw new NotSupportedException();
+
+    public override Task CloseAsync(WebSocketCloseStatus closeStatus, string statusDescription, CancellationToken cancellationToken) =>
+        Task.CompletedTask;
+
+    public override Task CloseOutputAsync(
+        WebSocketCloseStatus closeStatus, string statusDescription, CancellationToken cancellationToken) =>
+        Task.CompletedTask;
+
+    public override void Abort() => GoOn();
+
+    public override void Dispose() => GoOn();
+}
