@@ -1,0 +1,162 @@
+using System.Diagnostics;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Plants;
+using Nowpose.Headless.Tests.Repository;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
+
+/// <summary>What a gateway does with the adapters that it starts. The plant is never there: a port on which nobody listens.</summary>
+public class AdapterProcessTests
+{
+    const string Good = """
+        plant:
+          kind: opcua
+          name: absent
+          endpoint: opc.tcp://127.0.0.1:9
+        joints:
+          - joint: a
+            node: "ns=1;s=a"
+        """;
+
+    TemporaryFolder _folder;
+
+    [SetUp]
+    public void MakeFolder()
+    {
+        if (!Directory.Exists(Path.Combine(RepositoryFiles.Root, "Gateway", "Adapters", "node_modules")))
+            Assert.Ignore("Node.js was missing when this was built");
+        _folder = new TemporaryFolder();
+    }
+
+    [TearDown]
+    public void RemoveFolder() => _folder?.Dispose();
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public async Task Start_PlantAway_TheAdapterIsASourceAndTellsItsState(bool hasTokens)
+    {
+        await using var gateway = await Gateways.StartAsync(
+            Gateways.Options() with { Tokens = hasTokens ? Gateways.Tokens : Nowpose.Gateway.Security.TokenList.None });
+        var told = new TaskCompletionSource<DiagnosticsMessage>();
+        using var listening = ListenTo(gateway, told);
+
+        await using var adapters = AdapterProcesses.Start([Write(Good)], gateway);
+
+        var diagnostics = await told.Task.Bounded();
+        Assert.That(diagnostics.HardwareId, Is.EqualTo("plant/absent"));
+        Assert.That(diagnostics.Values.Single(value => value.Key == "state").Value, Is.Not.EqualTo("connected"));
+    }
+
+    [Test]
+    public async Task Run_AdapterKilled_IsStartedAgainAndSaysSo()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
+        await using var adapter = new AdapterProcess(Write(Good), AdapterAccess.To(gateway), lines.Enqueue);
+        await Soon.BecomesAsync(() => adapter.ProcessId != null && gateway.WebSocketConnections.Open == 1, "it is connected");
+
+        using (var process = Process.GetProcessById(adapter.ProcessId.Value)) process.Kill();
+
+        var recovery = await Soon.BecomesAsync(() => adapter.Starts == 2 && gateway.WebSocketConnections.Accepted == 2, "it is there again");
+        TestContext.Out.WriteLine($"there again after {recovery.TotalSeconds:0.0} s");
+        Assert.That(lines, Has.Some.Contains("its adapter ended, status 137; it is started again in 0.5 s"));
+    }
+
+    [Test]
+    public async Task Start_LinesOfAnAdapter_GoIntoTheGatewaysLog()
+    {
+        var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
+        await using var gateway = await GatewayServer.StartAsync(
+            Gateways.Options(), new Nowpose.Gateway.Clock.StopwatchControlClock(Gateways.Start), lines.Enqueue).Bounded();
+
+        await using var adapters = AdapterProcesses.Start([_folder.Path], gateway);
+
+        await Soon.BecomesAsync(() => lines.Any(line => line.Contains("its adapter ended", StringComparison.Ordinal)), "its end is told");
+        for (var i = 0; i < 100; i++) gateway.Log("the same");
+        Assert.That(lines.Count(line => line == "the same"), Is.EqualTo(QuietLog.LinesAMinute), "that log bounds them");
+    }
+
+    [Test]
+    public async Task Dispose_RunningAdapter_LeavesNoProcess()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        var adapter = new AdapterProcess(Write(Good), AdapterAccess.To(gateway), _ => { });
+        await Soon.BecomesAsync(() => adapter.ProcessId != null, "it runs");
+        using var process = Process.GetProcessById(adapter.ProcessId.Value);
+
+        await adapter.DisposeAsync().AsTask().Bounded();
+
+        Assert.That(process.HasExited, Is.True);
+    }
+
+    [Test]
+    public async Task Serve_GatewayKilled_ItsAdapterEndsByItself()
+    {
+        var gateway = new PeerProcess("Nowpose.Gateway.dll", "serve", "--plant", Write(Good), "--sync-port", "0", "--ws-port", "0");
+        await gateway.PrintsAsync("state serving");
+        await Soon.BecomesAsync(() => ChildOf(gateway.Id) != null, "its adapter runs");
+        using var child = Process.GetProcessById(ChildOf(gateway.Id).Value);
+
+        // Only the gateway itself, as a crash would.
+        using (var itself = Process.GetProcessById(gateway.Id)) itself.Kill();
+
+        Assert.That(child.WaitForExit(Soon.Limit), Is.True);
+        gateway.Dispose();
+    }
+
+    [Test]
+    public void Check_FilesWithWrongEntries_TellsEveryLineOfAll()
+    {
+        var first = Write(Good.Replace("kind: opcua", "kind: opcua\n  sampling_msec: 10"), "first.yaml");
+        var second = Write(Good.Replace("node:", "nod:"), "second.yaml");
+
+        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], Gateways.Options(), default));
+
+        Assert.That(wrong.Lines, Has.Some.Contains($"{first}, line 3").And.Some.Contains("sampling_ms"));
+        Assert.That(wrong.Lines, Has.Some.Contains($"{second}, line 7"));
+    }
+
+    [Test]
+    public void Check_PlainGatewayOnALanAddress_IsRefused()
+    {
+        var options = Gateways.Options() with { Bind = System.Net.IPAddress.Parse("192.168.1.5"), AllowInsecureLan = true };
+
+        var wrong = Assert.ThrowsAsync<InputException>(() => AdapterProcesses.CheckAsync([Write(Good)], options, default));
+
+        Assert.That(wrong.Message, Does.StartWith("--plant with --bind 192.168.1.5 and no --tls"));
+    }
+
+    string Write(string text, string name = "plant.yaml")
+    {
+        var path = Path.Combine(_folder.Path, name);
+        File.WriteAllText(path, text);
+        return path;
+    }
+
+    static IDisposable ListenTo(GatewayServer gateway, TaskCompletionSource<DiagnosticsMessage> told) =>
+        gateway.Hub.Subscribe(RosTopics.Diagnostics, message =>
+        {
+            var text = System.Text.Encoding.UTF8.GetString(message.Utf8(RosTimeForm.Sec).Span);
+            if (RosbridgeReader.TryRead(text, out var read, out _)) told.TrySetResult(read.Diagnostics);
+        });
+
+    // The first process whose parent it is.
+    static int? ChildOf(int parent) => Process.GetProcessesByName("node").FirstOrDefault(process => ParentOf(process.Id) == parent)?.Id;
+
+    static int? ParentOf(int id)
+    {
+        try
+        {
+            // After the name in brackets: state, then the parent.
+            var stat = File.ReadAllText($"/proc/{id}/stat");
+            return int.Parse(stat[(stat.LastIndexOf(')') + 2)..].Split(' ')[1]);
+        }
+        catch (IOException)
+        {
+            return null;
+        }
+    }
+}

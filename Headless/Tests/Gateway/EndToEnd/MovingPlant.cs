@@ -1,0 +1,93 @@
+using System.Diagnostics;
+using System.Globalization;
+using NUnit.Framework;
+using Nowpose.Headless.Tests.Repository;
+using Nowpose.Kinematics;
+
+namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
+
+/// <summary>A youBot behind a real OPC UA server, or behind ADS, in a process of its own: what it publishes, and where it truly is.</summary>
+sealed class MovingPlant : IDisposable
+{
+    static readonly string[] Arm = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
+    static readonly string[] Fingers = ["gripper_finger_joint_l", "gripper_finger_joint_r"];
+    static readonly double[] Middle = [2.9, 1.1, -2.5, 1.7, 2.9];
+
+    readonly PeerProcess _program;
+    readonly string _kind;
+
+    MovingPlant(PeerProcess program, string kind)
+    {
+        _program = program;
+        _kind = kind;
+    }
+
+    public string Endpoint => _program.ValueOf("endpoint");
+
+    /// <param name="kind">opcua or ads.</param>
+    public static async Task<MovingPlant> StartAsync(string kind)
+    {
+        if (!Directory.Exists(Path.Combine(RepositoryFiles.Root, "Gateway", "Adapters", "node_modules")))
+            Assert.Ignore("Node.js was missing when this was built");
+        var program = PeerProcess.OfNode("Gateway/Adapters/test/movingPlant.mjs", kind);
+        await program.PrintsAsync("state serving");
+        return new MovingPlant(program, kind);
+    }
+
+    /// <summary>A configuration that reads it, in a folder of the test's.</summary>
+    public string Configure(string folder)
+    {
+        var path = Path.Combine(folder, _kind + ".yaml");
+        File.WriteAllText(path, $"""
+            plant:
+              kind: {_kind}
+              name: plc
+              endpoint: {Endpoint}
+            {(_kind == "opcua" ? $"  security:\n    folder: {folder}/certificates\n    thumbprint: {_program.ValueOf("thumbprint")}" : "  plain: true\n  local_net_id: 127.0.0.1.1.1")}
+              sampling_ms: 10
+              publishing_ms: 50
+            robot: {RepositoryFiles.Root}/Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf
+            joints:
+            {string.Join("\n", Joints())}
+            """);
+        return path;
+    }
+
+    /// <summary>What its clock shows at a moment on this machine's counter.</summary>
+    public ControlTime TimeAt(HeadsetTime headset)
+    {
+        var told = _program.ValueOf("clock").Split(' ').Select(text => decimal.Parse(text, CultureInfo.InvariantCulture)).ToArray();
+        // Both counters are the system's monotonic one, here in ns.
+        var passed = headset.SinceEpoch.Ticks * 100m - told[0];
+        return new ControlTime(new TimeSpan((long)Math.Round((told[1] + passed * (1 + told[2] / 1_000_000)) / 100)));
+    }
+
+    /// <summary>Where its joints are at a time of its clock.</summary>
+    /// <param name="positions">In the order of the robot's moving joints.</param>
+    public static void TruthAt(RobotModel robot, ControlTime time, Span<double> positions)
+    {
+        var seconds = time.SinceEpoch.Ticks % TimeSpan.TicksPerHour / (double)TimeSpan.TicksPerSecond;
+        for (var i = 0; i < positions.Length; i++)
+        {
+            var joint = Array.IndexOf(Arm, robot.MovingJoints[i].Name);
+            positions[i] = joint >= 0
+                ? Middle[joint] + 0.4 * Math.Sin(2 * Math.PI * (0.2 + 0.05 * joint) * seconds)
+                : 0.005 + 0.004 * Math.Sin(2 * Math.PI * 0.3 * seconds);
+        }
+    }
+
+    public void Step(int milliseconds) => _program.Send($"step {milliseconds}");
+
+    public void Dispose() => _program.Dispose();
+
+    IEnumerable<string> Joints()
+    {
+        var node = _kind == "opcua" ? "node: \"ns=1;s={0}\"" : "symbol: \"{0}\"";
+        for (var i = 0; i < Arm.Length; i++)
+            yield return Joint(Arm[i], string.Format(node, _kind == "opcua" ? Arm[i] : $"GVL.aJoints[{i}]"), "rad");
+        foreach (var finger in Fingers)
+            yield return Joint(finger, string.Format(node, _kind == "opcua" ? "gripper_mm" : "MAIN.fGripper"), "mm");
+    }
+
+    static string Joint(string name, string from, string unit) => $"  - joint: {name}\n    {from}\n    unit: {unit}";
+}

@@ -1,0 +1,49 @@
+using NUnit.Framework;
+using Nowpose.Gateway.Robots;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+
+namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
+
+/// <summary>
+/// Control system, adapter and gateway, each a process of its own, and the headset's runtime in this one: what the headset shows against
+/// where the robot is, on a clock that only the control system has.
+/// </summary>
+public class PlantEndToEndTests
+{
+    static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
+
+    [TestCase("opcua")]
+    [TestCase("ads")]
+    public async Task Headset_PlantOnAClockOfItsOwn_ShowsTheRobotWhereItIs(string kind)
+    {
+        using var folder = new TemporaryFolder();
+        using var plant = await MovingPlant.StartAsync(kind);
+        using var gateway = new PeerProcess(
+            "Nowpose.Gateway.dll", "serve", "--plant", plant.Configure(folder.Path), "--sync-port", "0", "--ws-port", "0");
+        await gateway.PrintsAsync("state serving");
+        var robot = RobotFiles.Load("youbot");
+        var clock = new StopwatchHeadsetClock();
+        using var session = new CompensationSession(
+            new SessionSettings(ConnectionTo(gateway), new VisualisationLatency(Visualisation)), robot, clock);
+        session.Connect();
+        await Soon.BecomesAsync(() => session.Tick(clock.Now).State == PoseState.Current, $"a current pose; the gateway said {gateway.All}");
+        var score = new PlantScore(plant, robot, Visualisation);
+
+        await Task.Factory.StartNew(
+            () => score.Play(session, clock, TimeSpan.FromSeconds(12)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+
+        TestContext.Out.WriteLine($"{kind}: {score}");
+        Assert.That(score.CurrentShare, Is.GreaterThan(0.5), score.ToString());
+        Assert.That(score.Reduction, Is.GreaterThan(0.7), score.ToString());
+        // Where the machine is too busy for a millisecond, the clock has to say so.
+        var mayErr = Math.Max(1, score.ClockBoundMs);
+        Assert.That(score.ClockErrorMs, Is.LessThan(mayErr), score.ToString());
+        Assert.That(score.LightErrorMs, Is.LessThan(3 + mayErr), score.ToString());
+        Assert.That(score.HoldRms, Is.GreaterThan(8), "a robot that rests proves nothing");
+    }
+
+    static ConnectionSettings ConnectionTo(PeerProcess gateway) => new(
+        "127.0.0.1", int.Parse(gateway.ValueOf("sync").Split(':')[1]), new Uri(gateway.ValueOf("websocket")).Port);
+}

@@ -1,0 +1,68 @@
+using System.Diagnostics;
+using System.Globalization;
+using Nowpose.Cli.Demo;
+using Nowpose.Gateway.Clock;
+using Nowpose.Kinematics;
+using Nowpose.Session;
+
+namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
+
+/// <summary>A headset's frames against where the robot truly was when their light appeared.</summary>
+sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisation)
+{
+    const double FramesPerSecond = 60;
+
+    readonly ToolKinematics _kinematics = new(robot);
+    readonly double[] _truth = new double[robot.MovingJoints.Count];
+    readonly List<double> _shown = [], _held = [], _clock = [], _bound = [], _light = [];
+    int _played;
+
+    public double Rms => Root(_shown);
+    public double HoldRms => Root(_held);
+    public double Reduction => 1 - Rms / HoldRms;
+
+    /// <summary>Of the frames that were played, those that were current.</summary>
+    public double CurrentShare => (double)_shown.Count / _played;
+
+    /// <summary>P95 of what the headset believes of the plant's clock, less the truth; ms.</summary>
+    public double ClockErrorMs => P95(_clock);
+
+    /// <summary>P95 of how far off the headset says that it may be; ms. Grows with what the machine is busy with.</summary>
+    public double ClockBoundMs => P95(_bound);
+
+    /// <summary>P95 of the moment to which was predicted, less the true one; ms.</summary>
+    public double LightErrorMs => P95(_light);
+
+    /// <summary>Plays frames for so long, on this thread, and scores those that are current.</summary>
+    public void Play(CompensationSession session, IHeadsetClock clock, TimeSpan length)
+    {
+        var start = Stopwatch.GetTimestamp();
+        for (; _played < length.TotalSeconds * FramesPerSecond; _played++)
+        {
+            PreciseWait.Until(start + (long)(_played / FramesPerSecond * Stopwatch.Frequency));
+            var now = clock.Now;
+            var frame = session.Tick(now);
+            if (frame.State == PoseState.Current) Score(frame, session.Clock.ModelAt(now), now);
+        }
+    }
+
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture,
+        $"{_shown.Count} of {_played} frames, tool {HoldRms:0.0} -> {Rms:0.00} mm RMS ({100 * Reduction:0.0} %), "
+        + $"clock P95 {ClockErrorMs:0.000} ms, bound P95 {ClockBoundMs:0.000} ms, light P95 {LightErrorMs:0.000} ms");
+
+    void Score(DisplayFrame frame, in ClockModel clock, HeadsetTime now)
+    {
+        var light = plant.TimeAt(now + visualisation);
+        MovingPlant.TruthAt(robot, light, _truth);
+        var tool = _kinematics.At(_truth);
+        _shown.Add(tool.DistanceMm(_kinematics.At(frame.Joints)));
+        _held.Add(tool.DistanceMm(_kinematics.At(frame.HeldJoints)));
+        _clock.Add(Math.Abs((clock.ToControl(now) - plant.TimeAt(now)).TotalMilliseconds));
+        _bound.Add(clock.ErrorBound.TotalMilliseconds);
+        _light.Add(Math.Abs((frame.DisplayTime.Value - light).TotalMilliseconds));
+    }
+
+    static double Root(List<double> values) => Math.Sqrt(values.Sum(value => value * value) / values.Count);
+
+    static double P95(List<double> values) => values.Order().ElementAt((int)(0.95 * (values.Count - 1)));
+}

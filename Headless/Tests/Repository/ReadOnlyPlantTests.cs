@@ -1,0 +1,45 @@
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Repository;
+
+/// <summary>Control systems are read by construction: what could write stands in two files, which let only reading requests through.</summary>
+public sealed partial class ReadOnlyPlantTests
+{
+    const string Sources = "Gateway/Adapters/src";
+
+    static readonly Dictionary<string, string> Keepers = new()
+    {
+        [Sources + "/opcua/readOnlySession.ts"] = "ALLOWED", [Sources + "/ads/readOnlyClient.ts"] = "READING",
+    };
+
+    [GeneratedRegex(@"import\s+(?:\{[^}]*\}|[^;{]*)\s+from '(?:node-opcua-client|ads-client)'")]
+    private static partial Regex LibraryImport();
+
+    // As a value; a type can do nothing.
+    [GeneratedRegex(@"(?<!type )\b(?:OPCUAClient|Client|ClientSession)\b")]
+    private static partial Regex ClientAsValue();
+
+    [GeneratedRegex(@"\.(?:write(?:SingleNode|Raw\w*|Value|Symbol)?|callMethod|writeControl|startPlc|stopPlc|restartPlc|setTcSystemTo\w+|invokeRpcMethod)\(")]
+    private static partial Regex WritingCall();
+
+    [Test]
+    public void ControlSystems_AreReachedOnlyThroughWhatReads()
+    {
+        var reaching = RepositoryFiles.Under(Sources, ".ts")
+            .Where(file => LibraryImport().Matches(RepositoryFiles.Read(file)).Any(import => ClientAsValue().IsMatch(import.Value)));
+
+        Assert.That(reaching, Is.EquivalentTo(Keepers.Keys));
+        foreach (var (file, list) in Keepers)
+            Assert.That(RepositoryFiles.Read(file).Split(list).Length, Is.GreaterThan(2), $"{file} has a list of what is allowed, and asks it");
+    }
+
+    [Test]
+    public void Adapters_OfControlSystems_CallNothingThatWrites()
+    {
+        var writing = RepositoryFiles.Under(Sources + "/opcua", ".ts").Concat(RepositoryFiles.Under(Sources + "/ads", ".ts"))
+            .SelectMany(file => WritingCall().Matches(RepositoryFiles.Read(file)).Select(call => $"{file}: {call.Value}"));
+
+        Assert.That(writing, Is.Empty);
+    }
+}
