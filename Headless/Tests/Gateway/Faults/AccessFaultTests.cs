@@ -1,0 +1,90 @@
+using System.Collections.Concurrent;
+using System.Security.Cryptography;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Security;
+using Nowpose.Headless.Tests.Gateway.Security;
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Faults;
+
+/// <summary>What lets a headset in ends while it is connected.</summary>
+[Parallelizable]
+public class AccessFaultTests
+{
+    readonly ConcurrentQueue<string> _log = [];
+    string _folder;
+
+    [SetUp]
+    public void SetUp() => _folder = Directory.CreateTempSubdirectory("nowpose-access").FullName;
+
+    [TearDown]
+    public void TearDown() => Directory.Delete(_folder, true);
+
+    [Test]
+    public async Task Certificate_ThatExpires_IsToldOnBothSidesAndRecoveredFromByARenewedOne()
+    {
+        var path = Path.Combine(_folder, "gateway.pem");
+        using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
+        CertificatesOfOneKey.Write(path, key, days: 100);
+        var clock = new StopwatchControlClock(Gateways.Start);
+        var options = Gateways.Options() with { CertificateFile = new CertificateFile(path, null, _log.Enqueue) };
+        await using var gateway = await GatewayServer.StartAsync(options, clock, _log.Enqueue);
+        using var cell = FaultCell.In(gateway.Hub, clock);
+        using var sync = new QuietPath(gateway.SyncEndPoint);
+        using var positions = new QuietPath(gateway.WebSocketEndPoint);
+        using var headset = new FaultHeadset(sync.Port, positions.Port, gateway.Pin);
+        await headset.BecomesAsync(PoseState.Current);
+
+        // Not before: to connect and to synchronise may take a loaded machine longer than any certificate that a test can wait for lasts.
+        CertificatesOfOneKey.Write(path, key, DateTimeOffset.UtcNow.AddSeconds(10));
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: expired on")), "told by the gateway: " + string.Join('\n', _log));
+        Assert.That(await ReadinessAsync(gateway), Is.EqualTo(503));
+        // It could not have come back: who connects now is shown the certificate that has expired.
+        await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "who is connected goes on");
+        // A headset that connects again, as one that left the network for a while.
+        sync.Interrupt();
+        positions.Interrupt();
+        await headset.BecomesAsync(
+            () => headset.State != PoseState.Current && headset.Links.Split("certificate: expired on").Length == 3, "told by the headset, twice");
+        CertificatesOfOneKey.Write(path, key, days: 100);
+        var took = await headset.BecomesAsync(PoseState.Current);
+
+        Recovery.Tell("certificate expired, from the renewed file to a current pose", took);
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: renewed")), "told");
+    }
+
+    [Test]
+    public async Task Token_RevokedAndGivenBack_IsToldAndRecoveredFrom()
+    {
+        var path = Path.Combine(_folder, "tokens.txt");
+        File.WriteAllText(path, "observer a\nobserver b\n");
+        var clock = new StopwatchControlClock(Gateways.Start);
+        var options = Gateways.Options() with { Tokens = TokenList.Read(path, _log.Enqueue) };
+        await using var gateway = await Gateways.StartAsync(options, clock);
+        using var cell = FaultCell.In(gateway.Hub, clock);
+        using var headset = new FaultHeadset(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port, token: "a");
+        using var other = new FaultHeadset(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port, token: "b");
+        await headset.BecomesAsync(PoseState.Current);
+        await other.BecomesAsync(PoseState.Current);
+
+        File.WriteAllText(path, "observer b\n");
+        await headset.BecomesAsync(
+            () => headset.State != PoseState.Current && headset.Session.SyncLink.IsTokenRefused && headset.Session.SampleLink.IsTokenRefused,
+            "refused on both connections");
+        await other.BecomesAsync(() => other.IsConnected && other.State == PoseState.Current, "the other one goes on");
+        File.WriteAllText(path, "observer a\nobserver b\n");
+        var took = await headset.BecomesAsync(PoseState.Current);
+
+        Recovery.Tell("token revoked, from being given back to a current pose", took);
+    }
+
+    static async Task<int> ReadinessAsync(GatewayServer gateway)
+    {
+        using var handler = new HttpClientHandler { ServerCertificateCustomValidationCallback = (_, _, _, _) => true };
+        using var http = new HttpClient(handler);
+        using var response = await http.GetAsync(new Uri($"https://127.0.0.1:{gateway.WebSocketEndPoint.Port}/readyz")).Bounded();
+        return (int)response.StatusCode;
+    }
+}

@@ -1,0 +1,20 @@
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Robots;
+using Nowpose.Motion;
+
+namespace Nowpose.Headless.Tests.Gateway.Faults;
+
+/// <summary>A youBot that moves.</summary>
+static class FaultCell
+{
+    public static SimulatedCell In(MessageHub hub, IControlClock clock)
+    {
+        var cell = new SimulatedCell(
+            new PickAndPlaceMotion(RobotFiles.Load("youbot")), clock,
+            new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
+        cell.PublishInto(hub);
+        return cell;
+    }
+}

@@ -1,0 +1,69 @@
+using System.Diagnostics;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Robots;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Faults;
+
+/// <summary>The headset's own runtime, without a display, looked at while something goes wrong.</summary>
+sealed class FaultHeadset : IDisposable
+{
+    static readonly TimeSpan Patience = TimeSpan.FromSeconds(40);
+
+    readonly StopwatchHeadsetClock _clock = new();
+
+    public FaultHeadset(int syncPort, int webSocketPort, CertificatePin pin = null, string token = null)
+    {
+        Session = new CompensationSession(
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1", syncPort, webSocketPort, pin, token: token), VisualisationLatency.FromMilliseconds(40)),
+            RobotFiles.Load("youbot"), _clock);
+        Session.Connect();
+    }
+
+    public CompensationSession Session { get; }
+
+    public PoseState State => Session.Tick(_clock.Now).State;
+
+    public bool IsConnected => AreLinks(LinkState.Connected);
+
+    public string Links => Session.SyncLink + " | " + Session.SampleLink;
+
+    /// <returns>How long it took.</returns>
+    public Task<TimeSpan> BecomesAsync(PoseState state) => BecomesAsync(() => State == state, state.ToString());
+
+    public async Task<TimeSpan> BecomesAsync(Func<bool> condition, string what)
+    {
+        var since = Stopwatch.GetTimestamp();
+        while (!condition())
+        {
+            Assert.That(Stopwatch.GetElapsedTime(since), Is.LessThan(Patience), $"{what}: {State}, {Links}");
+            await Task.Delay(5);
+        }
+
+        return Stopwatch.GetElapsedTime(since);
+    }
+
+    /// <summary>Whether its clock is the control clock's, to 5 ms.</summary>
+    public bool IsRight(IControlClock control)
+    {
+        _ = State;
+        var model = Session.Clock.ModelAt(_clock.Now);
+        if (model.State != ClockState.Synchronised) return false;
+        var (headset, truth) = (_clock.Now, control.Now);
+        return (model.ToControl(headset) - truth).Duration() < TimeSpan.FromMilliseconds(5);
+    }
+
+    public void Dispose() => Session.Dispose();
+
+    bool AreLinks(LinkState state)
+    {
+        _ = State;
+        return Session.SyncLink.State == state && Session.SampleLink.State == state;
+    }
+}

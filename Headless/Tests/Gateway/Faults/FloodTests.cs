@@ -1,0 +1,117 @@
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Faults;
+
+/// <summary>Very many connections, fast or slow; a headset that is connected notices nothing.</summary>
+/// <remarks>Alone in the process, whose handles and threads are counted; and nobody else's test has to bear the flood.</remarks>
+[NonParallelizable]
+public class FloodTests
+{
+    const int Connects = 10_000;
+    const int Slow = 500;
+    static readonly IPAddress Attacker = IPAddress.Parse("127.0.0.2");
+
+    [Test]
+    public async Task Connects_10000InARow_LeaveNothingBehindAndTheHeadsetCurrent()
+    {
+        var clock = new StopwatchControlClock(Gateways.Start);
+        await using var gateway = await Gateways.StartAsync(clock: clock);
+        using var cell = FaultCell.In(gateway.Hub, clock);
+        using var headset = new FaultHeadset(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port);
+        await headset.BecomesAsync(PoseState.Current);
+        await ConnectAsync(gateway, 200);
+        var (files, threads) = (OpenFiles(), Threads());
+        var since = Stopwatch.GetTimestamp();
+
+        await ConnectAsync(gateway, Connects);
+
+        TestContext.Out.WriteLine($"{Connects} connects in {Stopwatch.GetElapsedTime(since).TotalSeconds:0.0} s");
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 1 && gateway.WebSocketConnections.Open == 1, "all gone but the headset's");
+        await Soon.BecomesAsync(() => OpenFiles() < files + 50 && Threads() < threads + 30, "no handles and no threads are left");
+        await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "connected and current");
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public async Task Slowloris_500AtOnce_AreEndedAndDelayNobody(bool asksForTokens)
+    {
+        var options = Gateways.Options() with { TokenTimeout = TimeSpan.FromSeconds(3) };
+        if (asksForTokens) options = options with { Tokens = Gateways.Tokens };
+        var token = asksForTokens ? Gateways.ObserverToken : null;
+        var clock = new StopwatchControlClock(Gateways.Start);
+        await using var gateway = await Gateways.StartAsync(options, clock);
+        using var cell = FaultCell.In(gateway.Hub, clock);
+        using var before = new FaultHeadset(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port, token: token);
+        await before.BecomesAsync(PoseState.Current);
+        using var stop = new CancellationTokenSource();
+
+        var attack = Task.WhenAll(Enumerable.Range(0, Slow).Select(i =>
+            DripAsync(i % 2 == 0 ? gateway.WebSocketEndPoint : gateway.SyncEndPoint, i % 2 != 0, stop.Token)));
+        await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.ConnectionLimit] > 50, "the attack is under way");
+        using var meanwhile = new FaultHeadset(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port, token: token);
+        var took = await meanwhile.BecomesAsync(PoseState.Current);
+
+        var which = asksForTokens ? "" : " without tokens";
+        Recovery.Tell($"slowloris × {Slow}{which}: a headset that connects meanwhile has a current pose after", took);
+        await before.BecomesAsync(PoseState.Current);
+        // Each is refused for its address having too many, or ended when its time to show a token is up.
+        await attack.WaitAsync(Soon.Limit);
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 2 && gateway.WebSocketConnections.Open == 2, "only the headsets are left");
+        await before.BecomesAsync(() => before.IsConnected && before.State == PoseState.Current, "connected and current");
+        await stop.CancelAsync();
+    }
+
+    // A byte now and then, never enough for anything; ends when the gateway ends it.
+    static async Task DripAsync(IPEndPoint target, bool isSync, CancellationToken stop)
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        var drops = new byte[SyncFrame.Size * 40];
+        // Good frames, and the beginning of a good head.
+        if (isSync) for (var i = 0; i < drops.Length; i += SyncFrame.Size) SyncFrame.Request(1, 2).Write(drops.AsSpan(i, SyncFrame.Size));
+        else Encoding.ASCII.GetBytes("GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: ".PadRight(drops.Length, 'x'), drops);
+        try
+        {
+            socket.Bind(new IPEndPoint(Attacker, 0));
+            await socket.ConnectAsync(target, stop);
+            var ended = socket.ReceiveAsync(new byte[16], stop).AsTask();
+            for (var i = 0; i < drops.Length && !ended.IsCompleted; i++)
+            {
+                await socket.SendAsync(drops.AsMemory(i, 1), stop);
+                await Task.WhenAny(ended, Task.Delay(200, stop));
+            }
+
+            await ended;
+        }
+        catch (Exception end) when (end is SocketException or OperationCanceledException)
+        {
+            // Ended by the gateway.
+        }
+    }
+
+    static async Task ConnectAsync(GatewayServer gateway, int count)
+    {
+        for (var i = 0; i < count; i++)
+        {
+            // Every other one to each port; ended with a reset, so that no port waits for stragglers.
+            using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { LingerState = new LingerOption(true, 0) };
+            await socket.ConnectAsync(i % 2 == 0 ? gateway.SyncEndPoint : gateway.WebSocketEndPoint);
+            if (i % 4 == 0) await socket.SendAsync(new byte[SyncFrame.Size]);
+        }
+    }
+
+    static int OpenFiles() => OperatingSystem.IsLinux() ? Directory.GetFiles("/proc/self/fd").Length : 0;
+
+    static int Threads()
+    {
+        using var process = Process.GetCurrentProcess();
+        return process.Threads.Count;
+    }
+}

@@ -1,0 +1,106 @@
+using System.Diagnostics;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Faults;
+
+/// <summary>The network goes away without a word.</summary>
+[Parallelizable(ParallelScope.All)]
+public class PathFaultTests
+{
+    [Test]
+    public async Task Wifi_GoneFor30Seconds_IsShownAndRecoveredFrom()
+    {
+        var clock = new StopwatchControlClock(Gateways.Start);
+        await using var gateway = await Gateways.StartAsync(clock: clock);
+        using var cell = FaultCell.In(gateway.Hub, clock);
+        using var sync = new QuietPath(gateway.SyncEndPoint);
+        using var positions = new QuietPath(gateway.WebSocketEndPoint);
+        using var headset = new FaultHeadset(sync.Port, positions.Port);
+        await headset.BecomesAsync(PoseState.Current);
+        var since = Stopwatch.GetTimestamp();
+
+        sync.GoQuiet();
+        positions.GoQuiet();
+        await headset.BecomesAsync(() => headset.State != PoseState.Current, "not shown as current any more");
+        await headset.BecomesAsync(
+            () => headset.State != PoseState.Current && gateway.WebSocketConnections.Open == 0, "the gateway has given up the WebSocket");
+        await headset.BecomesAsync(() => Stopwatch.GetElapsedTime(since) > TimeSpan.FromSeconds(30), "30 s");
+        Assert.That(headset.State, Is.Not.EqualTo(PoseState.Current));
+        sync.Recover();
+        positions.Recover();
+        var took = await headset.BecomesAsync(PoseState.Current);
+
+        Recovery.Tell("WiFi gone for 30 s", took);
+        await headset.BecomesAsync(() => headset.IsRight(clock), "the clock is right");
+    }
+
+    [Test]
+    public async Task Source_HalfOpen_LeavesItsJointsToTheNextOne()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var path = new QuietPath(gateway.WebSocketEndPoint);
+        using var first = await RawRosbridgeClient.ConnectAsync(new Uri($"ws://127.0.0.1:{path.Port}/"));
+        await first.SendAsync(Gateways.StateText(1));
+        await first.RoundTripAsync();
+        using var second = await RawRosbridgeClient.ConnectAsync(gateway);
+        await second.SendAsync(Gateways.StateText(2));
+        await second.ExpectErrorAsync("another source");
+
+        // Vanishes without a FIN.
+        path.GoQuiet();
+
+        var since = Stopwatch.GetTimestamp();
+        // The second answers pings while it is spoken to.
+        while (gateway.WebSocketConnections[Closure.Silence] == 0)
+        {
+            await second.RoundTripAsync();
+            Assert.That(Stopwatch.GetElapsedTime(since), Is.LessThan(Soon.Limit), "noticed");
+            await Task.Delay(50);
+        }
+
+        var took = Stopwatch.GetElapsedTime(since);
+        await second.SendAsync(Gateways.StateText(3));
+        await second.RoundTripAsync();
+        Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1), "the joint is the second's now");
+        Recovery.Tell("half-open WebSocket of a source noticed", took);
+    }
+
+    [Test]
+    public async Task Connections_HalfOpen_GiveTheirPlacesBack()
+    {
+        var options = Gateways.Options() with { SyncSilence = TimeSpan.FromSeconds(2), MaxConnections = 20 };
+        await using var gateway = await Gateways.StartAsync(options);
+        using var sync = new QuietPath(gateway.SyncEndPoint);
+        using var positions = new QuietPath(gateway.WebSocketEndPoint);
+        var clients = new List<IDisposable>();
+        try
+        {
+            for (var i = 0; i < options.MaxConnections; i++)
+            {
+                var client = await RawSyncClient.ConnectAsync(sync.EndPoint);
+                clients.Add(client);
+                Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+                var socket = await RawRosbridgeClient.ConnectAsync(new Uri($"ws://127.0.0.1:{positions.Port}/"));
+                clients.Add(socket);
+                await socket.SubscribeAsync(RosTopics.JointStates);
+            }
+
+            sync.GoQuiet();
+            positions.GoQuiet();
+
+            await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all given up");
+            Assert.That(gateway.SyncConnections[Closure.Silence], Is.EqualTo(options.MaxConnections));
+            Assert.That(gateway.WebSocketConnections[Closure.Silence], Is.EqualTo(options.MaxConnections));
+            using var next = await RawSyncClient.ConnectAsync(gateway);
+            Assert.That(await next.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+        }
+        finally
+        {
+            foreach (var client in clients) client.Dispose();
+        }
+    }
+}

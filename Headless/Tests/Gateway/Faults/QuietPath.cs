@@ -1,0 +1,121 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace Nowpose.Headless.Tests.Gateway.Faults;
+
+/// <summary>
+/// A network between headset and gateway that can go away as WiFi does: nothing is carried either way, and neither side is told, not
+/// even of the other's end.
+/// </summary>
+sealed class QuietPath : IDisposable
+{
+    readonly TcpListener _listener = new(IPAddress.Loopback, 0);
+    readonly IPEndPoint _target;
+    readonly List<Socket> _sockets = [];
+    readonly CancellationTokenSource _stop = new();
+    readonly object _gate = new();
+    TaskCompletionSource _carries = new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+    public QuietPath(IPEndPoint target)
+    {
+        _target = target;
+        _carries.SetResult();
+        _listener.Start();
+        _ = AcceptAsync();
+    }
+
+    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+
+    public IPEndPoint EndPoint => (IPEndPoint)_listener.LocalEndpoint;
+
+    public void GoQuiet()
+    {
+        lock (_gate) _carries = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+    }
+
+    /// <summary>Ends all connections that there are.</summary>
+    public void Interrupt()
+    {
+        lock (_gate)
+        {
+            foreach (var socket in _sockets) socket.Dispose();
+            _sockets.Clear();
+        }
+    }
+
+    public void Recover()
+    {
+        lock (_gate) _carries.TrySetResult();
+    }
+
+    public void Dispose()
+    {
+        _stop.Cancel();
+        _listener.Dispose();
+        lock (_gate)
+            foreach (var socket in _sockets) socket.Dispose();
+        Recover();
+        _stop.Dispose();
+    }
+
+    Task Carries()
+    {
+        lock (_gate) return _carries.Task;
+    }
+
+    async Task AcceptAsync()
+    {
+        try
+        {
+            while (true)
+            {
+                var near = await _listener.AcceptSocketAsync(_stop.Token);
+                _ = JoinAsync(near);
+            }
+        }
+        catch (Exception end) when (end is OperationCanceledException or SocketException or ObjectDisposedException)
+        {
+            // Disposed.
+        }
+    }
+
+    async Task JoinAsync(Socket near)
+    {
+        var far = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
+        near.NoDelay = true;
+        lock (_gate) _sockets.AddRange([near, far]);
+        try
+        {
+            await Carries();
+            await far.ConnectAsync(_target);
+            await Task.WhenAll(CarryAsync(near, far), CarryAsync(far, near));
+        }
+        catch (Exception end) when (end is SocketException or ObjectDisposedException)
+        {
+            // One side ended.
+        }
+        finally
+        {
+            near.Dispose();
+            far.Dispose();
+        }
+    }
+
+    async Task CarryAsync(Socket from, Socket to)
+    {
+        var piece = new byte[16 * 1024];
+        while (true)
+        {
+            var count = await from.ReceiveAsync(piece);
+            // What was under way when it went quiet comes late, as TCP sends it again.
+            await Carries();
+            if (count == 0)
+            {
+                to.Shutdown(SocketShutdown.Send);
+                return;
+            }
+
+            await to.SendAsync(piece.AsMemory(0, count));
+        }
+    }
+}
