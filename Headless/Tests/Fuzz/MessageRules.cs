@@ -1,0 +1,79 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Fuzz;
+
+/// <summary>What holds of every rosbridge message that the reader lets pass.</summary>
+static class MessageRules
+{
+    /// <summary>Reads a text; a message that is taken must keep every rule, and read the same when it is written again.</summary>
+    public static bool IsTaken(string text)
+    {
+        if (!RosbridgeReader.TryRead(text, out var message, out var reason))
+            return reason == DropReason.None ? throw new FuzzException("refused without a reason") : false;
+        if (reason != DropReason.None) throw new FuzzException("taken with a reason: " + reason);
+        if (message.JointState is { } state) Check(state);
+        if (message.JointTrajectory is { } plan) Check(plan);
+        if (message.Time is { } time) Stamp(time);
+        if (message.PlantTime is { } plant) Check(plant);
+        if (message.Data?.Length > ProtocolLimits.DescriptionBytes) throw new FuzzException("a description that is too long");
+        return true;
+    }
+
+    public static void Finite(double value)
+    {
+        if (!double.IsFinite(value)) throw new FuzzException(value + " passed");
+    }
+
+    static void Check(JointStateMessage state)
+    {
+        Stamp(state.Stamp);
+        Names(state.Names);
+        Numbers(state.Names.Length, state.Positions, state.Velocities, state.Accelerations);
+        var text = RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Secs);
+        if (!RosbridgeReader.TryRead(text, out var again, out var reason)) throw new FuzzException($"not read again ({reason}): {text}");
+        if (again.JointState.Stamp != state.Stamp || !again.JointState.Positions.AsSpan().SequenceEqual(state.Positions))
+            throw new FuzzException("reads otherwise than written: " + text);
+    }
+
+    static void Check(JointTrajectoryMessage plan)
+    {
+        Stamp(plan.Stamp);
+        Names(plan.Names);
+        var before = TimeSpan.FromTicks(-1);
+        foreach (var point in plan.Points)
+        {
+            Numbers(plan.Names.Length, point.Positions, point.Velocities, point.Accelerations);
+            if (point.TimeFromStart <= before) throw new FuzzException("points that go back");
+            before = point.TimeFromStart;
+        }
+    }
+
+    static void Check(PlantTimeMessage plant)
+    {
+        Stamp(plant.Received);
+        Stamp(plant.Sent);
+        if (plant.Resolution < TimeSpan.Zero || plant.ErrorBound < TimeSpan.Zero) throw new FuzzException("a negative length");
+    }
+
+    static void Numbers(int joints, double[] positions, double[] velocities, double[] accelerations)
+    {
+        if (positions.Length != joints || (velocities ?? positions).Length != joints || (accelerations ?? positions).Length != joints)
+            throw new FuzzException("lengths differ");
+        foreach (var position in positions) Finite(position);
+        // NaN says "absent" there.
+        foreach (var rate in (velocities ?? []).Concat(accelerations ?? []))
+            if (double.IsInfinity(rate)) throw new FuzzException(rate + " passed");
+    }
+
+    static void Names(string[] names)
+    {
+        if (names.Length > ProtocolLimits.Joints || names.Distinct().Count() != names.Length
+            || names.Any(name => name.Length is 0 or > ProtocolLimits.NameLength))
+            throw new FuzzException("names that are too many, too long, empty or twice there");
+    }
+
+    static void Stamp(ControlTime stamp)
+    {
+        if (stamp.SinceEpoch <= TimeSpan.Zero || stamp.SinceEpoch.TotalSeconds >= 1L << 32) throw new FuzzException("stamp " + stamp.SinceEpoch);
+    }
+}

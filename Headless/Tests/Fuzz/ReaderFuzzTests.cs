@@ -1,0 +1,152 @@
+using System.Text;
+using Nowpose.Gateway.Configuration;
+using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Security;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Pairing;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Fuzz;
+
+/// <summary>A million malformed inputs at the readers of all that comes from outside: each is taken as it should be, or refused in order.</summary>
+public class ReaderFuzzTests
+{
+    const int Messages = 500_000, Frames = 300_000, Exchanges = 100_000, Codes = 30_000, Robots = 20_000, Profiles = 20_000,
+        Configurations = 20_000, Pairings = 9_000, Tokens = 1_000;
+
+    [Test]
+    public void Inputs_OfAllReaders_AreAMillion() =>
+        Assert.That(Messages + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens, Is.EqualTo(1_000_000));
+
+    [Test]
+    public void Rosbridge_SpoiltMessages_AreRefusedOrHoldWhatTheyMay()
+    {
+        var accepted = new FuzzRun("rosbridge messages", 1, Messages).Feed<string>(() => new TextMutator(Seeds.Messages).Next,
+            () => MessageRules.IsTaken);
+
+        Assert.That(accepted, Is.InRange(Messages / 20, Messages / 20 * 19), "both ways are taken");
+    }
+
+    [Test]
+    public void SyncFrame_SpoiltFrames_AreRefusedOrReadAsWritten()
+    {
+        var accepted = new FuzzRun("sync frames", 2, Frames).Feed<byte[]>(() => FrameMutator.Next, () => bytes =>
+        {
+            if (!SyncFrame.TryRead(bytes, out var frame, out var fault))
+                return fault == SyncFrameFault.None ? throw new FuzzException("refused without a reason") : false;
+            var again = new byte[SyncFrame.Size];
+            frame.Write(again);
+            SyncToken.TryReadLength(bytes.AsSpan(0, SyncToken.LengthSize), out _);
+            SyncToken.TryReadText(bytes, out _);
+            return SyncFrame.TryRead(again, out var second, out _)
+                && second.Equals(frame) ? true : throw new FuzzException("reads otherwise than written");
+        });
+
+        Assert.That(accepted, Is.InRange(Frames / 20, Frames / 20 * 19));
+    }
+
+    [Test]
+    public void Clock_RepliesOfAWildServer_StayWithinWhatAClockCanSay()
+    {
+        var accepted = new FuzzRun("sync replies", 3, Exchanges).Feed<int>(() => random => random.Next(), () => new WildServer().Reply);
+
+        Assert.That(accepted, Is.GreaterThan(Exchanges / 100));
+    }
+
+    [Test]
+    public void Codes_Spoilt_AreRefusedInOneLine() => Refused("pairing codes", 4, Codes, Seeds.Codes, text =>
+    {
+        var code = CellCode.Parse(text);
+        MessageRules.Finite(code.SizeMetres);
+        if (code.Marker == null) return;
+        foreach (var number in code.Marker.ToPose().ToRowMajor16()) MessageRules.Finite(number);
+    });
+
+    [Test]
+    public void Urdf_Spoilt_IsRefusedOrHasAPose() => Refused("robot descriptions", 5, Robots, Seeds.Robots, text =>
+    {
+        var robot = UrdfReader.Read(text, "fuzz");
+        var poses = new RigidTransform[robot.Links.Count];
+        new ForwardKinematics(robot).Compute(new double[robot.MovingJoints.Count], poses);
+        foreach (var pose in poses)
+            foreach (var number in pose.ToRowMajor16()) MessageRules.Finite(number);
+    });
+
+    [Test]
+    public void Profile_Spoilt_IsRefusedOrFinite() => Refused("latency profiles", 6, Profiles, [Seeds.Profile], text =>
+    {
+        var profile = LatencyProfileJson.Read(text, "fuzz");
+        MessageRules.Finite(profile.Visualisation.Length.TotalSeconds);
+        if (profile.WatchedRange != null) MessageRules.Finite(profile.WatchedRange.Limit.TotalSeconds);
+    });
+
+    [Test]
+    public void Configuration_Spoilt_IsReadOrEachFaultHasItsLine()
+    {
+        var accepted = new FuzzRun("configurations", 9, Configurations).Feed<string>(() => new TextMutator(Seeds.Configurations).Next, () => text =>
+        {
+            var wrong = new List<string>();
+            ConfigurationFile.Parse(text, "fuzz", wrong);
+            foreach (var line in wrong)
+                if (!line.StartsWith("fuzz:",
+                    StringComparison.Ordinal) || !char.IsAsciiDigit(line[5])) throw new FuzzException("a fault without its line: " + line);
+            return wrong.Count == 0;
+        });
+
+        Assert.That(accepted, Is.InRange(1, Configurations - 1), "both ways are taken");
+    }
+
+    [Test]
+    public void Tokens_SpoiltFile_IsRefusedInOneLineThatHidesThem()
+    {
+        using var folder = new TemporaryFolder();
+
+        Refused("token files", 7, Tokens, Seeds.Tokens, text =>
+        {
+            var path = Path.Combine(folder.Path, Environment.CurrentManagedThreadId + ".txt");
+            File.WriteAllBytes(path, Encoding.UTF8.GetBytes(text));
+            TokenList.Read(path);
+        }, secrets: ["4f5a6b7c8d9e", "0123456789abcdef", "s3cret-operator"]);
+    }
+
+    [Test]
+    public void PairedHeadsets_SpoiltLines_AreRefusedOrWrittenAsRead()
+    {
+        new FuzzRun("lists of paired headsets", 8, Pairings).Feed<string>(() => new TextMutator(Seeds.Paired).Next, () => text =>
+        {
+            var taken = false;
+            foreach (var line in text.Split('\n'))
+            {
+                if (PairedHeadset.Read(line.Trim()) is not { } headset) continue;
+                if (PairedHeadset.Read(headset.ToString()) is not { } again || !again.Hash.AsSpan().SequenceEqual(headset.Hash))
+                    throw new FuzzException("reads otherwise than written");
+                taken = true;
+            }
+            return taken;
+        });
+    }
+
+    // What is refused is refused with one line, by the exception that says so.
+    static void Refused(string name, int seed, int inputs, string[] seeds, Action<string> read, params string[] secrets)
+    {
+        var accepted = new FuzzRun(name, seed, inputs).Feed<string>(() => new TextMutator(seeds).Next, () => text =>
+        {
+            try
+            {
+                read(text);
+                return true;
+            }
+            catch (InputException refusal)
+            {
+                if (refusal.Message.Length > 1000 || refusal.Message.Any(char.IsControl))
+                    throw new FuzzException("refused with more than a line: " + refusal.Message);
+                if (secrets.Any(refusal.Message.Contains)) throw new FuzzException("a secret is shown: " + refusal.Message);
+                return false;
+            }
+        });
+
+        Assert.That(accepted, Is.InRange(1, inputs - 1), "both ways are taken");
+    }
+}

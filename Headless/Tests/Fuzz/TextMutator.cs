@@ -1,0 +1,118 @@
+using System.Text;
+
+namespace Nowpose.Headless.Tests.Fuzz;
+
+/// <summary>Spoils texts that have a grammar: not letters at random, but the pieces that its readers decide by.</summary>
+/// <remarks>Most of what it makes is nearly right, so readers get deep before they find out. One thread.</remarks>
+sealed class TextMutator
+{
+    static readonly string[] Numbers =
+    [
+        "0", "-0", "1", "-1", "0.0", "1e-400", "-1e-400", "1e308", "1.8e308", "-1.8e308", "1e999", "1e99999999999", "NaN", "-NaN", "Infinity",
+        "-Infinity", "nan", "inf", "null", "true", "\"1\"", "[]", "{}", "4294967295", "4294967296", "-2147483649", "999999999", "1000000000",
+        "9223372036854775807", "9223372036854775808", "-9223372036854775809", "18446744073709551616", "1e18", "0x10", "01", "+1", "1.", ".5",
+        "1_000", "1,5", "1e", "٣", "170141183460469231731687303715884105728", "0.1e-5000", "5e-324", "1.7976931348623157e308",
+    ];
+
+    static readonly string[] Words =
+    [
+        "", " ", "\0", "\u0001", "\u007f", "\u0085", "\u2028", "\ud800", "\udc00", "\ufeff", "\u202e", "é", "🤖", "\\u0000", "\\ud800", "\\x41", "\\",
+        "'", "\"", "../../etc/passwd", "%n%s", "<!--", "]]>", "&lt;", "&#0;", "&x;", "<!DOCTYPE a [<!ENTITY x \"y\">]>", "${x}", "#", ": ", "- ",
+            "|", ">", "&a", "*a",
+        "!!binary", "\t", "\r\n", "\n", "\r", "//", "/*", "?", "@",
+    ];
+
+    readonly string[] _seeds;
+    readonly string[] _pieces;
+
+    /// <param name="seeds">Texts that are right.</param>
+    public TextMutator(params string[] seeds)
+    {
+        _seeds = seeds;
+        _pieces = [.. seeds.SelectMany(Split).Distinct()];
+    }
+
+    /// <summary>A spoilt text; now and then, one that is right.</summary>
+    public string Next(Random random)
+    {
+        var pieces = Split(_seeds[random.Next(_seeds.Length)]);
+        for (var n = random.Next(0, 5); n > 0 && pieces.Count > 0; n--) Spoil(pieces, random);
+        var text = string.Concat(pieces);
+        return random.Next(8) switch
+        {
+            0 => text[..random.Next(text.Length + 1)],
+            1 => SpoilLetter(text, random),
+            _ => text,
+        };
+    }
+
+    void Spoil(List<string> pieces, Random random)
+    {
+        var at = random.Next(pieces.Count);
+        switch (random.Next(11))
+        {
+            case 0: pieces.RemoveAt(at); break;
+            case 1: pieces.Insert(at, pieces[at]); break;
+            case 2: pieces.Insert(at, _pieces[random.Next(_pieces.Length)]); break;
+            case 3: pieces[at] = _pieces[random.Next(_pieces.Length)]; break;
+            case 4: pieces[at] = Words[random.Next(Words.Length)]; break;
+            case 5: pieces[at] += Words[random.Next(Words.Length)]; break;
+            case 6: Swap(pieces, at, random.Next(pieces.Count)); break;
+            case 7: Nest(pieces, at, random); break;
+            case 8: Stretch(pieces, at, random); break;
+            default: ReplaceNumber(pieces, at, random); break;
+        }
+    }
+
+    static void Swap(List<string> pieces, int a, int b) => (pieces[a], pieces[b]) = (pieces[b], pieces[a]);
+
+    static void ReplaceNumber(List<string> pieces, int from, Random random)
+    {
+        for (var i = 0; i < pieces.Count; i++)
+        {
+            var at = (from + i) % pieces.Count;
+            if (!IsNumber(pieces[at])) continue;
+            pieces[at] = Numbers[random.Next(Numbers.Length)];
+            return;
+        }
+    }
+
+    static bool IsNumber(string piece) =>
+        piece.Length > 0 && (char.IsAsciiDigit(piece[0]) || (piece.Length > 1 && piece[0] == '-' && char.IsAsciiDigit(piece[1])));
+
+    static void Nest(List<string> pieces, int at, Random random)
+    {
+        var (open, close) = random.Next(3) switch { 0 => ("[", "]"), 1 => ("{\"a\":", "}"), _ => ("<a>", "</a>") };
+        // Around the limit, and far beyond it now and then.
+        var depth = random.Next(50) == 0 ? 5000 : random.Next(1, 24);
+        pieces[at] = new StringBuilder().Insert(0, open, depth) + pieces[at] + new StringBuilder().Insert(0, close, depth);
+    }
+
+    static void Stretch(List<string> pieces, int at, Random random) =>
+        pieces[at] = string.Concat(Enumerable.Repeat(pieces[at], random.Next(30) == 0 ? 3000 : random.Next(2, 140)));
+
+    static string SpoilLetter(string text, Random random)
+    {
+        if (text.Length == 0) return text;
+        var letters = text.ToCharArray();
+        letters[random.Next(letters.Length)] = (char)(random.Next(4) == 0 ? random.Next(0x10000) : random.Next(0x80));
+        return new string(letters);
+    }
+
+    // Numbers, words, and whatever stands between, letter by letter.
+    static List<string> Split(string text)
+    {
+        var pieces = new List<string>();
+        for (var at = 0; at < text.Length;)
+        {
+            var end = at + 1;
+            if (char.IsAsciiDigit(text[at]) || (text[at] == '-' && at + 1 < text.Length && char.IsAsciiDigit(text[at + 1])))
+                while (end < text.Length && (char.IsAsciiDigit(text[end]) || text[end] is '.' or 'e' or 'E')) end++;
+            else if (char.IsAsciiLetter(text[at]))
+                while (end < text.Length && (char.IsAsciiLetterOrDigit(text[end]) || text[end] is '_' or '/')) end++;
+            pieces.Add(text[at..end]);
+            at = end;
+        }
+        return pieces;
+    }
+}

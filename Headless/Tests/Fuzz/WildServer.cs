@@ -1,0 +1,48 @@
+using Nowpose.Protocol;
+using Nowpose.Sync;
+
+namespace Nowpose.Headless.Tests.Fuzz;
+
+/// <summary>A sync server that answers anything, before a headset's clock: whatever it says, the model stays a clock's. One thread.</summary>
+sealed class WildServer
+{
+    static readonly TimeSpan Farthest = TimeSpan.FromDays(365.25 * 150);
+
+    readonly ClockSynchroniser _clock = new(ClockEstimators.Create(ClockEstimators.Default), ClockSettings.Default);
+    readonly ExchangePace _pace = new(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1));
+    HeadsetTime _now = HeadsetTime.FromSeconds(100);
+
+    /// <returns>Whether the reply went into the model.</returns>
+    public bool Reply(int seed)
+    {
+        var random = new Random(seed);
+        var t1 = _now;
+        _now += new TimeSpan(random.NextInt64(1, 2_000_000));
+        var reply = FrameMutator.Reply(random, (uint)seed, t1.Nanoseconds);
+        var verdict = SyncVerdict.Dropped;
+        // An honest one in between: a liar must not find a clock that knows nothing.
+        if (random.Next(3) == 0) verdict = Take(random, t1, new SyncExchange(t1, Control(t1, 0.5), Control(t1, 0.6), _now));
+        else if (reply.Sequence == (uint)seed && reply.T1Ns == t1.Nanoseconds)
+            verdict = Take(random, t1, new SyncExchange(
+                t1, ControlTime.FromNanoseconds(reply.T2Ns), ControlTime.FromNanoseconds(reply.T3Ns), _now,
+                new TimeSpan(reply.ResolutionNs / 100), new TimeSpan(reply.ErrorBoundUs * 10L), reply.IsServerSynchronised));
+        _now += new TimeSpan(random.NextInt64(1, 3_000_000));
+        return verdict == SyncVerdict.Consistent;
+    }
+
+    static ControlTime Control(HeadsetTime at, double ms) => ControlTime.FromNanoseconds(at.Nanoseconds + (long)(ms * 1e6));
+
+    SyncVerdict Take(Random random, HeadsetTime sent, in SyncExchange exchange)
+    {
+        if (SyncExchangeRules.Check(exchange) != SyncExchangeFault.None) return SyncVerdict.Dropped;
+        var verdict = _clock.Add(exchange, out _);
+        var at = _now + new TimeSpan(random.NextInt64(0, 100_000_000));
+        var model = _clock.ModelAt(at);
+        if (model.IsKnown && (model.ErrorBound < TimeSpan.Zero || !double.IsFinite(model.Skew)))
+            throw new FuzzException($"bound {model.ErrorBound}, skew {model.Skew}");
+        if (model.IsKnown && model.ToControl(at).SinceEpoch.Duration() > Farthest) throw new FuzzException("control time " + model.ToControl(at).SinceEpoch);
+        var pause = _pace.Next(_clock, _now);
+        if (pause <= TimeSpan.Zero || pause > TimeSpan.FromMinutes(1)) throw new FuzzException("a pause of " + pause);
+        return verdict;
+    }
+}
