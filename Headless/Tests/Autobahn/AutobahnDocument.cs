@@ -1,0 +1,29 @@
+namespace Nowpose.Headless.Tests.Autobahn;
+
+/// <summary>All cases, and the table that the document has of them.</summary>
+static class AutobahnDocument
+{
+    public static readonly AutobahnSection[] Sections = [.. FramingCases.All(), .. Utf8Cases.All(), .. CloseCases.All(), .. LimitCases.All()];
+
+    /// <summary>A row for each section.</summary>
+    public static string Table() => string.Concat(
+        Sections.Select(section => $"| {section.Number} | {section.Cases.Length} | {section.What} | {Outcomes(section)} | {section.Note} |\n")
+            .Prepend("| Cases | Tests | What is sent | What comes of it | Note |\n| --- | --- | --- | --- | --- |\n"));
+
+    static string Outcomes(AutobahnSection section) => string.Join("; ", section.Cases.Select(one => Outcome(one.Expected)).Distinct());
+
+    // An end of another kind is told as well; one that only lacks a part is what the document says may be lost.
+    static string Outcome(string expected)
+    {
+        var ways = expected.Split('|').Select(Words).ToArray();
+        return string.Join(" or ", ways.Where((way, i) => i == 0 || way.Except(ways[0]).Any()).Select(Outcome));
+    }
+
+    static string Outcome(string[] way)
+    {
+        var words = way.GroupBy(word => word).Select(group => group.Count() == 1 ? group.Key : $"{group.Count()} × {group.Key}");
+        return string.Join(", ", words) is { Length: > 0 } text ? text : "goes on";
+    }
+
+    static string[] Words(string way) => way.Split(' ', StringSplitOptions.RemoveEmptyEntries);
+}

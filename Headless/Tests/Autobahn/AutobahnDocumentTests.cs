@@ -1,0 +1,23 @@
+using Nowpose.Headless.Tests.Repository;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Autobahn;
+
+public class AutobahnDocumentTests
+{
+    const string Document = "docs/autobahn.md";
+
+    [Test]
+    public void Table_OfTheDocument_IsThatOfTheCases()
+    {
+        var lines = RepositoryFiles.Read(Document).ReplaceLineEndings("\n").Split('\n').Where(line => line.StartsWith('|'));
+
+        Assert.That(
+            string.Concat(lines.Select(line => line + "\n")), Is.EqualTo(AutobahnDocument.Table()),
+            $"{Document} has another table; it has to be:\n{AutobahnDocument.Table()}");
+    }
+
+    [Test]
+    public void Cases_All_HaveTheirOwnNumbers() =>
+        Assert.That(AutobahnDocument.Sections.SelectMany(section => section.Cases).Select(one => one.Number), Is.Unique);
+}

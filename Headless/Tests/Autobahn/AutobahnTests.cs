@@ -1,0 +1,107 @@
+using System.Buffers.Binary;
+using System.Collections.Concurrent;
+using System.Security.Cryptography.X509Certificates;
+using System.Text;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Security;
+using Nowpose.Headless.Tests.Gateway;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Autobahn;
+
+/// <summary>The cases of the Autobahn test-suite, against our server and both of our clients.</summary>
+public class AutobahnTests
+{
+    const string Marker = "marker";
+    static readonly string[] Subjects = ["gateway", "link over ws", "link over wss with a pin"];
+
+    GatewayServer _gateway;
+    X509Certificate2 _certificate;
+
+    [OneTimeSetUp]
+    public async Task StartAsync()
+    {
+        _certificate = CertificateFiles.Generate();
+        _gateway = await Gateways.StartAsync();
+    }
+
+    [OneTimeTearDown]
+    public async Task StopAsync()
+    {
+        await _gateway.DisposeAsync();
+        _certificate.Dispose();
+    }
+
+    static IEnumerable<TestCaseData> Cases() =>
+        from subject in Subjects
+        from section in AutobahnDocument.Sections
+        from one in section.Cases
+        select new TestCaseData(subject, one).SetName($"Autobahn {one.Number}, {subject}");
+
+    [TestCaseSource(nameof(Cases))]
+    public async Task Case_Played_EndsAsExpected(string kind, AutobahnCase one)
+    {
+        await using var subject = await OpenAsync(kind);
+        var seen = new ConcurrentQueue<string>();
+        subject.Saw = seen.Enqueue;
+        var script = subject.NewScript();
+        var reading = subject.Peer.ReadAsync();
+        var watching = WatchAsync(subject, script, seen);
+
+        one.Play(script);
+        await subject.Peer.SendAsync(script);
+        if (one.Ends)
+        {
+            await Task.WhenAll(reading, watching).Bounded();
+        }
+        else
+        {
+            var expected = one.Expected.Split(' ', StringSplitOptions.RemoveEmptyEntries).Length;
+            script.Chop = 0;
+            script.Send(Marker);
+            await subject.Peer.SendAsync(script);
+            await Soon.BecomesAsync(() => seen.Count >= expected + 1, $"{expected} events and the marker; seen: {string.Join(' ', seen)}");
+            Assert.That(Sorted(string.Join(' ', seen)), Is.EqualTo(Sorted(one.Expected + " taken")));
+            return;
+        }
+
+        Assert.That(one.Expected.Split('|').Select(Sorted), Does.Contain(Sorted(string.Join(' ', seen))));
+    }
+
+    [Test]
+    public async Task Upgrade_CompressionOffered_IsNotNegotiated()
+    {
+        using var raw = await RawWebSocket.ConnectAsync(_gateway);
+
+        var head = await raw.RequestAsync(
+            "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
+            + "Sec-WebSocket-Extensions: permessage-deflate; client_max_window_bits\r\n");
+
+        Assert.That(head, Does.StartWith("HTTP/1.1 101 "));
+        Assert.That(head, Does.Not.Contain("Sec-WebSocket-Extensions").IgnoreCase);
+    }
+
+    async Task<IAutobahnSubject> OpenAsync(string kind)
+    {
+        if (kind == Subjects[0]) return await GatewaySubject.OpenAsync(_gateway);
+        return await LinkSubject.OpenAsync(kind == Subjects[1] ? null : _certificate);
+    }
+
+    static async Task WatchAsync(IAutobahnSubject subject, CaseScript script, ConcurrentQueue<string> seen)
+    {
+        await foreach (var (opcode, payload) in subject.Peer.Frames.ReadAllAsync())
+            if (EventOf(subject, script, opcode, payload) is { } one) seen.Enqueue(one);
+    }
+
+    static string EventOf(IAutobahnSubject subject, CaseScript script, int opcode, byte[] payload) => opcode switch
+    {
+        CaseScript.Text => subject.EventOf(Encoding.UTF8.GetString(payload), script),
+        CaseScript.Pong => script.PingPayloads.Contains(Encoding.UTF8.GetString(payload)) ? "pong" : "garbled pong",
+        CaseScript.CloseFrame => payload.Length < 2 ? "close" : "close:" + BinaryPrimitives.ReadUInt16BigEndian(payload),
+        // Pings keep a quiet connection alive.
+        CaseScript.Ping => null,
+        _ => "opcode " + opcode,
+    };
+
+    static string Sorted(string events) => string.Join(' ', events.Split(' ', StringSplitOptions.RemoveEmptyEntries).Order());
+}

@@ -1,0 +1,61 @@
+using System.Buffers.Binary;
+using System.Threading.Channels;
+
+namespace Nowpose.Headless.Tests.Autobahn;
+
+/// <summary>The other end of a WebSocket, byte by byte: sends a script's chunks, and reads frames until the end.</summary>
+/// <param name="goodbye">Says that nothing more is sent, once the other side has closed; null for nothing.</param>
+sealed class FramedPeer(Stream stream, Action goodbye = null)
+{
+    readonly Channel<(int Opcode, byte[] Payload)> _frames = Channel.CreateUnbounded<(int, byte[])>();
+
+    /// <summary>Frames as they come; completed when the connection ends.</summary>
+    public ChannelReader<(int Opcode, byte[] Payload)> Frames => _frames.Reader;
+
+    public async Task SendAsync(CaseScript script)
+    {
+        try
+        {
+            foreach (var chunk in script.Chunks)
+            {
+                await stream.WriteAsync(chunk);
+                await stream.FlushAsync();
+            }
+            script.Chunks.Clear();
+        }
+        catch (Exception end) when (end is IOException or ObjectDisposedException)
+        {
+            // Closed already, as some cases want it.
+        }
+    }
+
+    public async Task ReadAsync()
+    {
+        try
+        {
+            while (true)
+            {
+                var header = await ReadAsync(2);
+                var length = header[1] & 0x7F;
+                if (length == 126) length = BinaryPrimitives.ReadUInt16BigEndian(await ReadAsync(2));
+                else if (length == 127) length = (int)BinaryPrimitives.ReadUInt64BigEndian(await ReadAsync(8));
+                var mask = (header[1] & 0x80) != 0 ? await ReadAsync(4) : new byte[4];
+                var payload = await ReadAsync(length);
+                for (var i = 0; i < length; i++) payload[i] ^= mask[i & 3];
+                _frames.Writer.TryWrite((header[0] & 0x0F, payload));
+                if ((header[0] & 0x0F) == CaseScript.CloseFrame) goodbye?.Invoke();
+            }
+        }
+        catch (Exception end) when (end is IOException or ObjectDisposedException)
+        {
+            _frames.Writer.Complete();
+        }
+    }
+
+    async Task<byte[]> ReadAsync(int count)
+    {
+        var bytes = new byte[count];
+        await stream.ReadExactlyAsync(bytes);
+        return bytes;
+    }
+}

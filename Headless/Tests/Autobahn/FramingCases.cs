@@ -1,0 +1,104 @@
+using static Nowpose.Headless.Tests.Autobahn.CaseScript;
+
+namespace Nowpose.Headless.Tests.Autobahn;
+
+/// <summary>Framing, pings, reserved bits, opcodes and fragments: parts 1 to 5 and 10 of the suite.</summary>
+static class FramingCases
+{
+    const string Refused = "close:1002";
+
+    static readonly int[] Sizes = [0, 125, 126, 127, 128, 65535, 65536];
+
+    public static IEnumerable<AutobahnSection> All()
+    {
+        yield return Section("1.1.1–1.1.8", "text of 0, 125, 126, 127, 128, 65535, 65536 bytes, the last one also in pieces of 997",
+            "Empty text is no JSON: the message is refused, the connection bears it.",
+            [.. Sizes.Select((size, i) => Case($"1.1.{i + 1}", size == 0 ? "refused" : "taken", s => Sized(s, Text, size))),
+             Case("1.1.8", "taken", s => { s.Chop = 997; Sized(s, Text, 65536); })]);
+        yield return Section("1.2.1–1.2.8", "the same as binary",
+            "rosbridge's JSON is text: binary messages are refused, the connection bears them.",
+            [.. Sizes.Select((size, i) => Case($"1.2.{i + 1}", "refused", s => Sized(s, Binary, size))),
+             Case("1.2.8", "refused", s => { s.Chop = 997; Sized(s, Binary, 65536); })]);
+        yield return Section("2.1–2.6", "pings of 0, some, binary, 125 and 126 bytes, byte by byte", "",
+            Case("2.1", "pong", s => s.SendPing()), Case("2.2", "pong", s => s.SendPing("Hello, world!")),
+            Case("2.3", "pong", s => s.SendPing("\u0000\u0001\u007f\u0002")), Case("2.4", "pong", s => s.SendPing(new string('x', 125))),
+            Case("2.5", Refused, s => s.SendPing(new string('x', 126))),
+            Case("2.6", "pong", s => { s.Chop = 1; s.SendPing(new string('x', 125)); }));
+        yield return Section("2.7–2.9", "pongs that nobody asked for, then a ping", "",
+            Case("2.7", "", s => s.Frame(Pong)), Case("2.8", "", s => s.Frame(Pong, [1, 2, 3])),
+            Case("2.9", "pong", s => { s.Frame(Pong, [1, 2, 3]); s.SendPing("ping"); }));
+        yield return Section("2.10–2.11", "ten pings at once, whole and byte by byte", "",
+            Case("2.10", Times("pong", 10), s => Ten(s)), Case("2.11", Times("pong", 10), s => { s.Chop = 1; Ten(s); }));
+        yield return Section("3.1–3.7", "reserved bits on text (also behind a good message), binary, ping and close", "",
+            Case("3.1", Refused, s => s.Frame(Text, s.Message(), reserved: 1)),
+            Case("3.2", AfterOne(Refused), s => { s.Send(); s.Frame(Text, s.Message(), reserved: 2); s.SendPing(); }),
+            Case("3.3", AfterOne(Refused), s => { s.Chop = 40; s.Send(); s.Frame(Text, s.Message(), reserved: 3); s.SendPing(); }),
+            Case("3.4", AfterOne(Refused), s => { s.Chop = 1; s.Send(); s.Frame(Text, s.Message(), reserved: 4); s.SendPing(); }),
+            Case("3.5", Refused, s => s.Frame(Binary, [1, 2, 3], reserved: 5)), Case("3.6", Refused, s => s.Frame(Ping, [], reserved: 6)),
+            Case("3.7", Refused, s => s.Frame(CloseFrame, [], reserved: 7)));
+        yield return Section("4.1.1–4.1.5", "the five reserved data opcodes, empty, with bytes, behind a good message, byte by byte", "",
+            Opcodes("4.1", 3));
+        yield return Section("4.2.1–4.2.5", "the five reserved control opcodes, likewise", "", Opcodes("4.2", 11));
+        yield return Section("5.1–5.2", "ping and pong in two fragments", "",
+            Case("5.1", Refused, s => { s.Frame(Ping, [1], isFinal: false); s.Frame(Continuation, [2]); }),
+            Case("5.2", Refused, s => { s.Frame(Pong, [1], isFinal: false); s.Frame(Continuation, [2]); }));
+        yield return Section("5.3–5.5", "text in two fragments: whole, in pieces, byte by byte", "",
+            [.. new[] { 0, 20, 1 }.Select((chop, i) => Case($"5.{3 + i}", "taken", s => { s.Chop = chop; s.SendFragments(s.Message(), 2); }))]);
+        yield return Section("5.6–5.8", "the same with a ping between the fragments", "",
+            [.. new[] { 0, 20, 1 }.Select((chop, i) =>
+                Case($"5.{6 + i}", "pong taken", s => { s.Chop = chop; s.SendFragments(s.Message(), 2, () => s.SendPing("between")); }))]);
+        yield return Section("5.9–5.14", "a continuation of nothing, final and not, before a good message; whole, in pieces, byte by byte", "",
+            [.. new[] { 0, 20, 1, 0, 20, 1 }.Select((chop, i) =>
+                Case($"5.{9 + i}", Refused, s => { s.Chop = chop; s.Frame(Continuation, [1, 2], isFinal: i < 3); s.Send(); }))]);
+        yield return Section("5.15–5.17", "continuations of nothing behind a message in two fragments, and before text, final or not", "",
+            Case("5.15", AfterOne(Refused), s => { s.SendFragments(s.Message(), 2); s.Frame(Continuation, [3], isFinal: false); s.Send(); }),
+            Case("5.16", Refused, s => Twice(s, isFinal: false)), Case("5.17", Refused, s => Twice(s, isFinal: true)));
+        yield return Section("5.18", "a second text where a continuation has to come", "",
+            Case("5.18", Refused, s => { s.Frame(Text, [65], isFinal: false); s.Frame(Text, [66]); }));
+        yield return Section("5.19–5.20", "text in five fragments with pings between", "",
+            Case("5.19", "pong pong pong pong taken", s => s.SendFragments(s.Message(), 5, () => s.SendPing("p"))),
+            Case("5.20", "pong pong pong pong taken", s => { s.Chop = 7; s.SendFragments(s.Message(), 5, () => s.SendPing("p")); }));
+        yield return Section("10.1.1", "65536 bytes of text in fragments of 1300", "",
+            Case("10.1.1", "taken", s => s.SendFragments(s.Message(length: 65536), 51)));
+    }
+
+    public static AutobahnCase Case(string number, string expected, Action<CaseScript> play) => new(number, expected, s => play((CaseScript)s));
+
+    public static AutobahnSection Section(string number, string what, string note, params AutobahnCase[] cases) => new(number, what, note, cases);
+
+    public static string Times(string what, int times) => string.Join(' ', Enumerable.Repeat(what, times));
+
+    /// <summary>The good message before is answered, or the end comes first.</summary>
+    public static string AfterOne(string expected) => $"taken {expected}|{expected}";
+
+    // A size that no message of ours is so short as is still of that size, and no message.
+    static void Sized(CaseScript s, int opcode, int size)
+    {
+        var message = s.Message("", size);
+        s.Frame(opcode, size == 0 ? [] : message);
+    }
+
+    static void Ten(CaseScript s)
+    {
+        for (var i = 0; i < 10; i++) s.SendPing("payload " + i);
+    }
+
+    static void Twice(CaseScript s, bool isFinal)
+    {
+        for (var i = 0; i < 2; i++)
+        {
+            s.Frame(Continuation, [1], isFinal);
+            s.Frame(Text, [2], isFinal: false);
+            s.Frame(Continuation, [3]);
+        }
+    }
+
+    static AutobahnCase[] Opcodes(string number, int first) =>
+    [
+        Case(number + ".1", Refused, s => s.Frame(first)),
+        Case(number + ".2", Refused, s => s.Frame(first + 1, [1, 2, 3])),
+        Case(number + ".3", AfterOne(Refused), s => { s.Send(); s.Frame(first + 2); s.SendPing(); }),
+        Case(number + ".4", AfterOne(Refused), s => { s.Send(); s.Frame(first + 3, [1, 2, 3]); s.SendPing(); }),
+        Case(number + ".5", AfterOne(Refused), s => { s.Chop = 1; s.Send(); s.Frame(first + 4, [1, 2, 3]); s.SendPing(); }),
+    ];
+}

@@ -1,0 +1,37 @@
+using Nowpose.Gateway;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Autobahn;
+
+/// <summary>Our server: a message is taken when the answer to its call comes back with its id.</summary>
+sealed class GatewaySubject : IAutobahnSubject
+{
+    readonly Gateway.RawWebSocket _raw;
+
+    GatewaySubject(Gateway.RawWebSocket raw)
+    {
+        _raw = raw;
+        Peer = new FramedPeer(raw.Stream, raw.EndSending);
+    }
+
+    public FramedPeer Peer { get; }
+
+    public Action<string> Saw { set { } }
+
+    public static async Task<IAutobahnSubject> OpenAsync(GatewayServer gateway) => new GatewaySubject(await Gateway.RawWebSocket.OpenAsync(gateway));
+
+    public CaseScript NewScript() => new(true, "{\"op\":\"call_service\",\"service\":\"/rosapi/get_time\",\"id\":\"", "\"}");
+
+    public string EventOf(string text, CaseScript script)
+    {
+        if (!RosbridgeReader.TryRead(text, out var message, out var reason)) return "garbled: " + reason;
+        if (message.Op == RosbridgeOp.Status) return "refused";
+        return script.Inner.Contains(message.Id ?? "") ? "taken" : "garbled: " + message.Id;
+    }
+
+    public ValueTask DisposeAsync()
+    {
+        _raw.Dispose();
+        return ValueTask.CompletedTask;
+    }
+}

@@ -1,0 +1,80 @@
+using System.Security.Cryptography.X509Certificates;
+using Nowpose.Headless.Tests.Network;
+using Nowpose.Network;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Autobahn;
+
+/// <summary>A headset's link: a message is taken when it is read from it and holds to the protocol's rules.</summary>
+sealed class LinkSubject : IAutobahnSubject
+{
+    readonly FakeWebSocketServer _server = new();
+    readonly CancellationTokenSource _stop = new();
+    IWebSocketLink _link;
+    Task _receiving = Task.CompletedTask;
+    CaseScript _script;
+
+    public FramedPeer Peer { get; private set; }
+
+    public Action<string> Saw { get; set; }
+
+    /// <param name="certificate">For wss with a pin, by our own upgrade; null for ws by .NET's client.</param>
+    public static async Task<IAutobahnSubject> OpenAsync(X509Certificate2 certificate)
+    {
+        var subject = new LinkSubject();
+        var pin = certificate == null ? null : CertificatePin.Of(certificate);
+        var settings = new ConnectionSettings("127.0.0.1", webSocketPort: subject._server.Port, pin: pin);
+        subject._link = WebSocketLinks.Create(settings, new StopwatchHeadsetClock());
+        var opening = subject._link.OpenAsync(CancellationToken.None);
+        var stream = await subject._server.AcceptStreamAsync(certificate);
+        // A server hangs up first, and .NET's client waits for that.
+        subject.Peer = new FramedPeer(stream, stream.Dispose);
+        await opening.Bounded();
+        return subject;
+    }
+
+    public CaseScript NewScript()
+    {
+        _script = new CaseScript(
+            false, """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"sec":5,"nanosec":0}},"position":[1],"name":["x""", "\"]}}");
+        _receiving = Task.Run(ReceiveAsync);
+        return _script;
+    }
+
+    public string EventOf(string text, CaseScript script) => null;
+
+    public async ValueTask DisposeAsync()
+    {
+        await _stop.CancelAsync();
+        _link.Dispose();
+        await _receiving.Bounded();
+        _server.Dispose();
+        _stop.Dispose();
+    }
+
+    // As RosbridgeClient does, which disposes of a link at its end.
+    async Task ReceiveAsync()
+    {
+        try
+        {
+            while (true)
+            {
+                var received = await _link.ReceiveAsync(_stop.Token);
+                if (received.IsClosed) break;
+                if (EventOf(received) is { } one) Saw(one);
+            }
+        }
+        catch (Exception)
+        {
+            // Whatever it is ends a link.
+        }
+        _link.Dispose();
+    }
+
+    string EventOf(in ReceivedText received)
+    {
+        if (received.Text == null || !RosbridgeReader.TryRead(received.Text, out var message, out _)) return "refused";
+        if (message.Data != null) return null;
+        return _script.Inner.Contains(message.JointState.Names[0][1..]) ? "taken" : "garbled: " + message.JointState.Names[0];
+    }
+}
