@@ -1,0 +1,95 @@
+using System.CommandLine;
+using System.Net;
+using Nowpose.Cli.Demo;
+using Nowpose.Gateway.Options;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Protocol;
+
+namespace Nowpose.Cli.Headset;
+
+/// <summary><c>headset</c>: tells whether a gateway and its plant are good enough, before anybody puts a headset on.</summary>
+static class HeadsetVerb
+{
+    static readonly Option<string> Host = new("--host") { Description = "The gateway's name or address", DefaultValueFactory = _ => "127.0.0.1" };
+    static readonly Option<int> SyncPort = NumberOption.Create(
+        "--sync-port", "TCP port of the clock sync", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
+    static readonly Option<int> WebSocketPort = NumberOption.Create(
+        "--ws-port", "Port of the joint positions", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
+    static readonly Option<string> Pin = new("--pin")
+    {
+        Description = "The gateway's pin, as it prints it: encrypts both connections", HelpName = "PIN",
+    };
+    static readonly Option<string> TokenFile = new("--token-file")
+    {
+        Description = "File that holds the token of an observer and nothing else", HelpName = "FILE",
+    };
+    static readonly Option<bool> InsecureLan = new("--insecure-lan")
+    {
+        Description = "Allow plain connections to another machine: on a trusted network only",
+    };
+    static readonly Option<string> Name = new("--name") { Description = "This headset's name", DefaultValueFactory = _ => "headless" };
+    static readonly Option<string> Robot = new("--robot") { Description = "youbot, ur5 or a .urdf file [default: as the gateway describes it]" };
+    static readonly Option<string> Predictor = PredictorOption.Create();
+    static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime is told", 40.0, 0, 500, "ms");
+    static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames a second", 60.0, 1, 240, "Hz");
+    static readonly Option<double> Seconds = NumberOption.Create("--seconds", "How long to run", 20.0, 1, 86_400, "s");
+    static readonly Option<string> Record = new("--record") { Description = "Record the session there, .jsonl", HelpName = "FILE" };
+    static readonly Option<bool> Json = new("--json") { Description = "Print the result as JSON" };
+
+    public static Command Create()
+    {
+        var verb = new Command("headset", "Run the headset runtime on a gateway that serves already, and say how well it does.")
+        {
+            Host, SyncPort, WebSocketPort, Pin, TokenFile, InsecureLan, Name, Robot, Predictor, Visualisation, FramesPerSecond, Seconds, Record, Json,
+        };
+        verb.SetAction((parsed, cancel) => Task.Factory.StartNew(
+            () => Run(Settings(parsed), parsed.GetValue(Json), cancel),
+            // A thread of its own, as a headset's frame loop is. Cancelled within: what was measured is told.
+            CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default));
+        return verb;
+    }
+
+    static int Run(HeadsetSettings settings, bool isJson, CancellationToken cancel)
+    {
+        var run = new HeadsetRun(settings);
+        var result = default(HeadsetResult);
+        DemoProgress.Run(settings.Seconds, report => result = run.Play(report, cancel));
+        if (isJson) Console.Out.WriteLine(result.Json());
+        else HeadsetTable.Print(result);
+        if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;
+        if (run.WhyFailed == null) return ExitStatus.Done;
+        Console.Error.WriteLine("nowpose: " + run.WhyFailed);
+        return ExitStatus.Failed;
+    }
+
+    static HeadsetSettings Settings(ParseResult parsed)
+    {
+        var pin = parsed.GetValue(Pin);
+        return new HeadsetSettings
+        {
+            Connection = new ConnectionSettings(
+                parsed.GetValue(Host), parsed.GetValue(SyncPort), parsed.GetValue(WebSocketPort), pin == null ? null : CertificatePin.Parse(pin),
+                token: Token(parsed.GetValue(TokenFile)), insecureLan: parsed.GetValue(InsecureLan), headsetName: parsed.GetValue(Name)),
+            Robot = parsed.GetValue(Robot),
+            Predictor = parsed.GetValue(Predictor),
+            Visualisation = new VisualisationLatency(TimeSpan.FromMilliseconds(parsed.GetValue(Visualisation))),
+            Seconds = parsed.GetValue(Seconds),
+            FramesPerSecond = parsed.GetValue(FramesPerSecond),
+            RecordingPath = parsed.GetValue(Record),
+        };
+    }
+
+    static string Token(string path)
+    {
+        if (path == null) return null;
+        try
+        {
+            return File.ReadAllText(path).Trim();
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new InputException($"--token-file {path}: cannot be read ({e.Message})", e);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+using System.Text.Json;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Security;
+using Nowpose.Headless.Tests.Gateway;
+using Nowpose.Motion;
+using static System.FormattableString;
+
+namespace Nowpose.Headless.Tests.Cli;
+
+/// <summary>Runs that are long enough for a loaded machine to synchronise its clock within.</summary>
+public class HeadsetVerbTests
+{
+    [Test]
+    public async Task Headset_GatewayWithAMovingRobot_SaysHowWellItDoes()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var cell = Simulate(gateway);
+        using var recording = new TemporaryFile("", ".jsonl");
+
+        var run = await RunAsync(gateway, "--seconds", "10", "--json", "--record", recording.Path);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        var result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(result.GetProperty("robot").GetString(), Is.EqualTo(RobotFiles.Load("youbot").Name));
+        Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(600));
+        Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(60));
+        Assert.That(result.GetProperty("clock").GetProperty("state").GetString(), Is.EqualTo("synchronised"));
+        Assert.That(result.GetProperty("clock").GetProperty("error_bound_us").GetDouble(), Is.InRange(1, 50_000));
+        Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(20));
+        Assert.That(result.GetProperty("pose").GetProperty("current_share").GetDouble(), Is.GreaterThan(0.3));
+        Assert.That(File.ReadLines(recording.Path).Count(line => line.Contains("\"kind\":\"frame\"")), Is.GreaterThan(300));
+    }
+
+    [Test]
+    public async Task Headset_GatewayThatAsksForATokenAndTls_IsReachedWithBoth()
+    {
+        using var certificate = CertificateFiles.Generate();
+        await using var gateway = await Gateways.StartAsync(
+            Gateways.Options() with { Certificate = certificate, Tokens = Gateways.Tokens });
+        using var cell = Simulate(gateway);
+        using var token = new TemporaryFile(Gateways.ObserverToken + "\n", ".txt");
+
+        var run = await RunAsync(gateway, "--seconds", "10", "--pin", gateway.Pin.ToString(), "--token-file", token.Path);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        Assert.That(run.Output, Does.Contain("synchronised, ±"));
+        Assert.That(run.Output + run.Errors, Does.Not.Contain(Gateways.ObserverToken));
+    }
+
+    [Test]
+    public async Task Headset_PlantThatSaysNothing_FailsAndSaysWhy()
+    {
+        await using var gateway = await Gateways.StartAsync();
+
+        var run = await RunAsync(gateway, "--seconds", "8", "--robot", "youbot");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(1));
+        Assert.That(run.Errors, Does.Contain("no joint positions arrived: connected"));
+    }
+
+    [Test]
+    public async Task Headset_TokenFileMissing_IsRefused()
+    {
+        var run = await CliRun.OfAsync("headset", "--token-file", "/nowhere/token");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.StartWith("nowpose: --token-file /nowhere/token: cannot be read"));
+    }
+
+    static Task<CliRun> RunAsync(GatewayServer gateway, params string[] more) => CliRun.OfAsync(
+        ["headset", "--sync-port", Invariant($"{gateway.SyncEndPoint.Port}"), "--ws-port", Invariant($"{gateway.WebSocketEndPoint.Port}"), .. more]);
+
+    static SimulatedCell Simulate(GatewayServer gateway)
+    {
+        var robot = RobotFiles.Load("youbot", out var urdf);
+        gateway.Hub.OpenSource().TryDescribe(urdf);
+        var timing = new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
+        var cell = new SimulatedCell(new PickAndPlaceMotion(robot), gateway.Clock, timing, 1);
+        cell.PublishInto(gateway.Hub);
+        return cell;
+    }
+}
