@@ -1,6 +1,10 @@
 using BenchmarkDotNet.Running;
 using Nowpose.Benchmarks;
 using Nowpose.Benchmarks.Comparison;
+using Nowpose.Benchmarks.Load;
+
+if (args is ["gateway", ..])
+    return await LoadVerb.RunAsync(args);
 
 if (args is ["tune"])
 {

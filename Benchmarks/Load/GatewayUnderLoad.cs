@@ -1,0 +1,87 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Net;
+
+namespace Nowpose.Benchmarks.Load;
+
+/// <summary>A gateway in a process of its own, with a simulated robot whose samples leave at the moment they are stamped with.</summary>
+sealed class GatewayUnderLoad : IDisposable
+{
+    static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
+
+    readonly Process _process;
+    readonly TaskCompletionSource _serves = new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+    GatewayUnderLoad(Process process) => _process = process;
+
+    public IPEndPoint Sync { get; private set; }
+    public IPEndPoint WebSocket { get; private set; }
+
+    /// <summary>What it holds of the machine's memory.</summary>
+    public long ResidentBytes
+    {
+        get
+        {
+            _process.Refresh();
+            return _process.WorkingSet64;
+        }
+    }
+
+    public TimeSpan ProcessorTime
+    {
+        get
+        {
+            _process.Refresh();
+            return _process.TotalProcessorTime;
+        }
+    }
+
+    /// <param name="connections">It has places for on each port.</param>
+    public static async Task<GatewayUnderLoad> StartAsync(double rateHz, int connections)
+    {
+        string[] arguments =
+        [
+            Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.dll"), "simulate", "--sync-port", "0", "--ws-port", "0",
+            "--sampling-ms", (1000 / rateHz).ToString(CultureInfo.InvariantCulture), "--acquisition-ms", "0",
+            "--max-connections", connections.ToString(CultureInfo.InvariantCulture),
+        ];
+        var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true };
+        foreach (var argument in arguments) start.ArgumentList.Add(argument);
+        // As the unit of systemd and the container start it: one arena for hundreds of threads, or what each freed is of no use to the others.
+        start.Environment["MALLOC_ARENA_MAX"] = "1";
+        var gateway = new GatewayUnderLoad(new Process { StartInfo = start, EnableRaisingEvents = true });
+        gateway._process.OutputDataReceived += (_, line) => gateway.Take(line.Data);
+        gateway._process.Exited += (_, _) => gateway._serves.TrySetException(new InputException("the gateway ended before it served"));
+        gateway._process.Start();
+        gateway._process.BeginOutputReadLine();
+        try
+        {
+            await gateway._serves.Task.WaitAsync(Patience);
+            return gateway;
+        }
+        catch
+        {
+            gateway.Dispose();
+            throw;
+        }
+    }
+
+    public void Dispose()
+    {
+        _process.Kill(entireProcessTree: true);
+        _process.WaitForExit();
+        _process.Dispose();
+    }
+
+    void Take(string line)
+    {
+        var words = line?.Split(' ', 2) ?? [];
+        switch (words)
+        {
+            case ["sync", var address]: Sync = IPEndPoint.Parse(address); break;
+            case ["websocket", var uri]: WebSocket = IPEndPoint.Parse(new Uri(uri).Authority); break;
+            case ["state", "serving"]: _serves.TrySetResult(); break;
+            default: break;
+        }
+    }
+}

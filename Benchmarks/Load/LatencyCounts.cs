@@ -1,0 +1,45 @@
+namespace Nowpose.Benchmarks.Load;
+
+/// <summary>How often each latency occurred, to 10 µs; beyond a second all are one. Any thread counts, and nothing is allocated.</summary>
+sealed class LatencyCounts
+{
+    const long StepNs = 10_000;
+    const int Steps = 100_000;
+
+    readonly long[] _counts = new long[Steps + 1];
+    long _greatestNs;
+
+    public long Total => _counts.Sum();
+
+    public TimeSpan Greatest => new(Interlocked.Read(ref _greatestNs) / 100);
+
+    public void Add(long nanoseconds)
+    {
+        Interlocked.Increment(ref _counts[Math.Clamp(nanoseconds / StepNs, 0, Steps)]);
+        for (var seen = Interlocked.Read(ref _greatestNs); nanoseconds > seen;)
+        {
+            var before = Interlocked.CompareExchange(ref _greatestNs, nanoseconds, seen);
+            if (before == seen) break;
+            seen = before;
+        }
+    }
+
+    /// <summary>The latency that the share of all does not exceed; zero of none.</summary>
+    public TimeSpan Quantile(double share)
+    {
+        var left = (long)Math.Ceiling(share * Total);
+        for (var step = 0; step < _counts.Length; step++)
+        {
+            left -= _counts[step];
+            if (left <= 0) return new TimeSpan((step + 1) * StepNs / 100);
+        }
+
+        return Greatest;
+    }
+
+    public void Clear()
+    {
+        Array.Clear(_counts);
+        Interlocked.Exchange(ref _greatestNs, 0);
+    }
+}

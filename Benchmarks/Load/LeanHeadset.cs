@@ -1,0 +1,148 @@
+using System.Diagnostics;
+using System.Net.Sockets;
+using Nowpose.Protocol;
+
+namespace Nowpose.Benchmarks.Load;
+
+/// <summary>What a headset is to a gateway, on both ports, at as little cost as possible.</summary>
+sealed class LeanHeadset : IDisposable
+{
+    static readonly TimeSpan SyncInterval = TimeSpan.FromMilliseconds(ProtocolLimits.SyncIntervalMs);
+    const int ExchangesPerDiagnostics = 5;
+
+    readonly LatencyCounts _latencies;
+    readonly ControlTruth _truth;
+    readonly long _intervalNs;
+    readonly string _diagnostics;
+    readonly byte[] _frame = new byte[SyncFrame.Size];
+    Socket _positions;
+    Socket _sync;
+    uint _sequence;
+    long _newestNs;
+    long _received;
+    long _lost;
+    long _refused;
+
+    /// <param name="name">As of its diagnostics.</param>
+    /// <param name="latencies">Of all headsets together.</param>
+    public LeanHeadset(string name, double rateHz, LatencyCounts latencies, ControlTruth truth)
+    {
+        _latencies = latencies;
+        _truth = truth;
+        _intervalNs = (long)(1e9 / rateHz);
+        _diagnostics = "{\"op\":\"publish\",\"topic\":\"/nowpose/diagnostics\",\"msg\":{\"header\":{\"stamp\":{\"sec\":1,\"nanosec\":0}},\"status\":"
+            + $"[{{\"level\":0,\"name\":\"nowpose\",\"message\":\"\",\"hardware_id\":\"{name}\",\"values\":[{{\"key\":\"state\",\"value\":\"current\"}}]}}]}}}}";
+    }
+
+    public long Received => Interlocked.Read(ref _received);
+
+    /// <summary>Samples that did not come, by the gaps between the stamps of those that did.</summary>
+    public long Lost => Interlocked.Read(ref _lost);
+
+    /// <summary>Messages that were none it expected: what it sent was refused.</summary>
+    public long Refused => Interlocked.Read(ref _refused);
+
+    /// <summary>Why it ended; null while it runs.</summary>
+    public string Problem { get; private set; }
+
+    public async Task OpenAsync(GatewayUnderLoad gateway)
+    {
+        _positions = await LeanSocket.OpenAsync(gateway.WebSocket);
+        await LeanSocket.SendTextAsync(_positions, RosbridgeWriter.Subscribe(RosTopics.JointStates));
+        _sync = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
+        await _sync.ConnectAsync(gateway.Sync);
+        // At once, as headsets do: whoever says nothing takes one of the few places that newcomers of one address have.
+        if (!await TryExchangeAsync()) throw new InputException("the gateway closed the clock sync");
+    }
+
+    /// <summary>Until it is disposed, or the gateway ends it.</summary>
+    public Task RunAsync() => Task.WhenAll(GuardAsync("positions", ReceiveAsync), GuardAsync("sync", ExchangeAsync));
+
+    public void Clear()
+    {
+        Interlocked.Exchange(ref _received, 0);
+        Interlocked.Exchange(ref _lost, 0);
+    }
+
+    public void Dispose()
+    {
+        _positions?.Dispose();
+        _sync?.Dispose();
+    }
+
+    async Task GuardAsync(string what, Func<Task> work)
+    {
+        try
+        {
+            await work();
+            Problem ??= what + ": the gateway closed it";
+        }
+        catch (Exception end) when (end is SocketException or ObjectDisposedException or InputException)
+        {
+            Problem ??= $"{what}: {end.Message}";
+        }
+    }
+
+    async Task ReceiveAsync()
+    {
+        var reader = new FrameReader();
+        while (true)
+        {
+            var count = await _positions.ReceiveAsync(reader.Room);
+            var arrival = Stopwatch.GetTimestamp();
+            if (count == 0) return;
+            reader.Added(count);
+            if (!Take(reader, arrival)) return;
+        }
+    }
+
+    bool Take(FrameReader reader, long arrival)
+    {
+        var at = 0;
+        while (reader.TryTake(ref at, out var opcode, out var payload))
+        {
+            if (opcode == FrameReader.Close) return false;
+            if (opcode == FrameReader.Ping) _ = LeanSocket.SendPongAsync(_positions, payload);
+            else if (FrameReader.TryReadStamp(payload, out var stampNs)) Count(stampNs, arrival);
+            else Interlocked.Increment(ref _refused);
+        }
+
+        reader.Forget(at);
+        return true;
+    }
+
+    void Count(long stampNs, long arrival)
+    {
+        Interlocked.Increment(ref _received);
+        _latencies.Add(_truth.NanosecondsAt(arrival) - stampNs);
+        var skipped = _newestNs == 0 ? 0 : (long)Math.Round((stampNs - _newestNs) / (double)_intervalNs) - 1;
+        if (skipped > 0) Interlocked.Add(ref _lost, skipped);
+        _newestNs = stampNs;
+    }
+
+    async Task ExchangeAsync()
+    {
+        // Not all at once, as headsets never do.
+        await Task.Delay(TimeSpan.FromMilliseconds(Random.Shared.NextDouble() * SyncInterval.TotalMilliseconds));
+        while (await TryExchangeAsync())
+        {
+            if (_sequence % ExchangesPerDiagnostics == 0) await LeanSocket.SendTextAsync(_positions, _diagnostics);
+            await Task.Delay(SyncInterval);
+        }
+    }
+
+    // False when the gateway closed the connection.
+    async Task<bool> TryExchangeAsync()
+    {
+        SyncFrame.Request(++_sequence, Stopwatch.GetTimestamp()).Write(_frame);
+        await _sync.SendAsync(_frame);
+        for (var read = 0; read < _frame.Length;)
+        {
+            var count = await _sync.ReceiveAsync(_frame.AsMemory(read));
+            if (count == 0) return false;
+            read += count;
+        }
+
+        return true;
+    }
+}

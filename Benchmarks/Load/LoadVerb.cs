@@ -1,0 +1,75 @@
+using System.CommandLine;
+using Nowpose.Gateway.Options;
+
+namespace Nowpose.Benchmarks.Load;
+
+/// <summary>gateway: how a gateway does with very many headsets.</summary>
+static class LoadVerb
+{
+    /// <summary>Beside the headsets: the sampled one, one that reads nothing and the one before it, and whoever measures the truth.</summary>
+    const int OtherConnections = 16;
+
+    const int GreatestConnections = 10_000;
+    const double Growth = 1.25;
+    static readonly TimeSpan StepLength = TimeSpan.FromSeconds(20);
+
+    public static Task<int> RunAsync(string[] args)
+    {
+        var headsets = NumberOption.Create("--headsets", "Headsets, each with both its connections", 200, 1, 4000, "");
+        var rate = NumberOption.Create("--rate-hz", "Samples a second", 50.0, 1, 1000, "Hz");
+        var seconds = NumberOption.Create("--seconds", "How long to measure, after 10 s that are not", 300, 1, 86_400, "s");
+        var breaks = new Option<bool>("--until-it-breaks")
+        {
+            Description = "Then a quarter more headsets again and again, 20 s each, until P99 is 5 ms or samples are lost",
+        };
+        var command = new Command(
+            "gateway", "A gateway in a process of its own, and very many headsets, which share this machine's processors with it")
+        {
+            headsets, rate, seconds, breaks,
+        };
+        command.SetAction(async (parsed, stop) =>
+        {
+            var settings = new LoadSettings(
+                parsed.GetValue(headsets), parsed.GetValue(rate), TimeSpan.FromSeconds(parsed.GetValue(seconds)));
+            var results = await MeasureAsync(settings, parsed.GetValue(breaks), stop);
+            LoadTable.Write(results, Console.Out);
+            if (results.Count > 1) TellTheBreak(results);
+            return Judge(results[0]);
+        });
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "What Nowpose costs.", command), args);
+    }
+
+    static async Task<List<LoadResult>> MeasureAsync(LoadSettings settings, bool untilItBreaks, CancellationToken stop)
+    {
+        using var run = await LoadRun.StartAsync(
+            settings.RateHz, untilItBreaks ? GreatestConnections : settings.Headsets + OtherConnections);
+        var results = new List<LoadResult> { await run.MeasureAsync(settings, stop) };
+        while (untilItBreaks && results[^1].Break == null)
+        {
+            var more = (int)Math.Ceiling(results[^1].Headsets * Growth);
+            if (more + OtherConnections > GreatestConnections) break;
+            results.Add(await run.MeasureAsync(settings with { Headsets = more, Length = StepLength }, stop));
+        }
+
+        return results;
+    }
+
+    static int Judge(LoadResult result)
+    {
+        var wrong = new List<string>();
+        if (result.Break != null) wrong.Add(result.Break);
+        if (!result.IsSyncGood) wrong.Add(FormattableString.Invariant($"sync error P95 {result.SyncErrorP95Us:0} µs"));
+        if (!result.IsMemoryFlat) wrong.Add(FormattableString.Invariant($"memory ± {100 * result.MemoryDeviation:0.0} %"));
+        if (result.Refused > 0) wrong.Add($"{result.Refused} messages refused");
+        if (wrong.Count == 0) return ExitStatus.Done;
+        Console.Error.WriteLine("error: " + string.Join(", ", wrong));
+        return ExitStatus.Failed;
+    }
+
+    static void TellTheBreak(IReadOnlyList<LoadResult> results)
+    {
+        var last = results[^1];
+        Console.Error.WriteLine(last.Break == null
+            ? $"did not break with {last.Headsets} headsets" : $"breaks with {last.Headsets} headsets ({last.Break}), holds with {results[^2].Headsets}");
+    }
+}
