@@ -1,10 +1,8 @@
-using Nowpose.Session;
-
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The session for the report's 3D playback: where all joints were, were displayed and would have been held.</summary>
+/// <summary>The frames of the error's plot for the report's 3D playback: where all joints were, were displayed and would have been held.</summary>
 /// <remarks>At most 3600 instants, about two minutes of 30 a second: a page that is sent by mail must not grow with the run.</remarks>
-sealed class DemoPlayback(DemoRun run, ControlTime start)
+sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
 {
     const int GreatestInstants = 3600;
 
@@ -13,13 +11,12 @@ sealed class DemoPlayback(DemoRun run, ControlTime start)
 
     readonly int _joints = run.Settings.Robot.MovingJoints.Count;
 
-    /// <summary>The fields are those of <c>Web/src/data.ts</c>; null when nothing was displayed.</summary>
+    /// <summary>The fields are those of <c>Web/src/data.ts</c>; null when no frame was scored.</summary>
     public object Instants()
     {
         var rows = run.Frames.Rows;
-        var shown = Enumerable.Range(0, rows.Count).Where(i => rows[i].State != PoseState.Incomplete).ToList();
-        var step = Math.Max(LeastStep, (shown.Count + GreatestInstants - 1) / GreatestInstants);
-        var frames = shown.Where((_, i) => i % step == 0).ToList();
+        var step = Math.Max(LeastStep, (score.Errors.Count + GreatestInstants - 1) / GreatestInstants);
+        var frames = score.Errors.Where((_, i) => i % step == 0).Select(error => error.Frame).ToList();
         return frames.Count == 0 ? null : new
         {
             Urdf = run.Settings.RobotText,

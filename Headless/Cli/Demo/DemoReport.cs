@@ -29,7 +29,7 @@ static class DemoReport
             Clock = Clock(run, start),
             Latency = Latency(run.ApplicationLatencies),
             Range = Range(run, start),
-            Playback = new DemoPlayback(run, start).Instants(),
+            Playback = new DemoPlayback(score, run, start).Instants(),
         }, Options);
     }
 

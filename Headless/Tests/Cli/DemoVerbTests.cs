@@ -168,16 +168,20 @@ public class DemoVerbTests
 
     static string Names(JsonElement element) => string.Join(' ', element.EnumerateObject().Select(property => property.Name));
 
-    // The instants that the page plays back: as many of each, at most every second frame, and what was displayed nearer to the truth.
+    // The instants that the page plays back: those of the error's plot, as many of each, at most every second frame, and what was displayed
+    // nearer to the truth.
     static void AssertPlayback(string report)
     {
         var json = Regex.Match(report, "id=\"report-data\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value;
-        var playback = JsonDocument.Parse(json).RootElement.GetProperty("playback");
+        var page = JsonDocument.Parse(json).RootElement;
+        var playback = page.GetProperty("playback");
+        double FirstOf(string part) => page.GetProperty(part).GetProperty("t")[0].GetDouble();
         double[][] Track(string name) => playback.GetProperty(name).Deserialize<double[][]>();
         var (truth, displayed, hold) = (Track("truth"), Track("displayed"), Track("hold"));
         var names = playback.GetProperty("names").GetArrayLength();
 
         Assert.That(playback.GetProperty("urdf").GetString(), Does.Contain("<robot"));
+        Assert.That(FirstOf("playback"), Is.EqualTo(FirstOf("error")).Within(0.001), "where the plots begin");
         Assert.That(playback.GetProperty("t").GetArrayLength(), Is.EqualTo(truth.Length).And.GreaterThan(30));
         Assert.That(truth.Concat(displayed).Concat(hold), Has.All.Length.EqualTo(names));
         double Off(double[][] shown) => truth.Zip(shown).Skip(truth.Length / 2).Sum(at => Math.Abs(at.First[0] - at.Second[0]));
