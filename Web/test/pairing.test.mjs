@@ -1,9 +1,7 @@
 // The page of pairing and the gateway's verbs, with the gateway that was built last; every drawn code is read by another library.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
-import { once } from 'node:events';
-import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after, before, describe, it } from 'node:test';
@@ -21,19 +19,20 @@ const valueOf = (text, key) => text.split('\n').find(line => line.startsWith(`${
 const body = text => ({ method: 'POST', body: JSON.stringify(text), headers: { 'Content-Type': 'application/json' } });
 
 describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
-  let folder, process, facts, browser, page;
+  let folder, process, ended, facts, browser, page;
 
   before(async () => {
-    folder = mkdtempSync(join(tmpdir(), 'nowpose-pairing-'));
+    browser = await Browser.start('pairing');
+    folder = browser.folder;
     const options = ['--sync-port', '0', '--ws-port', '0', '--pairing', join(folder, 'headsets.txt'), '--cell', 'Press 3'];
     process = spawn('dotnet', [gateway, 'serve', ...options]);
+    ended = new Promise(resolve => process.on('exit', resolve));
     facts = {};
     for await (const line of createInterface({ input: process.stdout })) {
       const at = line.indexOf(' ');
       facts[line.slice(0, at)] = line.slice(at + 1);
       if (line === 'state serving') break;
     }
-    browser = await Browser.start();
     page = await browser.browser.newPage();
     page.complaints = [];
     page.on('console', m => m.type() !== 'log' && page.complaints.push(m.text()));
@@ -45,10 +44,10 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
   });
 
   after(async () => {
-    await browser?.stop();
+    // It still writes to the folder, which goes with the browser.
     process?.kill('SIGINT');
-    if (process) await once(process, 'exit');
-    rmSync(folder, { recursive: true, force: true });
+    await ended;
+    await browser?.stop();
   });
 
   const port = () => new URL(facts.pair).port;

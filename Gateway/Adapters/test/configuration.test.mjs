@@ -3,7 +3,8 @@ import { chmodSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, it } from 'node:test';
 import { wrongIn } from './checking.mjs';
-import { check, fileFor } from './program.mjs';
+import { check } from './program.mjs';
+import { temporaryFile } from './temporary.mjs';
 
 const GOOD = `gateway:
   url: ws://127.0.0.1:47011
@@ -21,16 +22,16 @@ joints:
 `;
 
 /** What is wrong after a change of the good file. */
-function linesOf(test, from, to) {
+function linesOf(from, to) {
   const text = GOOD.replace(from, to);
   assert.notEqual(text, GOOD);
-  const path = fileFor(test, 'plant.yaml', text);
+  const path = temporaryFile('plant.yaml', text);
   return wrongIn(path).map(line => line.replace(`${path}, `, ''));
 }
 
 describe('configuration', () => {
   it('Check_GoodFile_NamesEndpointAndJoints', async t => {
-    const path = fileFor(t, 'plant.yaml', GOOD);
+    const path = temporaryFile('plant.yaml', GOOD);
 
     const { status, out } = await check(t, path);
 
@@ -80,35 +81,35 @@ describe('configuration', () => {
     ['NoTokenFile', 'plant:', '  token_file: none\nplant:', /^line 3: gateway\.token_file: value "none"; the file cannot be read \(ENOENT\)/],
     ['NoRobotFile', 'plant:', 'robot: none.urdf\nplant:', /^line 3: robot: value "none\.urdf"; the file cannot be read/],
   ]) {
-    it(`Check_${name}_NamesLineAndCure`, t => {
-      const lines = linesOf(t, from, to);
+    it(`Check_${name}_NamesLineAndCure`, () => {
+      const lines = linesOf(from, to);
 
       assert.equal(lines.filter(line => expected.test(line)).length, 1, lines.join('\n'));
       assert.doesNotMatch(lines.join('\n'), /hush-hush|word@|wo\/rd/);
     });
   }
 
-  it('Check_Tab_IsTheOnlyThingThatIsTold', t => {
-    const lines = linesOf(t, '  endpoint', '\tendpoint');
+  it('Check_Tab_IsTheOnlyThingThatIsTold', () => {
+    const lines = linesOf('  endpoint', '\tendpoint');
 
     assert.deepEqual(lines, ['line 5: a tab stands before the entry; YAML allows blanks only, replace it']);
   });
 
-  it('Check_NoPlant_TellsWhatElseIsNotKnown', t => {
-    const lines = linesOf(t, /plant:\n.*\n.*\n/, 'endpont: plc\n');
+  it('Check_NoPlant_TellsWhatElseIsNotKnown', () => {
+    const lines = linesOf(/plant:\n.*\n.*\n/, 'endpont: plc\n');
 
     assert.equal(lines.length, 2, lines.join('\n'));
     assert.match(lines[0], /^line 1: plant: missing/);
     assert.match(lines[1], /^line 3: endpont: not known here; allowed are gateway, plant, joints, robot/);
   });
 
-  it('Check_AddressesOfEverySort_AreNoFault', t => {
+  it('Check_AddressesOfEverySort_AreNoFault', () => {
     for (const address of ['plc', 'plc:1/path', '[fe80::1]', '[fe80::1%eth0]:4840', '[::1]:65535', '10.0.0.1:4840/a/b'])
-      assert.deepEqual(wrongIn(fileFor(t, 'plant.yaml', GOOD.replace('plc.example:4840', address))), [], address);
+      assert.deepEqual(wrongIn(temporaryFile('plant.yaml', GOOD.replace('plc.example:4840', address))), [], address);
   });
 
-  it('Check_JointThatTheRobotLacks_NamesLineAndTheNearest', t => {
-    const path = fileFor(t, 'plant.yaml', `${GOOD.replace('joint: arm_joint_2', 'joint: arm_jiont_2')}robot: arm.urdf\n`);
+  it('Check_JointThatTheRobotLacks_NamesLineAndTheNearest', () => {
+    const path = temporaryFile('plant.yaml', `${GOOD.replace('joint: arm_joint_2', 'joint: arm_jiont_2')}robot: arm.urdf\n`);
     const joints = ['<joint type="revolute" name="arm_joint_1">', "<joint\n name = 'arm_joint_2'>", '<!-- <joint name="arm_jiont_2"/> -->'];
     writeFileSync(join(dirname(path), 'arm.urdf'), `<robot name="arm">${joints.join('</joint>')}</robot>`);
 
@@ -120,14 +121,14 @@ describe('configuration', () => {
     assert.deepEqual(wrongIn(path), []);
   });
 
-  it('Check_SeveralWrongEntries_ToldAtOnceInOrder', t => {
-    const lines = linesOf(t, /unit: deg[^]*/, 'unit: feet\n  - joint: ""\n    node: 3\n    offset: much\n  - {}\n');
+  it('Check_SeveralWrongEntries_ToldAtOnceInOrder', () => {
+    const lines = linesOf(/unit: deg[^]*/, 'unit: feet\n  - joint: ""\n    node: 3\n    offset: much\n  - {}\n');
 
     assert.deepEqual(lines.map(line => Number(/line (\d+)/.exec(line)[1])), [9, 10, 11, 12, 13, 13]);
   });
 
   it('Check_WrongFile_EndsWithStatusTwo', async t => {
-    const path = fileFor(t, 'plant.yaml', GOOD.replace('unit: deg', 'unit: feet'));
+    const path = temporaryFile('plant.yaml', GOOD.replace('unit: deg', 'unit: feet'));
 
     const { status, lines } = await check(t, path);
 
@@ -142,8 +143,8 @@ describe('configuration', () => {
     assert.match(lines[0], /^nowhere\.yaml, line 1: cannot be read \(ENOENT\)/);
   });
 
-  it('Check_TokenFileForEverybody_IsRefusedWithoutTellingIt', { skip: process.platform === 'win32' }, t => {
-    const path = fileFor(t, 'plant.yaml', GOOD.replace('plant:', '  token_file: token\nplant:'));
+  it('Check_TokenFileForEverybody_IsRefusedWithoutTellingIt', { skip: process.platform === 'win32' }, () => {
+    const path = temporaryFile('plant.yaml', GOOD.replace('plant:', '  token_file: token\nplant:'));
     writeFileSync(join(dirname(path), 'token'), 'hush-hush\n');
     chmodSync(join(dirname(path), 'token'), 0o644);
 
@@ -153,8 +154,8 @@ describe('configuration', () => {
     assert.doesNotMatch(lines.join('\n'), /hush-hush/);
   });
 
-  it('Check_TokenOverPlainNetwork_IsRefused', t => {
-    const path = fileFor(t, 'plant.yaml', GOOD.replace('ws://127.0.0.1:47011', 'ws://gateway.example:47011'));
+  it('Check_TokenOverPlainNetwork_IsRefused', () => {
+    const path = temporaryFile('plant.yaml', GOOD.replace('ws://127.0.0.1:47011', 'ws://gateway.example:47011'));
 
     const lines = wrongIn(path, { NOWPOSE_TOKEN: 'hush-hush' });
 
@@ -162,7 +163,7 @@ describe('configuration', () => {
     assert.doesNotMatch(lines.join('\n'), /hush-hush/);
   });
 
-  it('Check_ByteOrderMark_IsNoFault', t => {
-    assert.deepEqual(wrongIn(fileFor(t, 'plant.yaml', `\uFEFF${GOOD}`)), []);
+  it('Check_ByteOrderMark_IsNoFault', () => {
+    assert.deepEqual(wrongIn(temporaryFile('plant.yaml', `\uFEFF${GOOD}`)), []);
   });
 });

@@ -8,15 +8,16 @@ import { identity } from './opcua/identity.mjs';
 import { configuration } from './opcua/plant.mjs';
 import { freePort } from './opcua/server.mjs';
 import { parts } from './parts.mjs';
-import { fileFor, start, until } from './program.mjs';
+import { start, until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
+import { temporaryFile } from './temporary.mjs';
 
 const { SendQueue, Log, Backoff, GatewayLink } = await parts('gateway/sendQueue', 'log', 'backoff', 'gateway/link');
 const JOINTS = [{ joint: 'a', node: 'i=1' }];
 const TOKEN = 'a-token-of-a-source';
 
 async function adapter(test, url, { env, more = '', stdin } = {}) {
-  const path = fileFor(test, 'plant.yaml', configuration(url, `opc.tcp://127.0.0.1:${await freePort()}`, [], JOINTS, more));
+  const path = temporaryFile('plant.yaml', configuration(url, `opc.tcp://127.0.0.1:${await freePort()}`, [], JOINTS, more));
   return start(test, [path], { env, stdin });
 }
 
@@ -70,7 +71,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
   it('Robot_OfTheConfiguration_IsDescribedToEveryGateway', async t => {
     const port = await freePort(), first = await RosbridgeDouble.start(t, { port });
-    const path = fileFor(t, 'plant.yaml', configuration(first.url, 'opc.tcp://127.0.0.1:9', [], JOINTS) + 'robot: arm.urdf\n');
+    const path = temporaryFile('plant.yaml', configuration(first.url, 'opc.tcp://127.0.0.1:9', [], JOINTS) + 'robot: arm.urdf\n');
     writeFileSync(join(dirname(path), 'arm.urdf'), '<robot name="arm"><joint name="a"/></robot>');
     start(t, [path]);
     await until(() => first.published('/robot_description').length > 0, 30000, 'the description');

@@ -1,25 +1,10 @@
 // The bundled program as a person or the gateway starts it.
 import { spawn } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const adapters = join(dirname(fileURLToPath(import.meta.url)), '..');
 const program = join(adapters, 'dist', 'plant.mjs');
-
-/** A folder that is gone after the test. */
-export function folderFor(test) {
-  const folder = mkdtempSync(join(tmpdir(), 'nowpose-adapter-'));
-  test.after(() => rmSync(folder, { recursive: true, force: true }));
-  return folder;
-}
-
-export function fileFor(test, name, text) {
-  const path = join(folderFor(test), name);
-  writeFileSync(path, text, { mode: 0o600 });
-  return path;
-}
 
 /** Starts it; what it says is in `out` and `err`, and `ended` gives its status. Stopped after the test at the latest. */
 export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {

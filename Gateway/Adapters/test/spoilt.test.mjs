@@ -4,8 +4,9 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { it } from 'node:test';
 import { wrongIn } from './checking.mjs';
-import { adapters, fileFor } from './program.mjs';
+import { adapters } from './program.mjs';
 import { seeded } from './seeded.mjs';
+import { temporaryFile } from './temporary.mjs';
 
 const SEED = 4711, VARIANTS = 2000;
 const folder = join(adapters, 'examples');
@@ -42,7 +43,7 @@ function spoilt(text, random) {
 }
 
 it('Configuration_SpoiltInThousandsOfWays_IsGoodOrNamesItsLines', { timeout: 120_000 }, async t => {
-  const random = seeded(SEED), path = fileFor(t, 'plant.yaml', ''), warnings = [];
+  const random = seeded(SEED), path = temporaryFile('plant.yaml', ''), warnings = [];
   const warn = warning => warnings.push(warning.message);
   process.on('warning', warn);
   t.after(() => process.off('warning', warn));

@@ -2,14 +2,15 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import WebSocket from 'ws';
-import { fileFor, until } from './program.mjs';
+import { until } from './program.mjs';
 import { program, start } from './roslib/gateway.mjs';
 import { Robot } from './ros/robot.mjs';
+import { temporaryFile } from './temporary.mjs';
 
 const PATIENCE_MS = 60000;
 
-const plant = (t, robot, more = '') =>
-  fileFor(t, 'ros.yaml', `plant:\n  kind: ros\n  name: robot\n  endpoint: ${robot.url}\n  topics: { robot_description: false }\n${more}`);
+const plant = (robot, more = '') =>
+  temporaryFile('ros.yaml', `plant:\n  kind: ros\n  name: robot\n  endpoint: ${robot.url}\n  topics: { robot_description: false }\n${more}`);
 
 /** Joint states that a headset of this gateway gets. */
 async function listen(t, address) {
@@ -38,7 +39,7 @@ async function passed(robot, heard) {
 describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the gateway is not built: dotnet build Gateway' }, () => {
   for (const [name, more, options] of [['ClockFalse', '  clock: false\n', {}], ['WithoutRosapi', '', { now: null }]])
     it(`Ros_${name}_PassesPositionsOnTheGatewaysOwnClock`, async t => {
-      const robot = await Robot.start(t, options), heard = await listen(t, await start(t, ['--plant', plant(t, robot, more)]));
+      const robot = await Robot.start(t, options), heard = await listen(t, await start(t, ['--plant', plant(robot, more)]));
 
       const [said, arrived] = await passed(robot, heard);
 
@@ -48,9 +49,9 @@ describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the ga
   it('Bridge_ToABrokerBesideAPlant_LeavesTheClockToThePlant', async t => {
     const robot = await Robot.start(t, { aheadMs: 600_000 });
     // No broker is there: what counts is that this adapter has no time to tell.
-    const bridge = fileFor(t, 'publish.yaml',
+    const bridge = temporaryFile('publish.yaml',
       'plant:\n  kind: broker\n  name: to-broker\n  direction: publish\n  endpoint: mqtt://127.0.0.1:9\n  topic: cell\n');
-    const heard = await listen(t, await start(t, ['--plant', bridge, '--plant', plant(t, robot)]));
+    const heard = await listen(t, await start(t, ['--plant', bridge, '--plant', plant(robot)]));
 
     const [said, arrived] = await passed(robot, heard);
 

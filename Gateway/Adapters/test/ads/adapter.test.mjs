@@ -3,9 +3,10 @@ import { once } from 'node:events';
 import { createServer } from 'node:net';
 import { describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
-import { check, fileFor, start, until } from '../program.mjs';
+import { check, start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
+import { temporaryFile } from '../temporary.mjs';
 import { command, group, state } from './frames.mjs';
 import { AdsServer } from './server.mjs';
 import { Plc } from './plc.mjs';
@@ -34,7 +35,7 @@ async function cell(t, { plc = youBot({ cycleMs: 5 }), more, joints, local, serv
   const server = new AdsServer(plc, options), port = await server.listen();
   t.after(() => server.close());
   const bridge = await RosbridgeDouble.start(t);
-  const path = fileFor(t, 'ads.yaml', configuration({ port, url: bridge.url, more, joints, local }));
+  const path = temporaryFile('ads.yaml', configuration({ port, url: bridge.url, more, joints, local }));
   return { plc, server, bridge, port, path, adapter: start(t, [path]) };
 }
 
@@ -256,7 +257,7 @@ describe('ads', { concurrency: 4 }, () => {
       server.close();
     });
     const bridge = await RosbridgeDouble.start(t);
-    const adapter = start(t, [fileFor(t, 'ads.yaml', configuration({ port: server.address().port, url: bridge.url }))]);
+    const adapter = start(t, [temporaryFile('ads.yaml', configuration({ port: server.address().port, url: bridge.url }))]);
 
     await until(() => connections.length >= 4, PATIENCE_MS, () => adapter.err);
 
@@ -308,7 +309,7 @@ describe('ads', { concurrency: 4 }, () => {
     const good = configuration({ port: 48898, url: 'ws://127.0.0.1:47011' });
 
     it('Check_GoodFile_NamesEndpointAndJoints', async t => {
-      const { status, out } = await check(t, fileFor(t, 'ads.yaml', good));
+      const { status, out } = await check(t, temporaryFile('ads.yaml', good));
 
       assert.equal(status, 0);
       assert.match(out, /is good: ADS ads:\/\/127\.0\.0\.1:48898\/5\.24\.12\.7\.1\.1:851, NO SECURITY; t_k is the stamp of ADS, sampled every 10 ms, published every 10 ms; joints arm_joint_1, /);
@@ -325,10 +326,10 @@ describe('ads', { concurrency: 4 }, () => {
       ['Publishing', 'plain: true', 'plain: true\n  sampling_ms: 20\n  publishing_ms: 10', /^line 10: plant\.publishing_ms: value 10; allowed is a time from sampling_ms, 20, to 10000 ms/],
       ['Symbol', 'symbol: GVL.aJoints[0]', 'symbol: GVL aJoints', /^line 11: joints\[0\]\.symbol: .*; allowed is the name of a variable/],
     ])
-      it(`Check_Wrong${name}_NamesItsLine`, t => {
+      it(`Check_Wrong${name}_NamesItsLine`, () => {
         const text = good.replace(from, to);
         assert.notEqual(text, good);
-        const path = fileFor(t, 'ads.yaml', text), lines = wrongIn(path);
+        const path = temporaryFile('ads.yaml', text), lines = wrongIn(path);
 
         assert.match(lines[0].replace(`${path}, `, ''), expected);
       });

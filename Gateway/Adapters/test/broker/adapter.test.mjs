@@ -5,9 +5,10 @@ import { dirname, join } from 'node:path';
 import { describe, it } from 'node:test';
 import { connectAsync } from 'mqtt';
 import { wrongIn } from '../checking.mjs';
-import { check, fileFor, folderFor, start, until } from '../program.mjs';
+import { check, start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { parts } from '../parts.mjs';
+import { temporaryFile, temporaryFolder } from '../temporary.mjs';
 import { missing, Mosquitto } from './mosquitto.mjs';
 import { SyncServer } from './syncServer.mjs';
 
@@ -19,7 +20,7 @@ const PATIENCE_MS = 40000;
 const TOPIC = 'nowpose/cell';
 
 function bridge(t, direction, gateway, broker, more = '', env) {
-  const path = fileFor(t, `${direction}.yaml`, `gateway: { url: "${gateway.url}" }
+  const path = temporaryFile(`${direction}.yaml`, `gateway: { url: "${gateway.url}" }
 plant:
   kind: broker
   name: hall
@@ -109,7 +110,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
   it('Clock_WithToken_IsAskedWithIt', async t => {
     const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t, { token: 'secret-of-a' })]);
-    const right = fileFor(t, 'token', 'secret-of-a\n'), wrong = fileFor(t, 'token', 'another-one\n');
+    const right = temporaryFile('token', 'secret-of-a\n'), wrong = temporaryFile('token', 'another-one\n');
     bridge(t, 'subscribe', far, broker, clockOf(sync, `, token_file: "${right}"`));
     await served(far);
 
@@ -222,11 +223,11 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
   });
 
   it('Bridge_PasswordOfTheBroker_LetsItInAndIsNeverSaid', async t => {
-    const passwords = join(folderFor(t), 'passwords'), password = 'of-the-hall-4711';
+    const passwords = join(temporaryFolder(), 'passwords'), password = 'of-the-hall-4711';
     assert.equal(spawnSync('mosquitto_passwd', ['-b', '-c', passwords, 'hall', password]).status, 0);
     const broker = await Mosquitto.start(t, ['allow_anonymous false', `password_file ${passwords}`]), near = await RosbridgeDouble.start(t);
 
-    const right = bridge(t, 'publish', near, broker, `  user: { name: hall, password_file: "${fileFor(t, 'password', password)}" }\n`);
+    const right = bridge(t, 'publish', near, broker, `  user: { name: hall, password_file: "${temporaryFile('password', password)}" }\n`);
     await right.said('[plant/hall] connected', PATIENCE_MS);
     const wrong = bridge(t, 'publish', near, broker, '  user: { name: hall }\n', { NOWPOSE_PLANT_PASSWORD: 'not-that-one' });
     await wrong.said('does not let us in; check user and password_file', PATIENCE_MS);
@@ -235,7 +236,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
   });
 
   it('Bridge_BrokerWithTls_IsTrustedByItsAuthorityOnly', async t => {
-    const folder = folderFor(t), key = join(folder, 'key.pem'), certificate = join(folder, 'certificate.pem');
+    const folder = temporaryFolder(), key = join(folder, 'key.pem'), certificate = join(folder, 'certificate.pem');
     const made = spawnSync('openssl', ['req', '-x509', '-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:prime256v1', '-nodes', '-days', '2',
       '-subj', '/CN=127.0.0.1', '-addext', 'subjectAltName=IP:127.0.0.1', '-keyout', key, '-out', certificate]);
     assert.equal(made.status, 0, String(made.stderr));
@@ -259,15 +260,15 @@ describe('broker configuration', () => {
     ['PasswordInEndpoint', plant('').replace('mqtt://', 'mqtt://me:word@'), /line 4: plant\.endpoint: .*without user name or password/],
     ['PasswordInTheOpen', plant('  clock: { host: a }\n  plain: true\n  user: { name: me, password_file: none }\n').replace('127.0.0.1', '10.0.0.5'), /line 8: plant\.user: a password would go over an open connection/],
   ])
-    it(`Check_Wrong${name}_NamesItsLine`, t => {
-      const lines = wrongIn(fileFor(t, 'broker.yaml', text));
+    it(`Check_Wrong${name}_NamesItsLine`, () => {
+      const lines = wrongIn(temporaryFile('broker.yaml', text));
 
       assert.ok(lines.some(line => expected.test(line)), lines.join('\n'));
       assert.doesNotMatch(lines.join('\n'), /me:word/);
     });
 
   it('Check_OfAGatewayThatStartsIt_DoesNotTellTheFilesAddress', async t => {
-    const path = fileFor(t, 'broker.yaml', plant('  clock: { host: a }\n'));
+    const path = temporaryFile('broker.yaml', plant('  clock: { host: a }\n'));
 
     const alone = await check(t, path), supervised = await check(t, path, { NOWPOSE_SUPERVISED: '1' });
 
@@ -276,7 +277,7 @@ describe('broker configuration', () => {
   });
 
   it('Check_TokenInTheOpen_IsRefused', async t => {
-    const path = fileFor(t, 'broker.yaml', plant('  clock: { host: 10.0.0.5, token_file: token }\n'));
+    const path = temporaryFile('broker.yaml', plant('  clock: { host: 10.0.0.5, token_file: token }\n'));
     writeFileSync(join(dirname(path), 'token'), 'word\n', { mode: 0o600 });
 
     const { status, lines } = await check(t, path);

@@ -4,7 +4,8 @@ import { createServer, connect } from 'node:net';
 import { once } from 'node:events';
 import { join } from 'node:path';
 import { writeFileSync } from 'node:fs';
-import { folderFor, until } from '../program.mjs';
+import { until } from '../program.mjs';
+import { temporaryFolder } from '../temporary.mjs';
 
 const program = ['mosquitto', '/usr/sbin/mosquitto'].find(name => spawnSync(name, ['-h']).error === undefined);
 
@@ -24,7 +25,7 @@ export class Mosquitto {
     const broker = new Mosquitto();
     broker.port = await freePort();
     broker.url = `mqtt://127.0.0.1:${broker.port}`;
-    broker.file = join(folderFor(test), 'mosquitto.conf');
+    broker.file = join(temporaryFolder(), 'mosquitto.conf');
     // Started by root it would become another user, who may not read what a test writes.
     const user = process.getuid?.() === 0 ? ['user root'] : [];
     writeFileSync(broker.file, [...user, `listener ${broker.port} 127.0.0.1`, ...lines, 'persistence false', 'log_dest none', ''].join('\n'));

@@ -1,13 +1,10 @@
 import { createHash } from 'node:crypto';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { crypto_utils as pki } from 'node-opcua-client';
+import { temporaryFolder } from '../temporary.mjs';
 
-const folders = [];
-process.once('exit', () => folders.forEach(folder => rmSync(folder, { recursive: true, force: true })));
-
-/** A key and a certificate of its own, in files of a folder of the system's. */
+/** A new key and its certificate, in files of a temporary folder. */
 export async function identity(uri, { notBefore = new Date(), validity = 365 } = {}) {
   const key = await pki.generatePrivateKey(2048);
   const { cert } = await pki.createSelfSignedCertificate({
@@ -15,8 +12,7 @@ export async function identity(uri, { notBefore = new Date(), validity = 365 } =
     purpose: pki.CertificatePurpose.ForApplication,
   });
   const der = pki.convertPEMtoDER(cert), pem = (await pki.privateKeyToPEM(key)).privPem;
-  const folder = mkdtempSync(join(tmpdir(), 'nowpose-identity-'));
-  folders.push(folder);
+  const folder = temporaryFolder();
   const certificateFile = join(folder, 'certificate.pem'), privateKeyFile = join(folder, 'key.pem');
   writeFileSync(certificateFile, cert);
   writeFileSync(privateKeyFile, pem, { mode: 0o600 });

@@ -1,9 +1,7 @@
 // An adapter between a server that moves a youBot and a gateway's side of the wire.
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { fileFor, start, until } from '../program.mjs';
+import { start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
+import { temporaryFile, temporaryFolder } from '../temporary.mjs';
 import { YoubotServer } from './server.mjs';
 
 /** The server for a file of tests. */
@@ -14,10 +12,7 @@ export async function serverFor(suite, options) {
 }
 
 // One certificate for all tests of a file that do not ask for their own: to make one takes half a second.
-const certificates = mkdtempSync(join(tmpdir(), 'nowpose-certificates-'));
-process.once('exit', () => rmSync(certificates, { recursive: true, force: true }));
-
-export const OPEN = [`security: {mode: none, i_know_this_is_open: true, folder: "${certificates}"}`];
+export const OPEN = [`security: {mode: none, i_know_this_is_open: true, folder: "${temporaryFolder()}"}`];
 
 /** A configuration: entries of the section plant, then of each joint. */
 export function configuration(gateway, endpoint, plant, joints, more = '') {
@@ -29,7 +24,7 @@ export function configuration(gateway, endpoint, plant, joints, more = '') {
 /** Starts the adapter; `more` may name files of its own folder. */
 export async function adapterFor(test, server, plant, joints, { env, stdin, path, bridge } = {}) {
   bridge ??= await RosbridgeDouble.start(test);
-  path ??= fileFor(test, 'plant.yaml', configuration(bridge.url, server.endpoint, plant, joints));
+  path ??= temporaryFile('plant.yaml', configuration(bridge.url, server.endpoint, plant, joints));
   const run = start(test, [path], { env, stdin });
   return {
     run, bridge, path,

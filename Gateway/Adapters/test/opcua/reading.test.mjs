@@ -1,8 +1,9 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { StatusCodes } from 'node-opcua-client';
-import { fileFor, start, until } from '../program.mjs';
+import { start, until } from '../program.mjs';
 import { nanoseconds } from '../rosbridge.mjs';
+import { temporaryFile } from '../temporary.mjs';
 import { adapterFor, configuration, OPEN, serverFor } from './plant.mjs';
 import { ControlClock, YoubotServer } from './server.mjs';
 
@@ -282,7 +283,7 @@ describe('clock that is written once a second', () => {
 
 describe('check', () => {
   it('Check_OpcUa_NamesEndpointSecurityAndTimes', async t => {
-    const path = fileFor(t, 'plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', ['sampling_ms: 4', 'publishing_ms: 8'], JOINTS));
+    const path = temporaryFile('plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', ['sampling_ms: 4', 'publishing_ms: 8'], JOINTS));
     const run = start(t, [path, '--check']);
 
     assert.equal(await run.ended, 0, run.err);

@@ -4,7 +4,8 @@ import { existsSync, readdirSync, readFileSync, renameSync, rmSync, statSync, wr
 import { dirname, join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
-import { check, fileFor } from '../program.mjs';
+import { check } from '../program.mjs';
+import { temporaryFile } from '../temporary.mjs';
 import { identity } from './identity.mjs';
 import { adapterFor, configuration, OPEN } from './plant.mjs';
 import { YoubotServer } from './server.mjs';
@@ -107,7 +108,7 @@ describe('other servers', () => {
   it('CertificateFolder_ThatCannotBeMade_IsToldAndTriedAgain', async t => {
     const server = await new YoubotServer({ security: ['none'] }).start();
     t.after(() => server.stop());
-    const blocked = fileFor(t, 'blocked', ''), security = `security: {mode: none, i_know_this_is_open: true, folder: "${blocked}/certificates"}`;
+    const blocked = temporaryFile('blocked', ''), security = `security: {mode: none, i_know_this_is_open: true, folder: "${blocked}/certificates"}`;
     const { state, run } = await adapterFor(t, server, [security], JOINTS);
 
     const { reason } = await state(s => s.state === 'refused');
@@ -143,7 +144,7 @@ describe('other servers', () => {
 });
 
 describe('security in the configuration', () => {
-  const file = (test, ...plant) => fileFor(test, 'plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', plant, JOINTS));
+  const file = (...plant) => temporaryFile('plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', plant, JOINTS));
 
   for (const [name, plant, expected] of [
     ['NoneWithoutFlag', ['security:', '  mode: none'], /line 8: plant\.security\.mode: value "none"; everybody .* i_know_this_is_open: true/],
@@ -161,20 +162,20 @@ describe('security in the configuration', () => {
     ['TimeNotAsked', ['timestamp: source', 'time: {node: i=2258}'], /line 8: plant\.time: timestamp is source/],
     ['PublishingFasterThanSampling', ['sampling_ms: 20', 'publishing_ms: 10'], /line 8: plant\.publishing_ms: value 10; .* from sampling_ms, 20,/],
   ]) {
-    it(`Check_${name}_NamesLineAndCure`, t => {
-      const lines = wrongIn(file(t, ...plant));
+    it(`Check_${name}_NamesLineAndCure`, () => {
+      const lines = wrongIn(file(...plant));
 
       assert.match(lines.join('\n'), expected);
       assert.doesNotMatch(lines.join('\n'), /hush-hush/);
     });
   }
 
-  it('Check_CertificateAndKeyOfAUser_AreOpenedAndHeldTogether', async t => {
+  it('Check_CertificateAndKeyOfAUser_AreOpenedAndHeldTogether', async () => {
     const [me, other] = await Promise.all([identity('urn:me'), identity('urn:other')]);
-    const none = fileFor(t, 'none', 'garbage'), closed = fileFor(t, 'closed.pem', createPrivateKey(me.pem).export({
+    const none = temporaryFile('none', 'garbage'), closed = temporaryFile('closed.pem', createPrivateKey(me.pem).export({
       type: 'pkcs8', format: 'pem', cipher: 'aes-256-cbc', passphrase: 'hush-hush',
     }));
-    const wrong = (certificate, key) => wrongIn(file(t, 'user:', `  certificate: "${certificate}"`, `  key: "${key}"`)).join('\n');
+    const wrong = (certificate, key) => wrongIn(file('user:', `  certificate: "${certificate}"`, `  key: "${key}"`)).join('\n');
 
     assert.equal(wrong(me.certificateFile, me.privateKeyFile), '');
     assert.match(wrong(none, me.privateKeyFile), /line 8: plant\.user\.certificate: the file holds no certificate/);
@@ -184,7 +185,7 @@ describe('security in the configuration', () => {
   });
 
   it('Check_CertificateFolderThatCannotBeMade_NamesItsLineAndMakesNothing', async t => {
-    const blocked = file(t, 'security:', '  folder: plant.yaml'), good = file(t, 'security:', '  folder: a/b');
+    const blocked = file('security:', '  folder: plant.yaml'), good = file('security:', '  folder: a/b');
 
     const { status, lines } = await check(t, blocked);
 
@@ -194,8 +195,8 @@ describe('security in the configuration', () => {
     assert.deepEqual(readdirSync(dirname(good)), ['plant.yaml']);
   });
 
-  it('Check_PasswordFileForEverybody_IsRefused', { skip: process.platform === 'win32' }, t => {
-    const path = file(t, 'user: {name: me, password_file: word}');
+  it('Check_PasswordFileForEverybody_IsRefused', { skip: process.platform === 'win32' }, () => {
+    const path = file('user: {name: me, password_file: word}');
     writeFileSync(join(dirname(path), 'word'), 'hush-hush', { mode: 0o644 });
 
     const lines = wrongIn(path);

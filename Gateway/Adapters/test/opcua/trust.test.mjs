@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { before, describe, it } from 'node:test';
 import { OPCUAClient, StatusCodes } from 'node-opcua-client';
 import { parts } from '../parts.mjs';
-import { folderFor } from '../program.mjs';
+import { temporaryFolder } from '../temporary.mjs';
 import { identity } from './identity.mjs';
 import { YoubotServer } from './server.mjs';
 
@@ -16,14 +16,14 @@ describe('trust list', () => {
   let server, other;
   before(async () => { [server, other] = [await identity('urn:server'), await identity('urn:other')]; });
 
-  async function list(test, settings = {}, now) {
-    const folder = folderFor(test), trust = new TrustList({ folder, thumbprint: null, serverCertificate: null, ...settings }, now);
+  async function list(settings = {}, now) {
+    const folder = temporaryFolder(), trust = new TrustList({ folder, thumbprint: null, serverCertificate: null, ...settings }, now);
     await trust.initialize();
     return { folder, trust };
   }
 
-  it('Certificate_Unknown_IsRefusedKeptAndStaysRefused', async t => {
-    const { trust, folder } = await list(t);
+  it('Certificate_Unknown_IsRefusedKeptAndStaysRefused', async () => {
+    const { trust, folder } = await list();
 
     for (let i = 0; i < 2; i++) assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateUntrusted);
 
@@ -32,8 +32,8 @@ describe('trust list', () => {
     assert.deepEqual(readdirSync(join(folder, 'trusted')), []);
   });
 
-  it('Certificates_RejectedTooMany_LoseTheOldest', async t => {
-    const { trust, folder } = await list(t), rejected = join(folder, 'rejected');
+  it('Certificates_RejectedTooMany_LoseTheOldest', async () => {
+    const { trust, folder } = await list(), rejected = join(folder, 'rejected');
     for (let i = 0; i < 20; i++) {
       writeFileSync(join(rejected, `${i}.der`), '');
       utimesSync(join(rejected, `${i}.der`), 1000 + i, 1000 + i);
@@ -46,8 +46,8 @@ describe('trust list', () => {
   });
 
   for (const [name, content] of [['Der', s => s.der], ['Pem', s => s.cert]]) {
-    it(`Certificate_InTheFolderAs${name}_IsTrusted`, async t => {
-      const { trust, folder } = await list(t);
+    it(`Certificate_InTheFolderAs${name}_IsTrusted`, async () => {
+      const { trust, folder } = await list();
       writeFileSync(join(folder, 'trusted', 'broken.der'), 'no certificate');
       writeFileSync(join(folder, 'trusted', 'server'), content(server));
 
@@ -59,33 +59,33 @@ describe('trust list', () => {
     });
   }
 
-  it('Certificate_OfTheConfiguration_IsTrusted', async t => {
+  it('Certificate_OfTheConfiguration_IsTrusted', async () => {
     for (const settings of [{ thumbprint: server.thumbprint }, { thumbprint: sha256(server.der) }, { serverCertificate: server.certificateFile }]) {
-      const { trust } = await list(t, settings);
+      const { trust } = await list(settings);
 
       assert.equal(await trust.checkCertificate(server.der), StatusCodes.Good);
       assert.equal(await trust.checkCertificate(other.der), StatusCodes.BadCertificateUntrusted);
     }
   });
 
-  it('Certificate_OutOfDate_IsRefusedThoughTrusted', async t => {
+  it('Certificate_OutOfDate_IsRefusedThoughTrusted', async () => {
     for (const days of [-1, 366]) {
-      const { trust } = await list(t, { thumbprint: server.thumbprint }, () => new Date(Date.now() + days * 86_400_000));
+      const { trust } = await list({ thumbprint: server.thumbprint }, () => new Date(Date.now() + days * 86_400_000));
 
       assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateTimeInvalid);
     }
   });
 
-  it('Library_AskingToTrust_ChangesNothing', async t => {
-    const { trust } = await list(t);
+  it('Library_AskingToTrust_ChangesNothing', async () => {
+    const { trust } = await list();
 
     await trust.trustCertificate(server.der);
 
     assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateUntrusted);
   });
 
-  it('Folder_ThatCannotBeWritten_LeavesTheThumbprintToTell', async t => {
-    const { trust, folder } = await list(t);
+  it('Folder_ThatCannotBeWritten_LeavesTheThumbprintToTell', async () => {
+    const { trust, folder } = await list();
     mkdirSync(join(folder, 'rejected', `${server.thumbprint}.der`));
 
     await trust.checkCertificate(server.der);

@@ -1,8 +1,9 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
-import { fileFor, start, until } from '../program.mjs';
+import { start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
+import { temporaryFile } from '../temporary.mjs';
 import { Robot } from './robot.mjs';
 
 /** Nothing is waited for that long unless it fails, or the machine has other things to do. */
@@ -11,7 +12,7 @@ const PATIENCE_MS = 40000;
 /** A robot, a gateway and an adapter between them that listens already. */
 async function cell(t, options = {}, { plant = '', rest = '' } = {}) {
   const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
-  const path = fileFor(t, 'ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
+  const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
   const adapter = start(t, [path]);
   await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, PATIENCE_MS, () => adapter.err);
   // Before it is known whose time the stamps are of, none passes.
@@ -154,8 +155,8 @@ describe('ros', { concurrency: 4 }, () => {
     ['Topic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n  topics: { joint_states: joint states }\n', /line 4: plant\.topics\.joint_states: .*allowed is a topic's name/],
     ['SourceTwice', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\njoints:\n  - joint: a\n  - joint: b\n    source: a\n', /line 6: joints\[1\]: the robot's joint a stands here for the second time/],
   ])
-    it(`Check_Wrong${name}_NamesItsLine`, t => {
-      const lines = wrongIn(fileFor(t, 'ros.yaml', text));
+    it(`Check_Wrong${name}_NamesItsLine`, () => {
+      const lines = wrongIn(temporaryFile('ros.yaml', text));
 
       assert.match(lines[0], expected);
     });
