@@ -59,12 +59,9 @@ sealed class VlcEvaluation
             _warnings.Add(sensitivity.Words);
             return null;
         }
-        var pairs = Pictures.Where(each => each.RenderMs is double ms && LatencyPair.IsRenderMs(ms)).ToArray();
-        var unusable = Pictures.Count(each => each.RenderMs.HasValue) - pairs.Length;
-        if (unusable > 0) _warnings.Add($"{unusable} pictures have a render time that is none, and are left out of the range");
         try
         {
-            return RangeFit.Fit([.. pairs.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
+            return RangeFit.Fit([.. Pictures.Where(each => each.RenderMs.HasValue).Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
         }
         catch (InputException bad)
         {

@@ -106,6 +106,22 @@ public class RangeVerbTests : CalibrationFolder
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(before));
     }
 
+    [TestCase("0", "0 ms")]
+    [TestCase("NaN", "NaN ms")]
+    [TestCase("-4.2", "-4.2 ms")]
+    [TestCase("1001", "1001 ms")]
+    public async Task Range_OneRenderTimeThatIsNone_IsNamedAndTheLastGoodProfileStays(string renderMs, string named)
+    {
+        var good = Sweep(9, 2).ToArray();
+        await CliRun.OfAsync("calibrate", "range", Write("good.csv", good), "--out", Out);
+        var before = await File.ReadAllBytesAsync(ProfilePath);
+        good[300] = string.Join(',', good[300].Split(',') is var fields ? [fields[0], fields[1], renderMs, fields[3]] : []);
+        var bad = Write("bad.csv", good);
+
+        Assert.That(await RefusalOf("range", bad), Is.EqualTo($"nowpose: {bad}:301: render_ms: {named} is out of range; allowed are 0.001 to 1000 ms"));
+        Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(before));
+    }
+
     [TestCase("--source", "guess", "--source: 'guess' is not known")]
     [TestCase("--display-hz", "-1", "--display-hz: -1 Hz is out of range")]
     public async Task Range_BadOption_NamesWhatIsAllowed(string option, string value, string named) =>

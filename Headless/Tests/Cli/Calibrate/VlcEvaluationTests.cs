@@ -60,18 +60,6 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Sweep_WithARenderTimeThatIsNone_LosesThatPictureAlone()
-    {
-        var (rows, result) = Sweep(ms => ms);
-        rows[400] = new SweepRow(rows[400].FrameStart, rows[400].Vertices, 1500, RenderTimeSourceKind.EngineGpuTime, rows[400].Device, 60);
-
-        var evaluation = new VlcEvaluation(result, rows, null, null);
-
-        Assert.That(evaluation.Profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
-        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("1 pictures have a render time that is none"));
-    }
-
-    [Test]
     public void Device_ThatNobodySaid_IsNotInvented()
     {
         var (rows, result) = Sweep(ms => ms, device: "", displayHz: double.NaN);

@@ -76,6 +76,24 @@ public sealed class VlcVerbTests
         Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
     }
 
+    [TestCase("0", "0 ms")]
+    [TestCase("NaN", "NaN ms")]
+    [TestCase("1001", "1001 ms")]
+    public async Task Sweep_OneRenderTimeThatIsNone_IsNamedAndTheLastGoodProfileStays(string renderMs, string named)
+    {
+        Directory.CreateDirectory(In("out"));
+        File.WriteAllText(In("out/profile.json"), "good");
+        var rows = File.ReadAllLines(In("sweep.csv"));
+        rows[200] = string.Join(',', rows[200].Split(',') is var fields ? [.. fields[..2], renderMs, .. fields[3..]] : []);
+        File.WriteAllLines(In("bad.csv"), rows);
+
+        var run = await Run(In("pictures"), "--sweep", In("bad.csv"));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.Trim(), Is.EqualTo($"nowpose: {In("bad.csv")}:201: render_ms: {named} is out of range; allowed are 0.001 to 1000 ms"));
+        Assert.That(File.ReadAllText(In("out/profile.json")), Is.EqualTo("good"));
+    }
+
     [TestCase(new byte[] { 0xff, 0xd8, 0xff }, "the file is cut off")]
     [TestCase(new byte[] { 0x89, 0x50 }, "neither a PNG nor a JPEG")]
     public async Task Picture_OfAFewBytes_SaysWhatIsWrong(byte[] bytes, string expected)

@@ -17,8 +17,7 @@ namespace Nowpose.Unity
             Control = FrameControlTime.Of(session, frame);
             IsShown = load.IsReady && load.Vertices == run.Vertices;
             _vertices = load.VerticesShown;
-            // A readback that waited out a pause is no render time.
-            _renderMs = renderTime.RenderTime?.TotalMilliseconds is double ms && SweepRow.IsRenderTime(ms) ? ms : (double?)null;
+            _renderMs = renderTime.RenderTime?.TotalMilliseconds is double ms && MeasuredRenderTime.Is(ms) ? ms : (double?)null;
             _source = renderTime.Source;
         }
 

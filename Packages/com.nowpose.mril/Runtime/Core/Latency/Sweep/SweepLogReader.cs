@@ -82,7 +82,7 @@ namespace Nowpose.Latency
 
         static double Number(string text, string field, string unit)
         {
-            if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number) && !double.IsNaN(number)) return number;
+            if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number)) return number;
             throw new InputException(field + ": '" + text + "' is not a number of " + unit);
         }
     }

@@ -5,11 +5,9 @@ namespace Nowpose.Latency
     /// <summary>One frame of a load sweep: which load it showed, and the render time that was known in it.</summary>
     public readonly struct SweepRow
     {
-        const double LeastRenderMs = 0.001, GreatestRenderMs = 10_000;
-
         /// <param name="frameStart">Control time at which the frame began: the one that its timestamp code shows.</param>
         /// <param name="vertices">Vertices of the load that were drawn, 0 to <see cref="SweepPlan.GreatestVertices"/>.</param>
-        /// <param name="renderMs">Δt_render that became known in this frame, above zero; null when none did.</param>
+        /// <param name="renderMs">Δt_render that became known in this frame, a <see cref="MeasuredRenderTime"/>; null when none did.</param>
         /// <param name="source">What the render time was measured with; may be known in frames without one.</param>
         /// <param name="device">As a latency profile names it; empty when unknown.</param>
         /// <param name="displayHz">NaN when unknown.</param>
@@ -39,15 +37,11 @@ namespace Nowpose.Latency
 
         public double DisplayHz { get; }
 
-        /// <summary>Whether a number may be a row's render time.</summary>
-        public static bool IsRenderTime(double ms) => ms >= LeastRenderMs && ms <= GreatestRenderMs;
-
         static void RequireMeasured(double ms, RenderTimeSourceKind source)
         {
-            // Drivers that do not measure report zero.
-            SettingRange.Require(ms, LeastRenderMs, GreatestRenderMs, "render time", "ms");
+            MeasuredRenderTime.RequireMs(ms);
             if (source == RenderTimeSourceKind.None)
-                throw new InputException("render time: its source is missing; without it the time means nothing");
+                throw new InputException("render_ms: its source is missing; without it the time means nothing");
         }
     }
 }

@@ -64,11 +64,13 @@ namespace Nowpose.Tests
         [TestCase(Header + "5.5,0,4,display_gpu_time,x,60\n", "sweep.csv:2: control_ns: '5.5' is not a whole number of nanoseconds")]
         [TestCase(
             Header + "5,0,,,x,60\n5,2000001,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: 2000001 is out of range; allowed are 0 to 2000000")]
-        [TestCase(Header + "5,0,0,display_gpu_time,x,60\n", "sweep.csv:2: render time: 0 ms is out of range")]
-        [TestCase(Header + "5,0,NaN,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: 'NaN' is not a number of milliseconds")]
-        [TestCase(Header + "5,0,-1,display_gpu_time,x,60\n", "sweep.csv:2: render time: -1 ms is out of range")]
+        [TestCase(Header + "5,0,0,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: 0 ms is out of range; allowed are 0.001 to 1000 ms")]
+        [TestCase(Header + "5,0,NaN,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: NaN ms is out of range; allowed are 0.001 to 1000 ms")]
+        [TestCase(Header + "5,0,-1,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: -1 ms is out of range")]
+        [TestCase(Header + "5,0,1001,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: 1001 ms is out of range")]
+        [TestCase(Header + "5,0,4 ms,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: '4 ms' is not a number of milliseconds")]
         [TestCase(Header + "5,0,4,gpu,x,60\n", "sweep.csv:2: source: 'gpu' is no source of a render time; known are display_gpu_time, ")]
-        [TestCase(Header + "5,0,4,,x,60\n", "sweep.csv:2: render time: its source is missing")]
+        [TestCase(Header + "5,0,4,,x,60\n", "sweep.csv:2: render_ms: its source is missing")]
         [TestCase(Header + "5,0,4,camera_cpu,x,0\n", "sweep.csv:2: display rate: 0 Hz is out of range")]
         public void Text_Wrong_IsRefusedInOneLineWithItsPlace(string text, string message)
         {

@@ -1,0 +1,36 @@
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class MeasuredRenderTimeTests
+    {
+        // What one takes and the other refuses would be lost between the headset's log and the range.
+        [TestCase(0.001, true)]
+        [TestCase(1000, true)]
+        [TestCase(0, false)]
+        [TestCase(-5, false)]
+        [TestCase(1000.1, false)]
+        [TestCase(double.NaN, false)]
+        [TestCase(double.PositiveInfinity, false)]
+        public void Is_AnyNumber_IsWhatRowsOfASweepAndPairsTake(double ms, bool expected)
+        {
+            Assert.That(MeasuredRenderTime.Is(ms), Is.EqualTo(expected));
+            Assert.That(IsTaken(() => new SweepRow(ControlTime.FromSeconds(1), 0, ms, RenderTimeSourceKind.DisplayGpuTime, "", 60)), Is.EqualTo(expected));
+            Assert.That(IsTaken(() => new LatencyPair(ms, 40)), Is.EqualTo(expected));
+        }
+
+        static bool IsTaken<T>(System.Func<T> make)
+        {
+            try
+            {
+                make();
+                return true;
+            }
+            catch (InputException)
+            {
+                return false;
+            }
+        }
+    }
+}
