@@ -32,7 +32,11 @@ static class VideoFrames
                 var count = 0;
                 for (; ffmpeg.StandardOutput.BaseStream.ReadAtLeast(frame, frame.Length, throwOnEndOfStream: false) == frame.Length; count++)
                     yield return (width, height, frame);
-                if (count > 0) yield break;
+                if (count > 0)
+                {
+                    Tell(path, count, errors.Result);
+                    yield break;
+                }
                 if (option == EachFrameOnce[^1] || !errors.Result.Contains(option[1..], StringComparison.Ordinal))
                     throw new InputException($"{path}: ffmpeg finds no frames in it: {errors.Result.Trim().ReplaceLineEndings(" ")}");
             }
@@ -41,6 +45,13 @@ static class VideoFrames
                 if (!ffmpeg.HasExited) ffmpeg.Kill();
             }
         }
+    }
+
+    // A video that is torn or damaged has fewer pictures than were filmed.
+    static void Tell(string path, int count, string errors)
+    {
+        var first = errors.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).FirstOrDefault();
+        if (first != null) Console.Error.WriteLine($"nowpose: {path}: {count} pictures were read, but ffmpeg says: {first}");
     }
 
     /// <summary>When each frame was taken, s: phones film with a rate that varies.</summary>

@@ -4,25 +4,11 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Videos by stand-ins for ffmpeg and ffprobe, that hand out what the test has drawn.</summary>
-[Platform(Exclude = "Win", Reason = "the stand-ins are shell scripts")]
 [NonParallelizable]
-public class FilmedJogTests : CalibrationFolder
+public class FilmedJogTests : VideoFolder
 {
     const int Width = 320, Height = 160, Frames = 200, Patch = 32;
     const double Fps = 60, LagMs = 96, Reach = 50;
-
-    string _path;
-
-    [SetUp]
-    public void RememberPath()
-    {
-        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
-        _path = Environment.GetEnvironmentVariable("PATH");
-    }
-
-    [TearDown]
-    public void RestorePath() => Environment.SetEnvironmentVariable("PATH", _path);
 
     // The tool goes along a slanting line; where it is by pixel and share of a pixel.
     static (double X, double Y) RobotAt(double time) => (160 + Reach * Swing(time), 36 + 10 * Swing(time));
@@ -38,20 +24,7 @@ public class FilmedJogTests : CalibrationFolder
     {
         var times = Enumerable.Range(0, Frames).Select(i => i / Fps + (i % 7 == 0 ? 0.002 : 0)).ToArray();
         var random = new Random(5);
-        using (var raw = File.Create(Path.Combine(Folder, "frames.gray")))
-            foreach (var time in times) raw.Write(Drawn(RobotAt(time), HologramAt(time), random));
-        File.WriteAllLines(Path.Combine(Folder, "times"), times.Select(time => time.ToString("0.000000", CultureInfo.InvariantCulture)));
-        Script("ffmpeg", $"cat '{Path.Combine(Folder, "frames.gray")}'");
-        Script("ffprobe", $"case \"$*\" in *stream=*) echo {Width},{Height};; *) cat '{Path.Combine(Folder, "times")}';; esac");
-        Environment.SetEnvironmentVariable("PATH", Path.Combine(Folder, "bin") + Path.PathSeparator + _path);
-        return Write("jog.mp4", ["a stand-in reads it"]);
-    }
-
-    void Script(string name, string command)
-    {
-        var path = Path.Combine(Directory.CreateDirectory(Path.Combine(Folder, "bin")).FullName, name);
-        File.WriteAllText(path, "#!/bin/sh\n" + command + "\n");
-        if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
+        return Video("jog.mp4", Width, Height, times.Select(time => Drawn(RobotAt(time), HologramAt(time), random)), times);
     }
 
     static byte[] Drawn((double X, double Y) robot, (double X, double Y) hologram, Random random)
@@ -89,7 +62,7 @@ public class FilmedJogTests : CalibrationFolder
         Script(
             "ffmpeg",
             "case \"$*\" in *-fps_mode*) echo \"Unrecognized option 'fps_mode'.\" >&2; exit 1;; "
-            + $"*) cat '{Path.Combine(Folder, "frames.gray")}';; esac");
+            + $"*) cat '{FramesPath}';; esac");
 
         var run = await CliRun.OfAsync(
             "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)), "--json", "--out", Out);
@@ -112,7 +85,7 @@ public class FilmedJogTests : CalibrationFolder
     public async Task Sine_PatchThatGoesAway_NamesThePictureAndThePatch()
     {
         var video = Video();
-        using (var raw = File.OpenWrite(Path.Combine(Folder, "frames.gray")))
+        using (var raw = File.OpenWrite(FramesPath))
         {
             // From the hundredth picture on nothing but noise.
             raw.Position = 100L * Width * Height;
@@ -129,11 +102,7 @@ public class FilmedJogTests : CalibrationFolder
     public async Task Sine_VideoWithoutFfmpeg_SaysWhatToInstall()
     {
         var video = Video();
-        // Only what node needs to be found stays on the path.
-        var node = (_path ?? "").Split(Path.PathSeparator).First(folder => File.Exists(Path.Combine(folder, "node")));
-        Directory.CreateDirectory(Path.Combine(Folder, "only"));
-        File.CreateSymbolicLink(Path.Combine(Folder, "only", "node"), Path.Combine(node, "node"));
-        Environment.SetEnvironmentVariable("PATH", Path.Combine(Folder, "only"));
+        UninstallFfmpeg();
 
         Assert.That(await RefusalOf("sine", video, "--robot-box", "10,10,32,32", "--hologram-box", "50,10,32,32"), Does.Contain("install ffmpeg"));
     }

@@ -1,0 +1,120 @@
+using System.Text.Json;
+using Nowpose.Latency;
+using Nowpose.Simulation;
+using Nowpose.VisibleLight;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>A load sweep that was filmed: every fourth frame, both codes beside each other before a dark wall.</summary>
+[NonParallelizable]
+public class FilmedCodesTests : VideoFolder
+{
+    const int Width = 480, Height = 240, Cell = 16, FramesPerLoad = 48, FramesPerPicture = 4;
+    const double TrueMs = 40, TrueLimitMs = 1000 / 60.0 - 1.5;
+
+    static readonly int[] Loads = [0, 400_000, 800_000, 1_200_000, 1_600_000, 2_000_000];
+
+    string _video, _sweep;
+    List<double> _truth;
+
+    [SetUp]
+    public void Film()
+    {
+        var pipeline = new DisplayPipeline(4, new DisplayPipelineSettings(plateauMs: TrueMs));
+        var pictures = new List<byte[]>();
+        _truth = [];
+        _sweep = Path.Combine(Folder, "sweep.csv");
+        using (var log = File.CreateText(_sweep))
+        {
+            SweepLog.WriteHeader(log);
+            for (var i = 0; i < Loads.Length * FramesPerLoad; i++)
+            {
+                var vertices = Loads[i / FramesPerLoad];
+                var frame = pipeline.Next(vertices);
+                var start = ControlTime.FromSeconds(1000) + frame.Start;
+                SweepLog.Write(log, new SweepRow(
+                    start, vertices, frame.RenderTime.TotalMilliseconds, RenderTimeSourceKind.EngineGpuTime, "HoloLens 2", 60));
+                if (i % FramesPerPicture != 0) continue;
+                _truth.Add(frame.Visualisation.TotalMilliseconds);
+                pictures.Add(Drawn(TimestampCode.ValueOf(start + frame.Visualisation), TimestampCode.ValueOf(start)));
+            }
+        }
+        _video = Video("sweep.mp4", Width, Height, pictures, pictures.Select((_, i) => i / 15.0));
+    }
+
+    static byte[] Drawn(int control, int headset)
+    {
+        var picture = new byte[Width * Height];
+        Array.Fill(picture, (byte)40);
+        Draw(picture, control, CodeKind.Control, left: 50);
+        Draw(picture, headset, CodeKind.Headset, left: 300);
+        return picture;
+    }
+
+    static void Draw(byte[] picture, int value, CodeKind kind, int left)
+    {
+        const int Top = 56, Gap = 1;
+        Span<bool> lit = stackalloc bool[TimestampCode.CellCount];
+        TimestampCode.Draw(value, kind, lit);
+        for (var cell = 0; cell < lit.Length; cell++)
+            for (var row = Gap; lit[cell] && row < Cell - Gap; row++)
+                picture.AsSpan((Top + cell / TimestampCode.Side * Cell + row) * Width + left + cell % TimestampCode.Side * Cell + Gap, Cell - 2 * Gap).Fill(210);
+    }
+
+    [Test]
+    public async Task Vlc_VideoOfASweep_IsJoinedWithItsLog()
+    {
+        var run = await CliRun.OfAsync("calibrate", "vlc", _video, "--sweep", _sweep, "--json", "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        using var json = JsonDocument.Parse(run.Output);
+        var pictures = json.RootElement.GetProperty("per_picture").EnumerateArray().ToList();
+        Assert.That(pictures.Select(picture => picture.GetProperty("file").GetString()), Is.EqualTo(Enumerable.Range(1, _truth.Count).Select(i => $"{_video}#{i}")));
+        Assert.That(json.RootElement.GetProperty("decoded").GetInt32(), Is.EqualTo(_truth.Count), run.Errors);
+        foreach (var (picture, visuMs) in pictures.Zip(_truth))
+            Assert.That(picture.GetProperty("visu_ms").GetDouble(), Is.EqualTo(visuMs).Within(1.01), picture.GetProperty("file").GetString());
+        Assert.That(File.ReadLines(Path.Combine(Out, "pairs.csv")).Count(), Is.EqualTo(1 + _truth.Count));
+        var profile = LatencyProfileFile.Load(ProfilePath);
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(1));
+        // Coarse loads: anywhere between those next to the limit, some render times scatter on.
+        Assert.That(profile.Range.Limit.TotalMilliseconds, Is.InRange(14.1, 1.02 * TrueLimitMs));
+        Assert.That((profile.Device, profile.Range.Source), Is.EqualTo(("HoloLens 2", RenderTimeSourceKind.EngineGpuTime)));
+    }
+
+    [Test]
+    public async Task Vlc_VideoWithoutFfmpeg_SaysWhatToInstallAndTheLastGoodProfileStays()
+    {
+        File.WriteAllText(Path.Combine(Directory.CreateDirectory(Out).FullName, "profile.json"), "good");
+        UninstallFfmpeg();
+
+        Assert.That(await RefusalOf("vlc", _video, "--sweep", _sweep),
+            Is.EqualTo("nowpose: ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or give pictures"));
+        Assert.That(await File.ReadAllTextAsync(ProfilePath), Is.EqualTo("good"));
+    }
+
+    [Test]
+    public async Task Vlc_VideoThatFfmpegCannotRead_SaysWhy()
+    {
+        Script("ffmpeg", "echo 'moov atom not found' >&2; exit 1");
+
+        Assert.That(await RefusalOf("vlc", _video), Does.Contain(_video).And.Contain("finds no frames in it: moov atom not found"));
+    }
+
+    [Test]
+    public async Task Vlc_VideoThatIsTorn_IsReadUpToThereAndSaysSo()
+    {
+        const int Whole = 10;
+        Script("ffmpeg", $"head -c {Whole * Width * Height + 1000} '{FramesPath}'; echo 'partial file' >&2; exit 1");
+
+        var run = await CliRun.OfAsync("calibrate", "vlc", _video, "--json", "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("pictures").GetInt32(), Is.EqualTo(Whole));
+        Assert.That(run.Errors, Does.Contain($"nowpose: {_video}: {Whole} pictures were read, but ffmpeg says: partial file"));
+    }
+
+    [Test]
+    public async Task Vlc_VideoWithPicturesBesideIt_IsToBeEvaluatedByItself() =>
+        Assert.That(await RefusalOf("vlc", _video, Write("a.jpg", [])), Does.Contain("sweep.mp4: a video is evaluated by itself"));
+}

@@ -1,0 +1,54 @@
+using System.Globalization;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>Videos by stand-ins for ffmpeg and ffprobe, that hand out what the test has drawn.</summary>
+[Platform(Exclude = "Win", Reason = "the stand-ins are shell scripts")]
+public abstract class VideoFolder : CalibrationFolder
+{
+    string _path;
+
+    [SetUp]
+    public void RememberPath()
+    {
+        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        _path = Environment.GetEnvironmentVariable("PATH");
+    }
+
+    [TearDown]
+    public void RestorePath() => Environment.SetEnvironmentVariable("PATH", _path);
+
+    /// <summary>The pictures as ffmpeg puts them out, one after the other.</summary>
+    protected string FramesPath => Path.Combine(Folder, "frames.gray");
+
+    /// <returns>The video's path.</returns>
+    /// <param name="times">When each picture was taken, s.</param>
+    protected string Video(string name, int width, int height, IEnumerable<byte[]> frames, IEnumerable<double> times)
+    {
+        using (var raw = File.Create(FramesPath))
+            foreach (var frame in frames) raw.Write(frame);
+        File.WriteAllLines(Path.Combine(Folder, "times"), times.Select(time => time.ToString("0.000000", CultureInfo.InvariantCulture)));
+        Script("ffmpeg", $"cat '{FramesPath}'");
+        Script("ffprobe", $"case \"$*\" in *stream=*) echo {width},{height};; *) cat '{Path.Combine(Folder, "times")}';; esac");
+        Environment.SetEnvironmentVariable("PATH", Path.Combine(Folder, "bin") + Path.PathSeparator + _path);
+        return Write(name, ["a stand-in reads it"]);
+    }
+
+    /// <summary>Puts a program of a few lines of shell into the place of another.</summary>
+    protected void Script(string name, string command)
+    {
+        var path = Path.Combine(Directory.CreateDirectory(Path.Combine(Folder, "bin")).FullName, name);
+        File.WriteAllText(path, "#!/bin/sh\n" + command + "\n");
+        if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
+    }
+
+    /// <summary>Leaves only node on the path, which is needed as well.</summary>
+    protected void UninstallFfmpeg()
+    {
+        var node = (_path ?? "").Split(Path.PathSeparator).First(folder => File.Exists(Path.Combine(folder, "node")));
+        var only = Directory.CreateDirectory(Path.Combine(Folder, "only")).FullName;
+        File.CreateSymbolicLink(Path.Combine(only, "node"), Path.Combine(node, "node"));
+        Environment.SetEnvironmentVariable("PATH", only);
+    }
+}
