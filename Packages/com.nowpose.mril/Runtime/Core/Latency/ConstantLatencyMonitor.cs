@@ -5,7 +5,8 @@ namespace Nowpose.Latency
     /// <summary>Tells, frame after frame, whether the render time stands in the constant-latency range.</summary>
     /// <remarks>
     /// Schnierle &amp; Röck 2022, Fig. 11b. Judges the median of the newest 15 frames, so that one slow frame is no alarm;
-    /// a load that is suddenly too high is found within 10 frames. Allocates nothing; not thread-safe.
+    /// a load that is suddenly a tenth or more above the limit is found within 10 frames, one a little above it some frames later,
+    /// as single frames of it are below. Allocates nothing; not thread-safe.
     /// </remarks>
     public sealed class ConstantLatencyMonitor
     {
