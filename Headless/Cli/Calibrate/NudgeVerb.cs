@@ -39,9 +39,8 @@ static class NudgeVerb
         var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Told), parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
         var output = CalibrationOutput.At(parsed.GetValue(Output));
-        var profile = EarlierProfile.With(
-            parsed.GetValue(Earlier), result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, Device.Device(parsed),
-            Device.DisplayHz(parsed), CalibrationMethod.Nudge, result.Count);
+        var profile = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Device(parsed), Device.DisplayHz(parsed))
+            .With(result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, CalibrationMethod.Nudge, result.Count);
         var page = NudgePage.Of(marks, result, profile);
         output.Write(profile, page);
         if (parsed.GetValue(Json)) Console.Out.WriteLine(NudgePage.Json(result));

@@ -51,15 +51,13 @@ static class SineVerb
     {
         var path = parsed.GetValue(Recording);
         var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Told));
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Device(parsed), Device.DisplayHz(parsed));
         var tracks = Tracks(parsed, path, cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
         var lag = EstimateOf(tracks, path);
         var result = new SineResult(tracks, lag, way);
         var output = CalibrationOutput.At(parsed.GetValue(Output));
-        var profile = result.VisuMs is double visuMs
-            ? EarlierProfile.With(
-                parsed.GetValue(Earlier), visuMs, result.DeviationMs, Device.Device(parsed), Device.DisplayHz(parsed), CalibrationMethod.Sine, measurements: 1)
-            : null;
+        var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = SinePage.Of(result, profile, path);
         output.Write(profile, page);
         if (parsed.GetValue(Json)) Console.Out.WriteLine(SineJson.Of(result));

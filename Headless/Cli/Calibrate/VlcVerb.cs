@@ -43,13 +43,14 @@ static class VlcVerb
         var arguments = parsed.GetValue(Pictures);
         var files = PictureFiles.Of(arguments);
         var sweep = parsed.GetValue(Sweep) is string path ? SweepLogReader.Read(path) : null;
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.GivenDevice(parsed), Device.GivenDisplayHz(parsed), sweep);
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
         var result = run.Run(files, cancel);
         Tell(result);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Read.Count == 0) return status == ExitStatus.Done ? throw NothingRead(arguments, result) : status;
-        var evaluation = new VlcEvaluation(result, sweep, Device.GivenDevice(parsed), Device.GivenDisplayHz(parsed), parsed.GetValue(Earlier));
+        var evaluation = new VlcEvaluation(result, sweep, earlier);
         output.Write(evaluation.Profile, evaluation.Page);
         if (sweep != null) output.WritePairs(evaluation.Pictures);
         if (parsed.GetValue(Json))

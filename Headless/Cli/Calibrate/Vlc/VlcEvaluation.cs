@@ -18,18 +18,15 @@ sealed class VlcEvaluation
     readonly List<string> _warnings = [];
 
     /// <param name="sweep">Null for none.</param>
-    /// <param name="device">Null for the sweep's own, as <paramref name="displayHz"/>.</param>
-    /// <param name="earlierPath">A profile whose limit is kept where none is found; null for none.</param>
-    /// <exception cref="InputException">The sweep is of another recording, or the earlier profile cannot be used.</exception>
-    public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, string device, double? displayHz, string earlierPath = null)
+    /// <param name="earlier">Its limit is kept where none is found.</param>
+    /// <exception cref="InputException">The sweep is of another recording.</exception>
+    public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, EarlierProfile earlier)
     {
         _result = result;
         if (sweep != null) Pictures = Joined(sweep);
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         var fit = sensitivity == null ? null : FitOf(sensitivity);
-        device ??= sweep?[0].Device ?? "";
-        var rate = displayHz ?? sweep?[0].DisplayHz ?? double.NaN;
-        Profile = fit != null ? RangeProfile.Of(fit, device, rate, sensitivity.Source) : WithoutRange(sweep != null, device, rate, earlierPath);
+        Profile = fit != null ? RangeProfile.Of(fit, earlier.Device, earlier.DisplayHz, sensitivity.Source) : WithoutRange(sweep != null, earlier);
         Page = fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage();
     }
 
@@ -71,7 +68,7 @@ sealed class VlcEvaluation
     }
 
     // Null when there is too little to make one; why is said.
-    LatencyProfile WithoutRange(bool hasSweep, string device, double rate, string earlierPath)
+    LatencyProfile WithoutRange(bool hasSweep, EarlierProfile earlier)
     {
         var plateau = hasSweep && Pictures.Any(each => each.Vertices != Pictures[0].Vertices)
             ? Plateau.OfSweep(Pictures)
@@ -79,9 +76,7 @@ sealed class VlcEvaluation
         if (!hasSweep && plateau?.Count < LeastShareNear * _result.Read.Count)
             _warnings.Add($"{_result.Read.Count - plateau.Count} of {_result.Read.Count} pictures are late and were left out: "
                 + "were they taken at several loads? Then give the sweep's log (--sweep)");
-        if (plateau != null)
-            return EarlierProfile.With(
-                earlierPath, plateau.VisuMs, plateau.SpreadMs, device, double.IsNaN(rate) ? 0 : rate, CalibrationMethod.VisibleLight, plateau.Count);
+        if (plateau != null) return earlier.With(plateau.VisuMs, plateau.SpreadMs, CalibrationMethod.VisibleLight, plateau.Count);
         _warnings.Add(hasSweep
             ? $"L_visu cannot be told from these {Pictures.Count} pictures of the sweep; no profile was written"
             : _result.Read.Count < 2

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 using Nowpose.Simulation;
@@ -31,12 +32,15 @@ public sealed class VlcEvaluationTests
         return (rows, new VlcResult(pictures));
     }
 
+    static VlcEvaluation Evaluate(VlcResult result, IReadOnlyList<SweepRow> sweep, string device = null, double? displayHz = null) =>
+        new(result, sweep, EarlierProfile.Read(null, device, displayHz, sweep));
+
     [Test]
     public void Sweep_WhoseSourceSeesLoad_GivesLVisuAndTheLimit()
     {
         var (rows, result) = Sweep(ms => ms);
 
-        var profile = new VlcEvaluation(result, rows, null, null).Profile;
+        var profile = Evaluate(result, rows).Profile;
 
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.2));
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
@@ -50,7 +54,7 @@ public sealed class VlcEvaluationTests
     {
         var (rows, result) = Sweep(_ => 2);
 
-        var evaluation = new VlcEvaluation(result, rows, null, null);
+        var evaluation = Evaluate(result, rows);
 
         Assert.That(result.Mean, Is.GreaterThan(TrueMs + 5), "pictures at high loads are late");
         Assert.That(evaluation.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.3));
@@ -66,7 +70,7 @@ public sealed class VlcEvaluationTests
 
         foreach (var sweep in new[] { rows, null })
         {
-            var profile = new VlcEvaluation(result, sweep, null, null).Profile;
+            var profile = Evaluate(result, sweep).Profile;
 
             Assert.That(profile.Device, Is.Empty);
             Assert.That(profile.DisplayHz, Is.Zero);
@@ -79,7 +83,7 @@ public sealed class VlcEvaluationTests
     {
         PictureResult[] pictures = [.. Enumerable.Range(0, 50).Select(i => new PictureResult("p" + i, 0, i, i % 10 == 9 ? 56.7 : 40 + i % 3 - 1, null))];
 
-        var profile = new VlcEvaluation(new VlcResult(pictures), null, "headset", 72).Profile;
+        var profile = Evaluate(new VlcResult(pictures), null, "headset", 72).Profile;
 
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(0.1));
         Assert.That(profile.Measurements, Is.EqualTo(45));
@@ -93,7 +97,7 @@ public sealed class VlcEvaluationTests
         var other = rows.Select(row => new SweepRow(
             row.FrameStart + TimeSpan.FromMilliseconds(5), row.Vertices, row.RenderMs, row.Source, row.Device, row.DisplayHz)).ToList();
 
-        Assert.That(() => new VlcEvaluation(result, other, null, null),
+        Assert.That(() => Evaluate(result, other),
             Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of").And.Message.Contains("another recording"));
     }
 
@@ -102,7 +106,7 @@ public sealed class VlcEvaluationTests
     {
         var (_, result) = Sweep(ms => ms);
 
-        var evaluation = new VlcEvaluation(result, null, null, null);
+        var evaluation = Evaluate(result, null);
 
         Assert.That(evaluation.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(0.3));
         Assert.That(evaluation.Page.Warnings, Has.Some.Contains("several loads"));
@@ -114,7 +118,7 @@ public sealed class VlcEvaluationTests
         var random = new Random(2);
         PictureResult[] pictures = [.. Enumerable.Range(0, 100).Select(i => new PictureResult("p" + i, 0, i, 20 + 60 * random.NextDouble(), null))];
 
-        var evaluation = new VlcEvaluation(new VlcResult(pictures), null, null, null);
+        var evaluation = Evaluate(new VlcResult(pictures), null);
 
         Assert.That(evaluation.Profile, Is.Null);
         Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much to be constant"));
@@ -123,7 +127,7 @@ public sealed class VlcEvaluationTests
     [Test]
     public void Picture_Alone_MakesNoProfile()
     {
-        var evaluation = new VlcEvaluation(new VlcResult([new PictureResult("p", 0, 0, 40, null)]), null, null, null);
+        var evaluation = Evaluate(new VlcResult([new PictureResult("p", 0, 0, 40, null)]), null);
 
         Assert.That(evaluation.Profile, Is.Null);
         Assert.That(evaluation.Page.Warnings, Has.Some.Contains("one picture is too few"));

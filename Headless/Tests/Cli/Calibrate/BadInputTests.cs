@@ -1,0 +1,140 @@
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Latency;
+using Nowpose.VisibleLight;
+using Nowpose.Vision;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>Whatever a calibration is given that is no good: one line that says so, and the profile of the last good one stays, to the byte.</summary>
+[NonParallelizable]
+public sealed class BadInputTests : CalibrationFolder
+{
+    const int Width = 640, Height = 360, Side = 128;
+    static readonly string[] Nudge = ["nudge", "--speed-mm-s", "250", "--forward-mm", "2", "--backward-mm", "-2"];
+
+    byte[] _good;
+
+    [SetUp]
+    public void CalibrateWell()
+    {
+        LatencyProfileFile.Save(ProfilePath, Profile("HoloLens 2"));
+        _good = File.ReadAllBytes(ProfilePath);
+    }
+
+    static LatencyProfile Profile(string device) =>
+        new(40, 1, device, 60, new DateTime(2026, 11, 20, 13, 0, 0, DateTimeKind.Utc), CalibrationMethod.VisibleLight, 300, 15, RenderTimeSourceKind.DisplayGpuTime);
+
+    async Task RefusedWith(string message, params string[] arguments)
+    {
+        Assert.That(await RefusalOf(arguments), Does.Contain(message));
+        Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(_good));
+    }
+
+    /// <summary>Makes pictures of the two codes beside each other, L_visu 40 ms; what is given changes them.</summary>
+    string Picture(string name, Func<Shot, Shot> change = null, double scale = 1)
+    {
+        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        var shot = new Shot(
+            (int)(scale * Width), (int)(scale * Height), Scene: 1, SceneLight: 0.1,
+            [Code(CodeKind.Control, 30_040, 0.25 * scale, scale, panel: 0.02), Code(CodeKind.Headset, 30_000, 0.75 * scale, scale, panel: null)],
+            Blur: 0.6, [0, 0], [], [], Noise: 1, NoiseSeed: 1);
+        var path = Path.Combine(Folder, name);
+        using var pool = new VisionPool(1);
+        pool.Look([PictureRequest.Made(change?.Invoke(shot) ?? shot, path)], (_, made) => Assert.That(made.Fault, Is.Null), CancellationToken.None);
+        return path;
+    }
+
+    static DrawnCode Code(CodeKind kind, int value, double x, double scale, double? panel)
+    {
+        var lit = new bool[TimestampCode.CellCount];
+        TimestampCode.Draw(value, kind, lit);
+        double left = x * Width - scale * Side / 2, top = scale * (Height - Side) / 2, size = scale * Side;
+        return new DrawnCode(
+            [[left, top], [left + size, top], [left + size, top + size], [left, top + size]], [.. lit.Select(each => each ? 1.0 : 0)], 0.6, 0, panel);
+    }
+
+    // Nothing else either: a scene's own edges may be taken for one of the codes at first.
+    static Shot WithoutCodes(Shot shot) => shot with { Codes = [], SceneLight = 0 };
+
+    // Half of one code stands outside, on the left; the other one is whole.
+    static Shot Halved(Shot shot, CodeKind kind) => shot with
+    {
+        Codes =
+        [
+            shot.Codes[1 - (int)kind],
+            shot.Codes[(int)kind] with { Corners = [.. shot.Codes[(int)kind].Corners.Select(each => new[] { each[0] - (kind == CodeKind.Control ? 160 : 480), each[1] })] },
+        ],
+    };
+
+    // What the others are measured against: it is what was changed that is refused.
+    [Test]
+    public async Task Pictures_WithNothingWrong_MakeAProfile()
+    {
+        var run = await CliRun.OfAsync("calibrate", "vlc", Picture("a.png"), Picture("b.png"), "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        Assert.That(LatencyProfileFile.Load(ProfilePath).Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(1));
+    }
+
+    [Test]
+    public async Task Picture_WithoutACode_SaysSo() => await RefusedWith("wall.png: no code found", "vlc", Picture("wall.png", WithoutCodes));
+
+    [Test]
+    public async Task Pictures_AllWithoutACode_AreCounted() => await RefusedWith(
+        "none of 2 pictures could be read; 2 of them: no code found", "vlc", Picture("a.png", WithoutCodes), Picture("b.png", WithoutCodes));
+
+    [TestCase(CodeKind.Control, "half.png: no control code found")]
+    [TestCase(CodeKind.Headset, "half.png: no headset code found")]
+    public async Task Picture_WithHalfACode_SaysWhich(CodeKind half, string message) =>
+        await RefusedWith(message, "vlc", Picture("half.png", shot => Halved(shot, half)));
+
+    [Test]
+    public async Task Pictures_OfTwoSizes_NameBoth() => await RefusedWith(
+        "960x540 px, but", "vlc", Picture("a.png"), Picture("b.png", scale: 1.5));
+
+    [Test]
+    public async Task Folder_Empty_IsNamed() =>
+        await RefusedWith("nothing: there are no pictures in it", "vlc", Directory.CreateDirectory(Path.Combine(Folder, "nothing")).FullName);
+
+    string ProfileOfAnother(string device)
+    {
+        var path = Path.Combine(Folder, "earlier.json");
+        LatencyProfileFile.Save(path, Profile(device));
+        return path;
+    }
+
+    string ProfileOfAnotherVersion()
+    {
+        var path = ProfileOfAnother("");
+        File.WriteAllText(path, File.ReadAllText(path).Replace("\"version\": 1", "\"version\": 2", StringComparison.Ordinal));
+        return path;
+    }
+
+    // The pictures are none: whoever asked for the profile first does not wait for them.
+    [Test]
+    public async Task Vlc_EarlierProfileOfAnotherVersion_IsRefusedBeforeThePicturesAreRead() => await RefusedWith(
+        "earlier.json: latency profile of version 2, this Nowpose reads up to 1", "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());
+
+    [Test]
+    public async Task Vlc_EarlierProfileOfAnotherDeviceThanTheSweeps_IsRefusedBeforeThePicturesAreRead() => await RefusedWith(
+        "earlier.json: latency profile is of device 'Quest 3', this one is 'HoloLens 2'",
+        "vlc", Write("a.png", []), "--sweep", Write("sweep.csv", [SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]), "--profile", ProfileOfAnother("Quest 3"));
+
+    [Test]
+    public async Task Sine_EarlierProfileOfAnotherVersion_IsRefused() => await RefusedWith(
+        "latency profile of version 2", "sine", Write("jog.csv", []), "--told-ms", "40", "--profile", ProfileOfAnotherVersion());
+
+    [Test]
+    public async Task Nudge_EarlierProfileOfAnotherVersion_IsRefused() =>
+        await RefusedWith("latency profile of version 2", [.. Nudge, "--profile", ProfileOfAnotherVersion()]);
+
+    [Test]
+    public async Task Nudge_EarlierProfileOfAnotherDevice_IsRefused() => await RefusedWith(
+        "latency profile is of device 'Quest 3', this one is 'HoloLens 2'", [.. Nudge, "--device", "HoloLens 2", "--profile", ProfileOfAnother("Quest 3")]);
+
+    [TestCase("0")]
+    [TestCase("NaN")]
+    public async Task Range_RenderTimesThatAreNone_NameFileLineAndField(string renderMs) => await RefusedWith(
+        "pairs.csv:2: render_ms: ", "range", Write("pairs.csv", ["render_ms,visu_ms", .. Enumerable.Repeat(renderMs + ",40", 30)]));
+}
