@@ -17,12 +17,19 @@ public sealed class LoadGeneratorTests
     [TearDown]
     public void End() => _cell.Dispose();
 
-    void Play(int vertices = 0, int? verticesPerFrame = null)
+    // What each step of building takes, as the clock below a session is found after it.
+    const double StepMs = 0.5;
+
+    void Play(int vertices = 0, float? msPerFrame = null)
     {
+        var session = _cell.NewSession();
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(StepMs);
         var wall = new GameObject("Load");
+        wall.transform.SetParent(session.transform, worldPositionStays: false);
         wall.SetActive(false);
+        session.gameObject.SetActive(true);
         _load = wall.AddComponent<LoadGenerator>().With("_material", new Material((Shader)null)).With("_vertices", vertices);
-        if (verticesPerFrame is int number) _load.With("_verticesPerFrame", number);
+        if (msPerFrame is float ms) _load.With("_msPerFrame", ms);
         wall.SetActive(true);
     }
 
@@ -66,26 +73,29 @@ public sealed class LoadGeneratorTests
         Assert.That(_load.VerticesShown, Is.EqualTo(50_000));
     }
 
-    // What is drawn grows by what was handed over, so a frame's work is known from it.
-    [TestCase(LoadMesh.GreatestVertices, LoadMesh.PatchVertices)]
-    [TestCase(600_000, 3 * LoadMesh.PatchVertices)]
-    [TestCase(200_000, 1)]
-    public void Building_OfALoad_KeepsToItsBudgetInEveryFrame(int vertices, int budget)
+    // How far the clock went in a frame, ms.
+    double FrameMs()
     {
-        Play(vertices, budget);
-        var most = 0;
-        var frames = 0;
+        _cell.Frame(null);
+        return (_cell.Clock.Read - HeadsetTime.FromSeconds(1000 + _cell.Now)).TotalMilliseconds;
+    }
 
-        for (var before = 0; !_load.IsReady && frames < 1000; frames++)
-        {
-            _cell.Frame(null);
-            most = Math.Max(most, _load.VerticesShown - before);
-            before = _load.VerticesShown;
-        }
+    [TestCase(LoadMesh.GreatestVertices, 2f)]
+    [TestCase(600_000, 10f)]
+    [TestCase(100_000, 0.1f, TestName = "Building_WhenOneStepIsLongerThanItsTime_TakesThatOne")]
+    public void Building_OfALoad_KeepsToItsTimeInEveryFrame(int vertices, float msPerFrame)
+    {
+        Play(0, msPerFrame);
+        var without = Enumerable.Range(0, 10).Max(_ => FrameMs());
+        _load.Vertices = vertices;
+        var frames = new List<double>();
 
-        var allowed = Math.Max(budget, LoadMesh.PatchVertices);
-        Assert.That(most, Is.InRange(1, allowed));
-        Assert.That(frames, Is.EqualTo(Math.Ceiling(2.0 * vertices / allowed)).Within(1), "computed once, handed over once");
+        while (!_load.IsReady && frames.Count < 5000) frames.Add(FrameMs() - without);
+
+        Assert.That(_load.VerticesShown, Is.EqualTo(vertices));
+        // The clock is read once before the first step.
+        Assert.That(frames.Max(), Is.LessThanOrEqualTo(Math.Max(msPerFrame, StepMs) + StepMs + 1e-3));
+        Assert.That(frames.Skip(frames.Count / 2).Average(), Is.GreaterThan(0.6 * msPerFrame), "the time is used");
     }
 
     [Test]

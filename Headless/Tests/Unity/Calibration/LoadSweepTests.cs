@@ -45,7 +45,9 @@ public sealed class LoadSweepTests
         var material = new Material((Shader)null);
         var wall = new GameObject("Load");
         wall.transform.SetParent(_session.transform, worldPositionStays: false);
-        _load = wall.AddComponent<LoadGenerator>().With("_material", isPainted ? material : null).With("_vertices", 7777);
+        // Some steps of building in a frame, so that a load takes a while.
+        _cell.Clock.Step = TimeSpan.FromMicroseconds(5);
+        _load = wall.AddComponent<LoadGenerator>().With("_material", isPainted ? material : null).With("_vertices", 7777).With("_msPerFrame", 0.1f);
         _display = _session.gameObject.AddComponent<TimestampDisplay>().With("_light", material);
         _sweep = _session.gameObject.AddComponent<LoadSweep>()
             .With("_folder", _folder).With("_mostVertices", vertices).With("_steps", 2).With("_secondsPerLoad", seconds).With("_settleSeconds", 0.1f);

@@ -5,8 +5,8 @@ namespace Nowpose.Unity
 {
     /// <summary>Gives the GPU as much to draw as asked for: a wall of tiny triangles, to find out where the constant-latency range ends.</summary>
     /// <remarks>
-    /// The wall stands where its transform is, seen along its z axis, and loads the GPU only while it is in view. It is built a part
-    /// at a time, so that building itself makes no frame late, and each part once: going back to a load costs nothing.
+    /// The wall stands where its transform is, seen along its z axis, and loads the GPU only while it is in view. It is built in
+    /// steps, as many a frame as its time allows, so that building itself makes no frame late, and each part once: going back to a load costs nothing.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Generator")]
     [DisallowMultipleComponent]
@@ -18,12 +18,14 @@ namespace Nowpose.Unity
         [SerializeField, Range(0, LoadMesh.GreatestVertices), Tooltip("How many vertices to draw. A load sweep sets them by itself.")]
         int _vertices = 0;
 
-        [SerializeField, Range(LoadMesh.PatchVertices, 20 * LoadMesh.PatchVertices), Tooltip("Vertices that are computed or handed to the GPU in one "
-            + "frame while a load is built. 25000, one part of the wall: no frame is late for it.")]
-        int _verticesPerFrame = LoadMesh.PatchVertices;
+        [SerializeField, Range(LeastMsPerFrame, GreatestMsPerFrame), Tooltip("What building a load may take of a frame, ms. 2: an eighth of a frame "
+            + "at 60 Hz, which a scene has left unless it is at its limit.")]
+        float _msPerFrame = 2;
 
         [SerializeField, Range(0.05f, 5), Tooltip("Width of the wall in metres; it is 0.625 times as high. 0.6: all of it is in view from 1.3 m.")]
         float _widthMetres = 0.6f;
+
+        const float LeastMsPerFrame = 0.1f, GreatestMsPerFrame = 10;
 
         LoadPatches _patches;
 
@@ -54,7 +56,8 @@ namespace Nowpose.Unity
             if (_material == null) Fail("has no material to draw with; assign one");
             else if (_vertices < 0 || _vertices > LoadMesh.GreatestVertices)
                 Fail("is to draw " + _vertices + " vertices; allowed are 0 to " + LoadMesh.GreatestVertices);
-            else _patches = new LoadPatches(transform, _material, _widthMetres);
+            else _patches = new LoadPatches(
+                transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(), Mathf.Clamp(_msPerFrame, LeastMsPerFrame, GreatestMsPerFrame));
         }
 
         void OnDisable()
@@ -67,8 +70,7 @@ namespace Nowpose.Unity
         {
             if (_patches == null) return;
             _patches.Ask(_vertices);
-            // With less, no part could ever be handed over.
-            _patches.Advance(Mathf.Max(_verticesPerFrame, LoadMesh.PatchVertices));
+            _patches.Advance();
         }
 
         void Fail(string what)

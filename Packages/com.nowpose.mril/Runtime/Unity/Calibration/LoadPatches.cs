@@ -5,22 +5,34 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>The patches of a load, built a few vertices a frame; those that are there already are kept, shown or not.</summary>
+    /// <summary>The patches of a load, built in steps that take no more than a share of a frame; those that are there already are kept, shown or not.</summary>
     sealed class LoadPatches
     {
+        /// <summary>Computed in one step: a patch in 25.</summary>
+        const int VerticesPerStep = LoadMesh.PatchVertices / 25;
+
+        static readonly int StepKinds = Enum.GetValues(typeof(LoadStep)).Length;
+
         readonly Transform _parent;
         readonly Material _material;
         readonly float _width;
+        readonly IHeadsetClock _clock;
+        readonly FrameShare _share;
         readonly List<LoadSlot> _slots = new List<LoadSlot>();
         readonly Vector3[] _vertices = new Vector3[LoadMesh.PatchVertices];
         readonly Vector3[] _normals = new Vector3[LoadMesh.PatchVertices];
         readonly int[] _indices = new int[LoadMesh.PatchOf(0, LoadMesh.PatchVertices).Indices];
         LoadPatch _patch;
+        LoadStep _next;
         int _asked, _building, _filled;
 
         /// <param name="width">Of the whole wall, in units of the parent.</param>
-        public LoadPatches(Transform parent, Material material, float width)
+        /// <param name="clock">By which steps are measured.</param>
+        /// <param name="msPerFrame">That building may take of a frame, ms; as <see cref="FrameShare"/>.</param>
+        public LoadPatches(Transform parent, Material material, float width, IHeadsetClock clock, double msPerFrame)
         {
+            _clock = clock;
+            _share = new FrameShare(msPerFrame, StepKinds);
             _parent = parent;
             _material = material;
             _width = width;
@@ -39,26 +51,24 @@ namespace Nowpose.Unity
             if (vertices == _asked) return;
             _asked = vertices;
             _filled = 0;
+            _next = LoadStep.Compute;
             for (var i = 0; i < _slots.Count; i++) _slots[i].IsShown = Wanted(i) > 0 && _slots[i].Vertices == Wanted(i);
             Count();
         }
 
-        /// <summary>Goes on building.</summary>
-        /// <param name="budget">Vertices that may be computed or handed to the GPU in this frame; at least a patch's.</param>
-        public void Advance(int budget)
+        /// <summary>Goes on building for a frame's share of time.</summary>
+        public void Advance()
         {
-            while (!IsComplete && budget > 0)
+            if (IsComplete) return;
+            var now = _clock.Now;
+            _share.BeginFrame(now);
+            while (!IsComplete && _share.HasRoom((int)_next, now))
             {
-                if (_filled == 0) Begin();
-                if (_filled < _patch.Vertices)
-                {
-                    var end = Math.Min(_patch.Vertices, _filled + budget);
-                    budget -= end - _filled;
-                    Fill(end);
-                }
-                if (_filled < _patch.Vertices || budget < _patch.Vertices) return;
-                budget -= _patch.Vertices;
-                Show();
+                var step = _next;
+                _next = Do(step);
+                var then = _clock.Now;
+                _share.Took((int)step, then - now);
+                now = then;
             }
         }
 
@@ -69,6 +79,29 @@ namespace Nowpose.Unity
         }
 
         int Wanted(int slot) => slot < LoadMesh.PatchesOf(_asked) ? LoadMesh.PatchOf(slot, _asked).Vertices : 0;
+
+        // Returns what is next.
+        LoadStep Do(LoadStep step)
+        {
+            switch (step)
+            {
+                case LoadStep.Compute:
+                    if (_filled == 0) Begin();
+                    Fill(Math.Min(_patch.Vertices, _filled + VerticesPerStep));
+                    return _filled < _patch.Vertices ? LoadStep.Compute : LoadStep.SetVertices;
+                case LoadStep.SetVertices:
+                    _slots[_building].SetVertices(_vertices, _normals, _patch.Vertices);
+                    return LoadStep.SetTriangles;
+                case LoadStep.SetTriangles:
+                    _slots[_building].SetTriangles(_indices, _patch.Indices);
+                    return LoadStep.Show;
+                default:
+                    _slots[_building].Show();
+                    _filled = 0;
+                    Count();
+                    return LoadStep.Compute;
+            }
+        }
 
         void Begin()
         {
@@ -86,14 +119,6 @@ namespace Nowpose.Unity
                 _vertices[_filled] = new Vector3(x * _width, y * _width, 0);
                 _patch.WriteTriangles(_filled, _indices);
             }
-        }
-
-        void Show()
-        {
-            _slots[_building].Upload(_vertices, _normals, _patch.Vertices, _indices, _patch.Indices);
-            _slots[_building].IsShown = true;
-            _filled = 0;
-            Count();
         }
 
         void Count()

@@ -30,18 +30,25 @@ namespace Nowpose.Unity
             set => _renderer.enabled = value;
         }
 
-        /// <summary>Hands a patch to the GPU, in place of the one before. What was handed over takes no more room on this side.</summary>
-        public void Upload(Vector3[] vertices, Vector3[] normals, int vertexCount, int[] indices, int indexCount)
+        /// <summary>Begins another patch in place of the one before.</summary>
+        public void SetVertices(Vector3[] vertices, Vector3[] normals, int count)
         {
             Free();
             // Of the whole load: as many bytes are read for each of its vertices as of one big mesh.
             _mesh = new Mesh { name = "Load Patch", indexFormat = IndexFormat.UInt32 };
-            _mesh.SetVertices(vertices, 0, vertexCount);
-            _mesh.SetNormals(normals, 0, vertexCount);
-            _mesh.SetTriangles(indices, 0, indexCount, 0);
+            _mesh.SetVertices(vertices, 0, count);
+            _mesh.SetNormals(normals, 0, count);
+        }
+
+        public void SetTriangles(int[] indices, int count) => _mesh.SetTriangles(indices, 0, count, 0);
+
+        /// <summary>Hands the patch to the GPU. What was handed over takes no more room on this side.</summary>
+        public void Show()
+        {
             _mesh.UploadMeshData(markNoLongerReadable: true);
             _filter.sharedMesh = _mesh;
-            Vertices = vertexCount;
+            Vertices = _mesh.vertexCount;
+            IsShown = true;
         }
 
         public void Destroy()
