@@ -60,7 +60,7 @@ public class AutobahnTests
             script.Chop = 0;
             script.Send(Marker);
             await subject.Peer.SendAsync(script);
-            await Soon.BecomesAsync(() => seen.Count >= expected + 1, $"{expected} events and the marker; seen: {string.Join(' ', seen)}");
+            await Soon.BecomesAsync(() => seen.Count >= expected + 1, () => $"{expected} events and the marker; seen: {string.Join(' ', seen)}");
             Assert.That(Sorted(string.Join(' ', seen)), Is.EqualTo(Sorted(one.Expected + " taken")));
             return;
         }

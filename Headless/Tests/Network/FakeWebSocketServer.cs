@@ -31,7 +31,7 @@ sealed class FakeWebSocketServer : IDisposable
     /// <param name="certificate">For TLS; null for none.</param>
     public async Task<Stream> AcceptStreamAsync(X509Certificate2 certificate)
     {
-        var client = await _listener.AcceptTcpClientAsync().WaitAsync(TimeSpan.FromSeconds(20));
+        var client = await _listener.AcceptTcpClientAsync().Bounded();
         lock (_clients) _clients.Add(client);
         client.NoDelay = true;
         Stream stream = client.GetStream();
@@ -49,7 +49,7 @@ sealed class FakeWebSocketServer : IDisposable
     /// <summary>Answers the first request with the given bytes, whatever it asks.</summary>
     public async Task AnswerAsync(string answer)
     {
-        using var client = await _listener.AcceptTcpClientAsync().WaitAsync(TimeSpan.FromSeconds(20));
+        using var client = await _listener.AcceptTcpClientAsync().Bounded();
         await ReadHeadAsync(client.GetStream());
         await client.GetStream().WriteAsync(Encoding.ASCII.GetBytes(answer));
     }

@@ -15,7 +15,7 @@ namespace Nowpose.Headless.Tests.Session;
 public class GatewayRestartTests
 {
     // The longest pause between two attempts, and what dialling takes a loaded machine.
-    static readonly TimeSpan ReconnectLimit = ProtocolLimits.BackoffLongest * (1 + ProtocolLimits.BackoffJitter) + TimeSpan.FromSeconds(5);
+    static readonly TimeSpan ReconnectLimit = ProtocolLimits.BackoffLongest * (1 + ProtocolLimits.BackoffJitter) + TimeSpan.FromSeconds(15);
 
     [TestCase(0)]
     [TestCase(0.1)]

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Robots;
 using Nowpose.Latency;
@@ -6,15 +5,12 @@ using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
-using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>The headset's own runtime, without a display, looked at while something goes wrong.</summary>
 sealed class FaultHeadset : IDisposable
 {
-    static readonly TimeSpan Patience = TimeSpan.FromSeconds(40);
-
     readonly StopwatchHeadsetClock _clock = new();
 
     public FaultHeadset(int syncPort, int webSocketPort, CertificatePin pin = null, string token = null)
@@ -37,17 +33,8 @@ sealed class FaultHeadset : IDisposable
     /// <returns>How long it took.</returns>
     public Task<TimeSpan> BecomesAsync(PoseState state) => BecomesAsync(() => State == state, state.ToString());
 
-    public async Task<TimeSpan> BecomesAsync(Func<bool> condition, string what)
-    {
-        var since = Stopwatch.GetTimestamp();
-        while (!condition())
-        {
-            Assert.That(Stopwatch.GetElapsedTime(since), Is.LessThan(Patience), $"{what}: {State}, {Links}");
-            await Task.Delay(5);
-        }
-
-        return Stopwatch.GetElapsedTime(since);
-    }
+    /// <returns>How long it took.</returns>
+    public Task<TimeSpan> BecomesAsync(Func<bool> condition, string what) => Soon.BecomesAsync(condition, () => $"{what}: {State}, {Links}");
 
     /// <summary>Whether its clock is the control clock's, to 5 ms.</summary>
     public bool IsRight(IControlClock control)

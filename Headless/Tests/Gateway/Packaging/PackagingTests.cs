@@ -42,7 +42,7 @@ public class PackagingTests
         using var process = Process.Start(start);
         var errors = process.StandardError.ReadToEndAsync();
         var output = process.StandardOutput.ReadToEnd();
-        Assert.That(process.WaitForExit(20_000), Is.True);
+        Assert.That(process.WaitForExit(Soon.Limit), Is.True);
         return (process.ExitCode, output + errors.Result);
     }
 

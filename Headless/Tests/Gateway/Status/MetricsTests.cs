@@ -44,7 +44,7 @@ public class MetricsTests
         process.StandardInput.Write(text);
         process.StandardInput.Close();
         var output = process.StandardOutput.ReadToEnd();
-        Assert.That(process.WaitForExit(20_000), Is.True);
+        Assert.That(process.WaitForExit(Soon.Limit), Is.True);
         if (errors.Result.Contains("No module named 'prometheus_client'")) Assert.Ignore("python3-prometheus-client is not installed");
         Assert.That(process.ExitCode, Is.EqualTo(0), errors.Result);
         return JsonNode.Parse(output);
