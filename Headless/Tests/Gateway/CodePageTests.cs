@@ -150,14 +150,14 @@ public class CodePageTests
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncRequestsPerSecond = 1 });
         using var hasty = await RawWebSocket.ConnectAsync(gateway);
-        await hasty.RequestAsync(Empty, TimeRequest);
 
-        // Behind the first one's body.
-        var head = await hasty.RequestAsync(Empty, TimeRequest);
+        // At once: whatever the machine is busy with, they are not a second apart.
+        var request = $"{TimeRequest} HTTP/1.1\r\nHost: localhost\r\n{Empty}\r\n";
+        await hasty.SendAsync(Encoding.ASCII.GetBytes(request + request));
 
-        Assert.That(head, Does.Contain("HTTP/1.1 429 ").And.Contain("Connection: close"));
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.TooManyRequests] == 1, "closed and counted");
-        Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(0));
+        Assert.That(await hasty.ReadToEndAsync(), Does.Match("(?s)^HTTP/1.1 200 .*HTTP/1.1 429 .*Connection: close"));
+        await Soon.BecomesAsync(
+            () => gateway.WebSocketConnections[Closure.TooManyRequests] == 1 && gateway.WebSocketConnections.Open == 0, "closed and counted");
     }
 
     [Test]

@@ -70,11 +70,21 @@ sealed class RawWebSocket : IDisposable
     }
 
     /// <summary>Waits until the gateway has closed the connection, past whatever it still says.</summary>
-    public async Task ExpectEndAsync()
+    public Task ExpectEndAsync() => CopyToEndAsync(Stream.Null);
+
+    /// <summary>What the gateway says until it closes the connection.</summary>
+    public async Task<string> ReadToEndAsync()
+    {
+        using var said = new MemoryStream();
+        await CopyToEndAsync(said);
+        return Encoding.UTF8.GetString(said.ToArray());
+    }
+
+    async Task CopyToEndAsync(Stream said)
     {
         try
         {
-            await _stream.CopyToAsync(Stream.Null).Bounded();
+            await _stream.CopyToAsync(said).Bounded();
         }
         catch (IOException)
         {
