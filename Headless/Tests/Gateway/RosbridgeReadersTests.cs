@@ -5,6 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
+[Parallelizable]
 public class RosbridgeReadersTests
 {
     [Test]

@@ -5,6 +5,7 @@ using Nowpose.Gateway;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
+[Parallelizable]
 public class RosbridgeServerTests
 {
     [Test]

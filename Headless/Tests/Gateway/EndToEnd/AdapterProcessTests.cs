@@ -9,6 +9,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
 /// <summary>What a gateway does with the adapters that it starts. The plant is never there: a port on which nobody listens.</summary>
+[Parallelizable]
 public class AdapterProcessTests
 {
     const string Good = """

@@ -13,6 +13,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
 /// <summary>Whoever asks for a page reads it, or gives its place to others.</summary>
+[Parallelizable(ParallelScope.All)]
 public class AnswerReaderTests
 {
     const int Piece = 64 * 1024;
