@@ -21,18 +21,18 @@ public class HeadsetVerbTests
         using var cell = Simulate(gateway);
         using var recording = new TemporaryFile("", ".jsonl");
 
-        var run = await RunAsync(gateway, "--seconds", "10", "--json", "--record", recording.Path);
+        var run = await RunAsync(gateway, "--seconds", "6", "--json", "--record", recording.Path);
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         var result = JsonDocument.Parse(run.Output).RootElement;
         Assert.That(result.GetProperty("robot").GetString(), Is.EqualTo(RobotFiles.Load("youbot").Name));
-        Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(600));
-        Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(60));
+        Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(360));
+        Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(36));
         Assert.That(result.GetProperty("clock").GetProperty("state").GetString(), Is.EqualTo("synchronised"));
         Assert.That(result.GetProperty("clock").GetProperty("error_bound_us").GetDouble(), Is.InRange(1, 50_000));
         Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(20));
         Assert.That(result.GetProperty("pose").GetProperty("current_share").GetDouble(), Is.GreaterThan(0.3));
-        Assert.That(File.ReadLines(recording.Path).Count(line => line.Contains("\"kind\":\"frame\"")), Is.GreaterThan(300));
+        Assert.That(File.ReadLines(recording.Path).Count(line => line.Contains("\"kind\":\"frame\"")), Is.GreaterThan(180));
     }
 
     [Test, Retry(3)]
@@ -44,19 +44,19 @@ public class HeadsetVerbTests
         using var cell = Simulate(gateway);
         using var token = new TemporaryFile(Gateways.ObserverToken + "\n", ".txt");
 
-        var run = await RunAsync(gateway, "--seconds", "10", "--pin", gateway.Pin.ToString(), "--token-file", token.Path);
+        var run = await RunAsync(gateway, "--seconds", "6", "--pin", gateway.Pin.ToString(), "--token-file", token.Path);
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         Assert.That(run.Output, Does.Contain("synchronised, ±"));
         Assert.That(run.Output + run.Errors, Does.Not.Contain(Gateways.ObserverToken));
     }
 
-    [Test]
+    [Test, Retry(3)]
     public async Task Headset_PlantThatSaysNothing_FailsAndSaysWhy()
     {
         await using var gateway = await Gateways.StartAsync();
 
-        var run = await RunAsync(gateway, "--seconds", "8", "--robot", "youbot");
+        var run = await RunAsync(gateway, "--seconds", "5", "--robot", "youbot");
 
         Assert.That(run.ExitStatus, Is.EqualTo(1));
         Assert.That(run.Errors, Does.Contain("no joint positions arrived: connected"));

@@ -33,7 +33,7 @@ public class PlantEndToEndTests
         var score = new PlantScore(plant, robot, Visualisation);
 
         await Task.Factory.StartNew(
-            () => score.Play(session, clock, TimeSpan.FromSeconds(12)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+            () => score.Play(session, clock, TimeSpan.FromSeconds(6)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
         TestContext.Out.WriteLine($"{kind}: {score}");
         Assert.That(score.CurrentShare, Is.GreaterThan(0.5), score.ToString());
