@@ -58,7 +58,8 @@ sealed class VlcEvaluation
         }
         try
         {
-            return RangeFit.Fit([.. Pictures.Where(each => each.RenderMs.HasValue).Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
+            var measured = Pictures.Where(each => each.RenderMs.HasValue);
+            return RangeFit.Fit([.. measured.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
         }
         catch (InputException bad)
         {

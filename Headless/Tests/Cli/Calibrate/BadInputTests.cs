@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Whatever a calibration is given that is no good: one line that says so, and the profile of the last good one stays, to the byte.</summary>
+/// <summary>Whatever a calibration is given that is no good: one line that says so, and the last good profile stays to the byte.</summary>
 [NonParallelizable]
 public sealed class BadInputTests : CalibrationFolder
 {
@@ -22,8 +22,9 @@ public sealed class BadInputTests : CalibrationFolder
         _good = File.ReadAllBytes(ProfilePath);
     }
 
-    static LatencyProfile Profile(string device) =>
-        new(40, 1, device, 60, new DateTime(2026, 11, 20, 13, 0, 0, DateTimeKind.Utc), CalibrationMethod.VisibleLight, 300, 15, RenderTimeSourceKind.DisplayGpuTime);
+    static LatencyProfile Profile(string device) => new(
+        40, 1, device, 60, new DateTime(2026, 11, 20, 13, 0, 0, DateTimeKind.Utc), CalibrationMethod.VisibleLight, 300, 15,
+        RenderTimeSourceKind.DisplayGpuTime);
 
     async Task RefusedWith(string message, params string[] arguments)
     {
@@ -58,14 +59,12 @@ public sealed class BadInputTests : CalibrationFolder
     static Shot WithoutCodes(Shot shot) => shot with { Codes = [], SceneLight = 0 };
 
     // Half of one code stands outside, on the left; the other one is whole.
-    static Shot Halved(Shot shot, CodeKind kind) => shot with
+    static Shot Halved(Shot shot, CodeKind kind)
     {
-        Codes =
-        [
-            shot.Codes[1 - (int)kind],
-            shot.Codes[(int)kind] with { Corners = [.. shot.Codes[(int)kind].Corners.Select(each => new[] { each[0] - (kind == CodeKind.Control ? 160 : 480), each[1] })] },
-        ],
-    };
+        var (half, whole) = kind == CodeKind.Control ? (shot.Codes[0], shot.Codes[1]) : (shot.Codes[1], shot.Codes[0]);
+        var middle = half.Corners.Average(corner => corner[0]);
+        return shot with { Codes = [whole, half with { Corners = [.. half.Corners.Select(corner => new[] { corner[0] - middle, corner[1] })] }] };
+    }
 
     // What the others are measured against: it is what was changed that is refused.
     [Test]
@@ -125,7 +124,8 @@ public sealed class BadInputTests : CalibrationFolder
     [Test]
     public async Task Vlc_EarlierProfileOfAnotherDeviceThanTheSweeps_IsRefusedBeforeThePicturesAreRead() => await RefusedWith(
         "earlier.json: latency profile is of device 'Quest 3', this one is 'HoloLens 2'",
-        "vlc", Write("a.png", []), "--sweep", Write("sweep.csv", [SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]), "--profile", ProfileOfAnother("Quest 3"));
+        "vlc", Write("a.png", []), "--sweep", Write("sweep.csv", [SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]),
+        "--profile", ProfileOfAnother("Quest 3"));
 
     [Test]
     public async Task Sine_EarlierProfileOfAnotherVersion_IsRefused() => await RefusedWith(
@@ -137,7 +137,8 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Nudge_EarlierProfileOfAnotherDevice_IsRefused() => await RefusedWith(
-        "latency profile is of device 'Quest 3', this one is 'HoloLens 2'", [.. Nudge, "--device", "HoloLens 2", "--profile", ProfileOfAnother("Quest 3")]);
+        "latency profile is of device 'Quest 3', this one is 'HoloLens 2'",
+        [.. Nudge, "--device", "HoloLens 2", "--profile", ProfileOfAnother("Quest 3")]);
 
     [TestCase("0")]
     [TestCase("NaN")]

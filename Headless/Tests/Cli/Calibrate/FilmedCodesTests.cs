@@ -58,8 +58,10 @@ public class FilmedCodesTests : VideoFolder
         Span<bool> lit = stackalloc bool[TimestampCode.CellCount];
         TimestampCode.Draw(value, kind, lit);
         for (var cell = 0; cell < lit.Length; cell++)
-            for (var row = Gap; lit[cell] && row < Cell - Gap; row++)
-                picture.AsSpan((Top + cell / TimestampCode.Side * Cell + row) * Width + left + cell % TimestampCode.Side * Cell + Gap, Cell - 2 * Gap).Fill(210);
+        {
+            int x = left + cell % TimestampCode.Side * Cell + Gap, y = Top + cell / TimestampCode.Side * Cell + Gap;
+            for (var row = y; lit[cell] && row < y + Cell - 2 * Gap; row++) picture.AsSpan(row * Width + x, Cell - 2 * Gap).Fill(210);
+        }
     }
 
     [Test]
@@ -70,7 +72,8 @@ public class FilmedCodesTests : VideoFolder
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         using var json = JsonDocument.Parse(run.Output);
         var pictures = json.RootElement.GetProperty("per_picture").EnumerateArray().ToList();
-        Assert.That(pictures.Select(picture => picture.GetProperty("file").GetString()), Is.EqualTo(Enumerable.Range(1, _truth.Count).Select(i => $"{_video}#{i}")));
+        var names = pictures.Select(picture => picture.GetProperty("file").GetString());
+        Assert.That(names, Is.EqualTo(Enumerable.Range(1, _truth.Count).Select(i => $"{_video}#{i}")));
         Assert.That(json.RootElement.GetProperty("decoded").GetInt32(), Is.EqualTo(_truth.Count), run.Errors);
         foreach (var (picture, visuMs) in pictures.Zip(_truth))
             Assert.That(picture.GetProperty("visu_ms").GetDouble(), Is.EqualTo(visuMs).Within(1.01), picture.GetProperty("file").GetString());

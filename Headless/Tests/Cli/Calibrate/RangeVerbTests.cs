@@ -118,7 +118,9 @@ public class RangeVerbTests : CalibrationFolder
         good[300] = string.Join(',', good[300].Split(',') is var fields ? [fields[0], fields[1], renderMs, fields[3]] : []);
         var bad = Write("bad.csv", good);
 
-        Assert.That(await RefusalOf("range", bad), Is.EqualTo($"nowpose: {bad}:301: render_ms: {named} is out of range; allowed are 0.001 to 1000 ms"));
+        var refusal = await RefusalOf("range", bad);
+
+        Assert.That(refusal, Is.EqualTo($"nowpose: {bad}:301: render_ms: {named} is out of range; allowed are 0.001 to 1000 ms"));
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(before));
     }
 

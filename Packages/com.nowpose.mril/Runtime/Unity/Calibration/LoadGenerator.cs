@@ -6,7 +6,8 @@ namespace Nowpose.Unity
     /// <summary>Gives the GPU as much to draw as asked for: a wall of tiny triangles, to find out where the constant-latency range ends.</summary>
     /// <remarks>
     /// The wall stands where its transform is, seen along its z axis, and loads the GPU only while it is in view. It is built in
-    /// steps, as many a frame as its time allows, so that building itself makes no frame late, and each part once: going back to a load costs nothing.
+    /// steps, as many a frame as its time allows, so that building itself makes no frame late, and each part once: going back to a
+    /// load costs nothing.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Generator")]
     [DisallowMultipleComponent]
@@ -57,7 +58,8 @@ namespace Nowpose.Unity
             else if (_vertices < 0 || _vertices > LoadMesh.GreatestVertices)
                 Fail("is to draw " + _vertices + " vertices; allowed are 0 to " + LoadMesh.GreatestVertices);
             else _patches = new LoadPatches(
-                transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(), Mathf.Clamp(_msPerFrame, LeastMsPerFrame, GreatestMsPerFrame));
+                transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(),
+                Mathf.Clamp(_msPerFrame, LeastMsPerFrame, GreatestMsPerFrame));
         }
 
         void OnDisable()

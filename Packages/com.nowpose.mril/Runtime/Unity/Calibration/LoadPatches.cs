@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>The patches of a load, built in steps that take no more than a share of a frame; those that are there already are kept, shown or not.</summary>
+    /// <summary>The patches of a load, built in steps that take no more than a share of a frame; those that are there are kept, shown or not.</summary>
     sealed class LoadPatches
     {
         /// <summary>Computed in one step: a patch in 25.</summary>

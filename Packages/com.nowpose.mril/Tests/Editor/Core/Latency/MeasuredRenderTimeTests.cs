@@ -16,8 +16,9 @@ namespace Nowpose.Tests
         public void Is_AnyNumber_IsWhatRowsOfASweepAndPairsTake(double ms, bool expected)
         {
             Assert.That(MeasuredRenderTime.Is(ms), Is.EqualTo(expected));
-            Assert.That(IsTaken(() => new SweepRow(ControlTime.FromSeconds(1), 0, ms, RenderTimeSourceKind.DisplayGpuTime, "", 60)), Is.EqualTo(expected));
             Assert.That(IsTaken(() => new LatencyPair(ms, 40)), Is.EqualTo(expected));
+            Assert.That(
+                IsTaken(() => new SweepRow(ControlTime.FromSeconds(1), 0, ms, RenderTimeSourceKind.DisplayGpuTime, "", 60)), Is.EqualTo(expected));
         }
 
         static bool IsTaken<T>(System.Func<T> make)

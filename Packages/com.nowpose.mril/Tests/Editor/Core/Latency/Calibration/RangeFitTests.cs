@@ -51,7 +51,8 @@ namespace Nowpose.Tests
             {
                 var pairs = new SimulatedPictures { Misread = 0 }.Take(seed);
                 var random = new Random(seed);
-                var spoiled = pairs.Select((pair, i) => i % 50 == 0 ? new LatencyPair(pair.RenderMs, 65_536 * (2 * random.NextDouble() - 1)) : pair).ToArray();
+                var spoiled = pairs.Select(
+                    (pair, i) => i % 50 == 0 ? new LatencyPair(pair.RenderMs, 65_536 * (2 * random.NextDouble() - 1)) : pair).ToArray();
 
                 RangeFitResult clean = RangeFit.Fit(pairs), fit = RangeFit.Fit(spoiled);
 
@@ -219,6 +220,8 @@ namespace Nowpose.Tests
         [TestCase(5, double.NaN, "visu_ms", "-65536 to 65536 ms")]
         [TestCase(5, 65_537, "visu_ms", "-65536 to 65536 ms")]
         public void Pair_NoMeasurement_NamesTheFieldAndItsRange(double renderMs, double visuMs, string field, string range) =>
-            Assert.That(() => new LatencyPair(renderMs, visuMs), Throws.TypeOf<InputException>().With.Message.Contains(field).And.Message.Contains(range));
+            Assert.That(
+                () => new LatencyPair(renderMs, visuMs),
+                Throws.TypeOf<InputException>().With.Message.Contains(field).And.Message.Contains(range));
     }
 }
