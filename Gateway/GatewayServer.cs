@@ -34,6 +34,7 @@ public sealed class GatewayServer : IAsyncDisposable
     readonly PairingRoutes _pairing;
     readonly SyncServer _sync;
     readonly ClockComparison _comparison;
+    readonly LimitAlarm _limits;
     readonly GatewayStatus _status;
     readonly WebApplication _web;
 
@@ -54,7 +55,8 @@ public sealed class GatewayServer : IAsyncDisposable
         _pairing = new PairingRoutes(options, door, WebSocketConnections, Log, Web.PairingPage.Html);
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
         _sync = new SyncServer(options, Clock, _access, Log);
-        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder);
+        _limits = new LimitAlarm(Hub, Log);
+        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits);
         _web = GatewayWeb.Build(
             options, WebSocketConnections, _rosbridge.ServeAsync,
             _page.ServeAsync,
@@ -143,6 +145,7 @@ public sealed class GatewayServer : IAsyncDisposable
     public async ValueTask DisposeAsync()
     {
         _status.Dispose();
+        _limits.Dispose();
         _comparison.Dispose();
         _access.Dispose();
         _rosbridge.Stop();

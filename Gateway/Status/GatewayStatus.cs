@@ -17,6 +17,7 @@ sealed class GatewayStatus : IDisposable
     readonly ServedClock _clock;
     readonly PlantClocks _plant;
     readonly Recorder _recorder;
+    readonly LimitAlarm _limits;
     readonly MessageHub _hub;
     readonly DropCounters _drops;
     readonly (string Name, ConnectionCounters Counters)[] _connections;
@@ -29,12 +30,13 @@ sealed class GatewayStatus : IDisposable
 
     public GatewayStatus(
         GatewayOptions options, ServedClock clock, PlantClocks plant, MessageHub hub, DropCounters drops, ConnectionCounters sync,
-        ConnectionCounters webSocket, Recorder recorder)
+        ConnectionCounters webSocket, Recorder recorder, LimitAlarm limits)
     {
         _options = options;
         _clock = clock;
         _plant = plant;
         _recorder = recorder;
+        _limits = limits;
         _hub = hub;
         _drops = drops;
         _connections = [("sync", sync), ("websocket", webSocket)];
@@ -61,12 +63,13 @@ sealed class GatewayStatus : IDisposable
         var hops = new HopTimes(
             Middle([.. sources.SelectMany(source => source.SortedAges).Order()]), _hub.Forwarding.Percentile(0.5)?.TotalMilliseconds);
         var said = _said.Read();
+        var beyond = _limits.Joints;
         return new StatusSnapshot(
             _options.Cell, Version, _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1), Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6), OfClock(),
             [.. _clock.Status().Select(Of)],
             [.. said.Where(IsAdapter).Select(StatusObjects.Adapter)],
-            [.. sources.Select(OfSource)],
+            [.. sources.Select(source => Of(source, beyond))],
             [.. said.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
             OfForwarding(),
             _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
@@ -109,9 +112,10 @@ sealed class GatewayStatus : IDisposable
     SpanStatus OfForwarding() => _hub.Forwarding.Percentile(0.5) is { } half && _hub.Forwarding.Percentile(0.99) is { } most
         ? new SpanStatus(Math.Round(half.TotalMilliseconds, 3), Math.Round(most.TotalMilliseconds, 3)) : null;
 
-    static SourceStatus OfSource((string[] Names, double RateHz, TimeSpan[] SortedAges) source) => new(
+    static SourceStatus Of((string[] Names, double RateHz, TimeSpan[] SortedAges) source, IReadOnlyList<string> beyond) => new(
         source.Names, Math.Round(source.RateHz, 2),
-        source.SortedAges.Length == 0 ? null : new AgeStatus(At(source.SortedAges, 0.5), At(source.SortedAges, 0.95)));
+        source.SortedAges.Length == 0 ? null : new AgeStatus(At(source.SortedAges, 0.5), At(source.SortedAges, 0.95)),
+        [.. source.Names.Intersect(beyond)]);
 
     static ConnectionStatus Of(ConnectionCounters counters) => new(
         counters.Open, counters.Accepted,

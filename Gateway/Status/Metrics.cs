@@ -75,6 +75,10 @@ static class Metrics
             text.Add(source.AgeMs?.P50 * Milli, LabelOf(source), ("quantile", "0.5"));
             text.Add(source.AgeMs?.P95 * Milli, LabelOf(source), ("quantile", "0.95"));
         }
+
+        AddEach(
+            text, "nowpose_source_beyond_limits", Gauge, "Joints that are told to be where the robot described cannot be.", sources, LabelOf,
+            source => source.BeyondLimits.Count);
     }
 
     static void AddForwarding(PrometheusText text, ForwardingTimes times)

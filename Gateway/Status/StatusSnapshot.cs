@@ -34,7 +34,8 @@ sealed record PlantClockView(
 /// <param name="Joints">That are published together, or in sets that have joints in common.</param>
 /// <param name="RateHz">Messages a second.</param>
 /// <param name="AgeMs">C1 at the gateway less t_k.</param>
-sealed record SourceStatus(IReadOnlyList<string> Joints, double RateHz, AgeStatus AgeMs);
+/// <param name="BeyondLimits">Those of its joints that are told to be where the robot described cannot be.</param>
+sealed record SourceStatus(IReadOnlyList<string> Joints, double RateHz, AgeStatus AgeMs, IReadOnlyList<string> BeyondLimits);
 
 sealed record AgeStatus(double P50, double P95);
 

@@ -100,6 +100,16 @@ describe('what it shows', () => {
     assert.equal(await page.textContent('#drops'), 'NotFinite 2');
   });
 
+  it('says which joints are where the robot cannot be, for as long as they are', async () => {
+    gateway.state.sources[0].beyond_limits = [JOINTS[1]];
+    const page = await open();
+
+    assert.match(await noteOf(page, JOINTS.join(', ')), /^outside the limits of the robot described, and drawn at the limit: arm_joint_2\./);
+    gateway.state.sources[0].beyond_limits = [];
+    await page.waitForFunction(() => !document.querySelector('#plants').textContent.includes('outside the limits'));
+    assert.equal(await noteOf(page, JOINTS.join(', ')), null);
+  });
+
   for (const width of [1280, 800, 390]) {
     it(`shows all of a long reason in a window of ${width}`, async () => {
       const reason = `the server's certificate is not trusted; its thumbprint is ${'0a'.repeat(20)} (SHA-1), ${'1b'.repeat(32)} (SHA-256). `

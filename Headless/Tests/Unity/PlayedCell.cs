@@ -57,6 +57,9 @@ sealed class PlayedCell : IDisposable
     /// <summary>What the console says.</summary>
     public IEnumerable<string> Messages => Player.Logs.Select(log => log.Message);
 
+    /// <summary>What positions are multiplied by before they are sent: a source in another unit.</summary>
+    public double Scale { get; set; } = 1;
+
     /// <summary>An object with a session that is fed by this cell instead of a gateway; inactive, to be filled in and switched on.</summary>
     public MrilSession NewSession(string robot = "youbot", SessionSettings settings = null)
     {
@@ -155,7 +158,7 @@ sealed class PlayedCell : IDisposable
         if (session.Robot.MovingJoints.Count == 0) return;
         if (_names.Length != session.Robot.MovingJoints.Count) _names = [.. session.Robot.MovingJoints.Select(joint => joint.Name)];
         var positions = new double[_names.Length];
-        for (var i = 0; i < positions.Length; i++) positions[i] = PositionAt(session.Robot, now - Latency, i);
+        for (var i = 0; i < positions.Length; i++) positions[i] = Scale * PositionAt(session.Robot, now - Latency, i);
         session.Received(new JointStateMessage(Control(now - Latency), _names, positions), now);
     }
 

@@ -22,7 +22,7 @@ export class Plants {
     { label: 'Rate (Hz)', isNumber: true, cell: s => format(s.rate_hz) },
     { label: 'Age at the gateway, median (ms)', isNumber: true, cell: s => format(s.age_ms?.p50) },
     { label: 'P95 (ms)', isNumber: true, cell: s => format(s.age_ms?.p95) },
-  ], s => s.joints.join(', '), 'No joint positions arrive.', undefined, 'Joints');
+  ], s => s.joints.join(', '), 'No joint positions arrive.', undefined, 'Joints', limitWords);
   private readonly clocks = new LiveTable<PlantClock>('Clocks of the plant', [
     { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'compared with it') },
     { label: 'State', cell: c => (c.connected ? c.state : 'not connected') },
@@ -44,6 +44,12 @@ export class Plants {
     this.sources.show(state.sources ?? []);
     this.clocks.show(state.plant_clocks ?? []);
   }
+}
+
+function limitWords({ beyond_limits: joints }: Source): string {
+  if (!joints?.length) return '';
+  return `outside the limits of the robot described, and drawn at the limit: ${joints.join(', ')}. `
+    + 'Is the description this robot’s, and does the source send rad and m, not degrees and mm?';
 }
 
 /** The control clock in one line. */

@@ -49,6 +49,7 @@ export interface Source {
   joints: string[];
   rate_hz: number;
   age_ms?: { p50: number; p95: number } | null;
+  beyond_limits?: string[];
 }
 
 export const HOPS = ['plant', 'gateway', 'network', 'queue', 'render', 'display'] as const;

@@ -28,7 +28,7 @@ public class MetricsTests
         "press", "1.2.3", "2026-11-20T12:00:00Z", 5, 100, new ClockStatus("own", "synchronised", true, 120, 3, 0.5, 1000, 2),
         [new PlantClockView("press", true, true, "synchronised", null, null, 1.5, 200, 1000, 40, 2, "no answer within 2 s")],
         [Words("press", ("state", "connected"), ("samples", 12.0))],
-        [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120))], headsets, new SpanStatus(0.2, 0.9),
+        [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120), ["b"])], headsets, new SpanStatus(0.2, 0.9),
         new Dictionary<string, ConnectionStatus> { ["sync"] = new(2, 5, new Dictionary<string, long> { ["Silence"] = 3 }) },
         new Dictionary<string, long> { ["/joint_states"] = 77 }, new Dictionary<string, long> { ["NotJson"] = 4 },
         new RecordingStatus(true, true, "x.jsonl", 10, 2000, 1, null), false, true);
@@ -75,6 +75,7 @@ public class MetricsTests
         Assert.That(Value(families, "nowpose_headset_application_latency_seconds", "goggles"), Is.EqualTo(0.095).Within(1e-12));
         Assert.That(Value(families, "nowpose_connections_closed_total", "Silence"), Is.EqualTo(3));
         Assert.That(Value(families, "nowpose_recording_lost_lines"), Is.EqualTo(1));
+        Assert.That(Value(families, "nowpose_source_beyond_limits"), Is.EqualTo(1));
         foreach (var family in families.AsArray())
         {
             Assert.That((string)family[0], Is.Not.EqualTo("unknown").And.Not.EqualTo("untyped"), family.ToJsonString());
@@ -86,7 +87,7 @@ public class MetricsTests
     public void Of_SourcesWhoseNamesHoldACommaOrNoUtf8_AreToldApartAndNeverWrittenTwice()
     {
         string[][] sources = [["a,b"], ["a", "b"], ["a\\", "b"], ["\ud800"], ["\ud801"]];
-        var state = Snapshot() with { Sources = [.. sources.Select(names => new SourceStatus(names, 50, new AgeStatus(80, 120)))] };
+        var state = Snapshot() with { Sources = [.. sources.Select(names => new SourceStatus(names, 50, new AgeStatus(80, 120), []))] };
 
         var text = Metrics.Of(state, new ForwardingTimes());
 
@@ -107,7 +108,7 @@ public class MetricsTests
     [Test]
     public void Of_NumbersThatAreNone_LeavesThemOut()
     {
-        var state = Snapshot() with { Sources = [new SourceStatus(["a"], double.PositiveInfinity, new AgeStatus(double.NaN, 120))] };
+        var state = Snapshot() with { Sources = [new SourceStatus(["a"], double.PositiveInfinity, new AgeStatus(double.NaN, 120), [])] };
 
         var text = Metrics.Of(state, new ForwardingTimes());
 

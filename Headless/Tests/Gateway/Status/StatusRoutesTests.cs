@@ -4,6 +4,7 @@ using System.Text.Json;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
 using Nowpose.Headless.Tests.Gateway.Clock;
@@ -33,6 +34,26 @@ public class StatusRoutesTests
 
     static DiagnosticsMessage Diagnostics(string name, params (string Key, string Value)[] values) =>
         new(Gateways.Start, name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]);
+
+    [Test]
+    public async Task State_JointBeyondTheLimitsOfTheRobotDescribed_IsNamed()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var source = gateway.Hub.OpenSource();
+        source.TryDescribe(RobotFiles.LoadText("ur5"));
+        var isNamed = false;
+
+        for (var tries = 0; !isNamed && tries < 400; tries++)
+        {
+            source.TryPublish(new JointStateMessage(Gateways.Start, ["wrist_1_joint", "wrist_2_joint"], [-45, 1]));
+            var sources = (await StateAsync(gateway)).GetProperty("sources").EnumerateArray();
+            var named = sources.Single().GetProperty("beyond_limits").EnumerateArray().Select(joint => joint.GetString());
+            isNamed = named.SequenceEqual(["wrist_1_joint"]);
+        }
+
+        Assert.That(isNamed, "within 400 samples, for its description is read meanwhile");
+        Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Match("(?m)^nowpose_source_beyond_limits{.*} 1$"));
+    }
 
     [TestCase("/operations")]
     [TestCase("/operations/state")]

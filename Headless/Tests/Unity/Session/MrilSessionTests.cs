@@ -55,6 +55,25 @@ public class MrilSessionTests
     }
 
     [Test]
+    public void Samples_BeyondTheRobotsLimits_AreSaidOncePerJoint()
+    {
+        var session = _cell.Play();
+        _cell.Run(2, session);
+        var before = _cell.Messages.Count(IsOfLimits);
+
+        _cell.Scale = 10_000;
+        _cell.Run(20, session);
+
+        var said = _cell.Messages.Where(IsOfLimits).ToList();
+        Assert.That(before, Is.Zero);
+        Assert.That(said, Has.Some.StartsWith($"[Nowpose] joint '{session.Robot.MovingJoints[0].Name}': "));
+        Assert.That(said.Select(line => line.Split('\'')[1]), Is.Unique);
+        Assert.That(session.Statistics.BeyondLimits, Is.Not.Null);
+    }
+
+    static bool IsOfLimits(string message) => message.Contains("is outside its limits", StringComparison.Ordinal);
+
+    [Test]
     public void Shown_RaisedOncePerFrame_WithTheClockReadThere()
     {
         var session = _cell.Play();

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Concurrent;
+using System.Collections.Generic;
 using System.Linq;
 using System.Threading.Tasks;
 using Nowpose.Kinematics;
@@ -92,6 +93,12 @@ namespace Nowpose.Session
 
         /// <summary>Why the newest description could not be read, in one line; null when it could, or there is none. Any thread.</summary>
         public string RobotDescriptionFault => _descriptionFault;
+
+        /// <summary>
+        /// Joints whose samples were outside the robot's limits, so that they are drawn elsewhere than they are; in the order in which they
+        /// were found, each once. On the thread of <see cref="Tick"/>.
+        /// </summary>
+        public IReadOnlyList<JointBeyondLimits> BeyondLimits => _tracks.Limits.Found;
 
         /// <summary>When to exchange, for whoever feeds <see cref="Clock"/>; each caller gets one of its own.</summary>
         /// <param name="random">As of <see cref="ExchangePace"/>.</param>
@@ -329,6 +336,7 @@ namespace Nowpose.Session
             {
                 _measurements.Fill(into, now);
                 into.RobotDescriptionMatch = RobotDescriptionMatch;
+                into.BeyondLimits = _tracks.Limits.Present;
                 into.Samples = _samples;
                 into.Dropped = Drops.Total + SyncFaults.Total;
                 into.SyncLink = SyncLink;

@@ -16,6 +16,7 @@ namespace Nowpose.Session
         readonly PredictionKind[] _kinds;
         readonly bool[] _given;
         readonly (int Joint, int Master)[] _mimics;
+        readonly LimitWatch _limits;
         bool _hasEpoch;
         ControlTime _epoch;
 
@@ -30,7 +31,11 @@ namespace Nowpose.Session
             _kinds = new PredictionKind[count];
             _given = new bool[count];
             _mimics = MimicsOf(robot);
+            _limits = new LimitWatch(robot);
         }
+
+        /// <summary>Joints whose samples are where their limits do not let them be: their positions are drawn at the limit.</summary>
+        public LimitWatch Limits => _limits;
 
         /// <summary>Positions at the last <see cref="Predict"/>, one per moving joint, rad or m.</summary>
         public ReadOnlySpan<double> Positions => _positions;
@@ -62,6 +67,7 @@ namespace Nowpose.Session
                 var joint = _robot.IndexOfMovingJoint(message.Names[i]);
                 if (joint < 0) continue;
                 var each = ReasonOf(_tracks[joint].Add(Sample(time, message, i), out var waited));
+                if (each == DropReason.None) _limits.Add(joint, message.Positions[i]);
                 if (reason != DropReason.None) reason = each;
                 useless = UselessSamples.Most(useless, waited);
                 if (_tracks[joint].HasStartedAnew) StartedAnew?.Invoke(joint);

@@ -34,6 +34,7 @@ namespace Nowpose.Session
             AddMs("horizon_ms", statistics.Horizon);
             AddMs("render_ms", statistics.RenderTime);
             if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());
+            if (statistics.BeyondLimits != null) Add("beyond_limits", statistics.BeyondLimits.Joint.Name);
             AddNumber("error_mm_hold", statistics.HoldErrorMm);
             AddNumber("error_mm", statistics.ErrorMm);
             AddNumber("reduction", statistics.ErrorReduction);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
 
@@ -87,6 +88,12 @@ namespace Nowpose.Session
         public OutsideRangeResponse OutsideRange { get; internal set; }
 
         public RobotDescriptionMatch RobotDescriptionMatch { get; internal set; }
+
+        /// <summary>
+        /// The first joint whose samples are outside its limits, so that it is drawn elsewhere than it is: another robot's description, or
+        /// another unit.
+        /// </summary>
+        public JointBeyondLimits BeyondLimits { get; internal set; }
 
         /// <summary>Messages whose samples were used.</summary>
         public long Samples { get; internal set; }

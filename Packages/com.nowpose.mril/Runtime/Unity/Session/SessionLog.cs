@@ -9,6 +9,8 @@ namespace Nowpose.Unity
     {
         readonly Object _context;
         string _sync, _samples;
+        CompensationSession _followed;
+        int _beyondLimits;
 
         /// <param name="context">What the console selects when the line is clicked.</param>
         public SessionLog(Object context) => _context = context;
@@ -22,6 +24,9 @@ namespace Nowpose.Unity
         {
             Follow(session.SyncLink, "clock sync", ref _sync);
             Follow(session.SampleLink, "joint positions", ref _samples);
+            if (session != _followed) _beyondLimits = 0;
+            _followed = session;
+            for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
         }
 
         /// <summary>Allocates nothing: the texts are constants.</summary>

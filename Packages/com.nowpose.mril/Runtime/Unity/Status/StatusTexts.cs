@@ -69,14 +69,15 @@ namespace Nowpose.Unity
                 UpdateLatencies(statistics);
                 Follow(settings);
                 Set(StatusRow.Connection, ConnectionOf(statistics), SecurityOf(statistics.Security));
-                Set(StatusRow.Robot, MatchOf(statistics.RobotDescriptionMatch), robot ?? "");
+                Set(StatusRow.Robot, RobotOf(statistics), robot ?? "");
             }
             if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
             var isPairing = pairing != null;
             // Before there is a pairing, links and base cannot be better.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
-            var fault = obstacle ?? FaultOf(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null);
+            var fault = obstacle ?? FaultOf(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
+                ?? statistics?.BeyondLimits?.Words;
             if (guidance != null) Say(guidance, "");
             else if (fault != null) Say(fault, "! ");
             else Say(TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null, "");
@@ -206,9 +207,10 @@ namespace Nowpose.Unity
             }
         }
 
-        static string MatchOf(RobotDescriptionMatch match)
+        static string RobotOf(SessionStatistics statistics)
         {
-            switch (match)
+            if (statistics.BeyondLimits != null) return "! beyond its limits";
+            switch (statistics.RobotDescriptionMatch)
             {
                 case RobotDescriptionMatch.Same: return "as the gateway's";
                 case RobotDescriptionMatch.Different: return "! differs";

@@ -302,6 +302,27 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Received_JointBeyondItsLimits_IsDrawnAtTheLimitAndSaid()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
+            var shown = 0.0;
+            for (var i = 0; i < 40; i++)
+            {
+                var now = HeadsetTime.FromSeconds(simulated.Now);
+                simulated.Session.Received(
+                    new JointStateMessage(simulated.Link.TrueOffset(now).ToControl(now), new[] { "shoulder", "elbow" }, new[] { 3.3, 9 }), now);
+                simulated.Run(0.05, (frame, light) => shown = frame.Joints[TestRobot.Model.IndexOfMovingJoint("shoulder")]);
+            }
+
+            var beyond = simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now)).BeyondLimits;
+
+            Assert.That(shown, Is.EqualTo(3).Within(1e-9), "0.3 rad beside the arm");
+            Assert.That(beyond.Joint.Name, Is.EqualTo("shoulder"));
+            Assert.That(beyond.Position, Is.EqualTo(3.3));
+            Assert.That(simulated.Session.BeyondLimits, Is.EqualTo(new[] { beyond }));
+        }
+
+        [Test]
         public void Received_OneSampleOvertaken_GoesToItsPlace()
         {
             double At(params double[] order)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -46,6 +47,23 @@ namespace Nowpose.Tests
                 Assert.That(texts.NoteOf(row), Is.Empty, row.ToString());
             }
             Assert.That(texts.ValueOf(StatusRow.Message), Is.Empty);
+        }
+
+        [Test]
+        public void Update_JointBeyondItsLimits_IsSaidUnlessSomethingIsWorse()
+        {
+            var watch = new LimitWatch(TestRobot.Model);
+            for (var i = 0; i < 3; i++) watch.Add(0, 45);
+            var statistics = Statistics(("BeyondLimits", watch.Present), ("RobotDescriptionMatch", RobotDescriptionMatch.Same));
+            var texts = new StatusTexts();
+
+            texts.Update(statistics, Loopback, "test", null);
+            var said = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
+            texts.Update(statistics, Loopback, "test", "settings: worse");
+
+            Assert.That(texts.ValueOf(StatusRow.Robot), Is.EqualTo("! beyond its limits"));
+            Assert.That(said, Does.Contain("joint 'shoulder': 45 rad is outside its limits -3 to 3 rad"));
+            Assert.That(texts.ValueOf(StatusRow.Message), Is.EqualTo("! settings: worse"));
         }
 
         [Test]

@@ -1,0 +1,82 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Recording;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Status;
+
+/// <summary>Says once of each joint that it is told to be where the robot described cannot be. Any thread; who publishes waits for nobody.</summary>
+sealed class LimitAlarm : IDisposable
+{
+    readonly Action<string> _log;
+    readonly Lock _lock = new();
+    readonly IDisposable[] _subscriptions;
+    DescribedRobot _described = DescribedRobot.None;
+    LimitWatch _watch;
+    RobotModel _robot;
+    int _said;
+
+    public LimitAlarm(MessageHub hub, Action<string> log)
+    {
+        _log = log;
+        _subscriptions = [hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take)];
+    }
+
+    /// <summary>Names of the joints that are beyond their limits now.</summary>
+    public IReadOnlyList<string> Joints
+    {
+        get
+        {
+            lock (_lock) return _watch == null ? [] : [.. _watch.Found.Where(_watch.IsBeyond).Select(found => found.Joint.Name)];
+        }
+    }
+
+    public void Dispose()
+    {
+        foreach (var subscription in _subscriptions) subscription.Dispose();
+    }
+
+    void Describe(HubMessage message)
+    {
+        var described = new DescribedRobot((string)message.Content);
+        lock (_lock)
+        {
+            // The same again after each of the source's reconnections: what was said of it was said.
+            if (described.Urdf == _described.Urdf) return;
+            _described = described;
+        }
+
+        _ = Task.Run(() => Follow(described));
+    }
+
+    // Reading takes its time.
+    void Follow(DescribedRobot described)
+    {
+        var robot = described.Model;
+        lock (_lock)
+        {
+            if (described != _described) return;
+            (_robot, _said) = (robot, 0);
+            _watch = robot == null ? null : new LimitWatch(robot);
+        }
+    }
+
+    void Take(HubMessage message)
+    {
+        if (message.Content is not JointStateMessage state) return;
+        List<string> words = null;
+        lock (_lock)
+        {
+            if (_watch == null) return;
+            for (var i = 0; i < state.Names.Length; i++)
+            {
+                var joint = _robot.IndexOfMovingJoint(state.Names[i]);
+                if (joint >= 0) _watch.Add(joint, state.Positions[i]);
+            }
+
+            for (; _said < _watch.Found.Count; _said++) (words ??= []).Add(_watch.Found[_said].Words);
+        }
+
+        words?.ForEach(_log);
+    }
+}

@@ -1,0 +1,84 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Status;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status;
+
+public class LimitAlarmTests
+{
+    static readonly string[] Joints = ["shoulder_pan_joint", "elbow_joint"];
+
+    MessageHub _hub;
+    HubSource _source;
+    List<string> _lines;
+    LimitAlarm _alarm;
+
+    [SetUp]
+    public void Open()
+    {
+        _hub = new MessageHub();
+        _source = _hub.OpenSource();
+        _lines = [];
+        _alarm = new LimitAlarm(_hub, _lines.Add);
+    }
+
+    [TearDown]
+    public void Close() => _alarm.Dispose();
+
+    void Send(double elbow) => _source.TryPublish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, elbow]));
+
+    // The description is read on another thread.
+    Task Found(double elbow) => Soon.BecomesAsync(
+        () =>
+        {
+            Send(elbow);
+            return _alarm.Joints.Count > 0;
+        },
+        "it is found");
+
+    [Test]
+    public async Task Joints_OneInDegrees_IsSaidOnceAndCounted()
+    {
+        _source.TryDescribe(RobotFiles.LoadText("ur5"));
+
+        await Found(90);
+        for (var i = 0; i < 200; i++) Send(90);
+        _source.TryDescribe(RobotFiles.LoadText("ur5"));
+        for (var i = 0; i < 200; i++) Send(90);
+
+        Assert.That(_alarm.Joints, Is.EqualTo(new[] { "elbow_joint" }));
+        Assert.That(_lines, Has.Count.EqualTo(1));
+        Assert.That(_lines[0], Does.StartWith("joint 'elbow_joint': 90 rad is outside its limits -6.283 to 6.283 rad"));
+    }
+
+    [Test]
+    public async Task Joints_AnotherDescription_IsJudgedAnew()
+    {
+        var urdf = RobotFiles.LoadText("ur5");
+        _source.TryDescribe(urdf);
+        await Found(7);
+
+        _source.TryDescribe(urdf.Replace("6.283185307179586", "12.6", StringComparison.Ordinal));
+
+        await Soon.BecomesAsync(
+            () =>
+            {
+                Send(7);
+                return _alarm.Joints.Count == 0;
+            },
+            "nothing is wrong any more");
+    }
+
+    [Test]
+    public void Joints_WithoutAUsableDescription_SayNothing()
+    {
+        for (var i = 0; i < 10; i++) Send(90);
+        _source.TryDescribe("no robot");
+        for (var i = 0; i < 10; i++) Send(90);
+
+        Assert.That(_alarm.Joints, Is.Empty);
+        Assert.That(_lines, Is.Empty);
+    }
+}

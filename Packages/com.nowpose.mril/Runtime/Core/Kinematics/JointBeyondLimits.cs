@@ -1,0 +1,33 @@
+using System.Globalization;
+
+namespace Nowpose.Kinematics
+{
+    /// <summary>A joint that was told to be where its limits do not let it be. Immutable.</summary>
+    public sealed class JointBeyondLimits
+    {
+        internal JointBeyondLimits(RobotJoint joint, double position)
+        {
+            Joint = joint;
+            Position = position;
+            Words = WordsOf(joint, position);
+        }
+
+        public RobotJoint Joint { get; }
+
+        /// <summary>Where it was when that was found, rad or m.</summary>
+        public double Position { get; }
+
+        /// <summary>All that in one line, with what to look at.</summary>
+        public string Words { get; }
+
+        static string WordsOf(RobotJoint joint, double position)
+        {
+            var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "degrees");
+            return string.Format(
+                CultureInfo.InvariantCulture,
+                "joint '{0}': {1:0.###} {4} is outside its limits {2:0.###} to {3:0.###} {4}, and is drawn at the limit; "
+                + "is the robot description this robot's, and does the source send {4}, not {5}?",
+                joint.Name, position, joint.Limits.Lower, joint.Limits.Upper, unit, other);
+        }
+    }
+}
