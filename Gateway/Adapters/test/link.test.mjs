@@ -33,7 +33,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const bridge = await RosbridgeDouble.start(t, { tls: tls(), token: TOKEN });
     const run = await adapter(t, 'ws://127.0.0.1:1', { env: { NOWPOSE_GATEWAY: bridge.url, NOWPOSE_TOKEN: TOKEN, NOWPOSE_PIN: pin } });
 
-    await until(() => bridge.state, 30000, 'diagnostics');
+    await until(() => bridge.state, 'diagnostics');
 
     assert.equal(bridge.headers[0].authorization, `Bearer ${TOKEN}`);
     assert.doesNotMatch(run.err, new RegExp(TOKEN));
@@ -64,7 +64,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
     await run.said('401, the token is missing or not known there');
 
-    await until(() => bridge.headers.length > 2, 30000, 'more attempts');
+    await until(() => bridge.headers.length > 2, 'more attempts');
 
     assert.equal(run.err.match(/401/g).length, 1);
   });
@@ -74,11 +74,11 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const path = temporaryFile('plant.yaml', configuration(first.url, 'opc.tcp://127.0.0.1:9', [], JOINTS) + 'robot: arm.urdf\n');
     writeFileSync(join(dirname(path), 'arm.urdf'), '<robot name="arm"><joint name="a"/></robot>');
     start(t, [path]);
-    await until(() => first.published('/robot_description').length > 0, 30000, 'the description');
+    await until(() => first.published('/robot_description').length > 0, 'the description');
 
     first.stop();
     const second = await RosbridgeDouble.start(t, { port });
-    await until(() => second.published('/robot_description').length > 0, 30000, 'the description again');
+    await until(() => second.published('/robot_description').length > 0, 'the description again');
 
     assert.equal(second.published('/robot_description')[0].data, '<robot name="arm"><joint name="a"/></robot>');
   });
@@ -86,7 +86,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   it('Child_WhoseParentIsGone_Ends', async t => {
     const bridge = await RosbridgeDouble.start(t);
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_SUPERVISED: '1' }, stdin: 'pipe' });
-    await until(() => bridge.heard.length > 0, 30000, 'a message');
+    await until(() => bridge.heard.length > 0, 'a message');
 
     run.child.stdin.end();
 
@@ -96,7 +96,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   for (const [signal, status] of [['SIGTERM', 0], ['SIGINT', 130]]) {
     it(`Signal_${signal}_EndsWith${status}`, { skip: process.platform === 'win32' }, async t => {
       const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
-      await until(() => bridge.heard.length > 0, 30000, 'a message');
+      await until(() => bridge.heard.length > 0, 'a message');
 
       run.child.kill(signal);
 
@@ -110,12 +110,12 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     link.offer('/nowpose/plant_time/cell', 'nowpose/PlantTime', async () => ({ synchronised: true }));
     const running = link.run(ending.signal);
     const offers = () => bridge.heard.filter(m => m.op === 'advertise_service').length;
-    await until(() => offers() === 1, 30000, 'the offer');
+    await until(() => offers() === 1, 'the offer');
 
     // Another connection still holds that service.
     bridge.send({ op: 'status', level: 'error', msg: 'advertise_service: taken' });
 
-    await until(() => offers() === 2, 30000, 'the offer again');
+    await until(() => offers() === 2, 'the offer again');
     assert.deepEqual((await bridge.call('/nowpose/plant_time/cell')).values, { synchronised: true });
     ending.abort();
     await running;
@@ -124,9 +124,9 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   it('Status_OfAnEarlierConnection_IsToldOnTheNext', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
     const refuse = async count => {
-      await until(() => bridge.clients.length > 0, 30000, 'the link');
+      await until(() => bridge.clients.length > 0, 'the link');
       bridge.send({ op: 'status', level: 'error', msg: 'the joint is taken' });
-      await until(() => run.err.split('says: the joint is taken').length === count + 1, 30000, () => run.err);
+      await until(() => run.err.split('says: the joint is taken').length === count + 1, () => run.err);
     };
 
     await refuse(1);
@@ -138,7 +138,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
   it('Status_OfAClockThatIsStillMeasured_IsNoAlarm', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
-    await until(() => bridge.clients.length > 0, 30000, 'the link');
+    await until(() => bridge.clients.length > 0, 'the link');
 
     const status = 'publish /joint_states dropped: the clock that stamped it is not known yet (Unsynchronised)';
     for (let i = 0; i < 3; i++) bridge.send({ op: 'status', level: 'error', msg: status });
@@ -151,7 +151,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
   it('Statuses_ManyTimesTheSame_AreToldOnce', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
-    await until(() => bridge.heard.length > 0, 30000, 'a message');
+    await until(() => bridge.heard.length > 0, 'a message');
 
     for (let i = 0; i < 100; i++) bridge.send({ op: 'status', level: 'error', msg: i % 2 === 0 ? 'this' : 'that' });
     bridge.send({ op: 'status', level: 'error', msg: { toString: 1 } });
@@ -166,11 +166,11 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
     link.subscribe('/plan', ({ data }) => heard.push(data.length), 'std_msgs/String');
     const running = link.run(ending.signal);
-    await until(() => bridge.heard.some(m => m.op === 'subscribe'), 30000, 'the subscription');
+    await until(() => bridge.heard.some(m => m.op === 'subscribe'), 'the subscription');
 
     for (const msg of [null, {}, { data: 'four' }]) bridge.send({ op: 'publish', topic: '/plan', msg });
 
-    await until(() => heard.length > 0, 30000, 'the good one');
+    await until(() => heard.length > 0, 'the good one');
     assert.deepEqual(heard, [4]);
     assert.deepEqual(problems.map(([topic]) => topic), ['/plan', '/plan']);
     ending.abort();

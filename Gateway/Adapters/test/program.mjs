@@ -6,6 +6,9 @@ import { fileURLToPath } from 'node:url';
 export const adapters = join(dirname(fileURLToPath(import.meta.url)), '..');
 const program = join(adapters, 'dist', 'plant.mjs');
 
+// Far beyond what a busy machine takes: only what never comes takes as long.
+const PATIENCE_MS = 60_000;
+
 /** Starts it; what it says is in `out` and `err`, and `ended` gives its status. Stopped after the test at the latest. */
 export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
   const child = spawn(process.execPath, [program, ...args], { env: { ...process.env, ...env }, stdio: [stdin, 'pipe', 'pipe'] });
@@ -13,7 +16,7 @@ export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
   child.stdout.on('data', part => { run.out += part; });
   child.stderr.on('data', part => { run.err += part; });
   run.ended = new Promise(resolve => child.on('close', (status, signal) => resolve(status ?? signal)));
-  run.said = (text, ms = 60000) => until(() => run.err.includes(text), ms, () => `"${text}" in:\n${run.err}`);
+  run.said = text => until(() => run.err.includes(text), () => `"${text}" in:\n${run.err}`);
   test.after(async () => {
     child.kill('SIGTERM');
     const late = setTimeout(() => child.kill('SIGKILL'), 5000);
@@ -30,12 +33,12 @@ export async function check(test, path, env) {
 }
 
 /** Waits until something holds; says what, when it does not come. */
-export async function until(holds, ms, what) {
-  const end = performance.now() + ms;
+export async function until(holds, what) {
+  const end = performance.now() + PATIENCE_MS;
   for (;;) {
     const value = await holds();
     if (value) return value;
-    if (performance.now() > end) throw new Error(`waited ${ms} ms in vain for ${typeof what === 'function' ? what() : what}`);
+    if (performance.now() > end) throw new Error(`waited ${PATIENCE_MS} ms in vain for ${typeof what === 'function' ? what() : what}`);
     await new Promise(resolve => setTimeout(resolve, 10));
   }
 }

@@ -58,9 +58,9 @@ export class RosbridgeDouble {
   /** Asks a service and gives the response. */
   async call(service) {
     const id = `call-${++this.#calls}`;
-    await until(() => this.heard.some(m => m.op === 'advertise_service' && m.service === service), 10000, `${service} to be offered`);
+    await until(() => this.heard.some(m => m.op === 'advertise_service' && m.service === service), `${service} to be offered`);
     this.send({ op: 'call_service', id, service, args: {} });
-    return until(() => this.heard.find(m => m.op === 'service_response' && m.id === id), 10000, `an answer of ${service}`);
+    return until(() => this.heard.find(m => m.op === 'service_response' && m.id === id), `an answer of ${service}`);
   }
 }
 

@@ -7,7 +7,6 @@ import { program, start } from './roslib/gateway.mjs';
 import { Robot } from './ros/robot.mjs';
 import { temporaryFile } from './temporary.mjs';
 
-const PATIENCE_MS = 60000;
 
 const plant = (robot, more = '') =>
   temporaryFile('ros.yaml', `plant:\n  kind: ros\n  name: robot\n  endpoint: ${robot.url}\n  topics: { robot_description: false }\n${more}`);
@@ -31,7 +30,7 @@ async function passed(robot, heard) {
     said.set(++position, stamp);
     robot.jointState(stamp, ['a'], [position]);
     return heard.find(m => m.op === 'publish')?.msg;
-  }, PATIENCE_MS, 'a joint state');
+  }, 'a joint state');
   const { sec, nanosec } = arrived.header.stamp;
   return [said.get(arrived.position[0]), BigInt(sec) * 1_000_000_000n + BigInt(nanosec)];
 }

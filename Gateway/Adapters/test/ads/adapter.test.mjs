@@ -14,7 +14,6 @@ import { PlcSymbol } from './symbols.mjs';
 import { angle, opening, variables, youBot } from './youbot.mjs';
 
 /** Nothing is waited for that long unless it fails, or the machine has other things to do. */
-const PATIENCE_MS = 40000;
 
 const NET_ID = '5.24.12.7.1.1';
 
@@ -39,10 +38,10 @@ async function cell(t, { plc = youBot({ cycleMs: 5 }), more, joints, local, serv
   return { plc, server, bridge, port, path, adapter: start(t, [path]) };
 }
 
-const clockOf = bridge => until(async () => (await bridge.call('/nowpose/plant_time/cell')).result, PATIENCE_MS, 'the clock');
+const clockOf = bridge => until(async () => (await bridge.call('/nowpose/plant_time/cell')).result, 'the clock');
 
 const statesOf = (bridge, count = 1) => until(
-  () => bridge.jointStates.length >= count && bridge.jointStates, PATIENCE_MS, () => `${count} joint states; ${JSON.stringify(bridge.state)}`);
+  () => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states; ${JSON.stringify(bridge.state)}`);
 
 /** Each joint of each message is where the PLC had it at the message's stamp; which joints share a cycle is the PLC's affair. */
 function assertTrue(states, tolerance = 1e-6) {
@@ -119,7 +118,7 @@ describe('ads', { concurrency: 4 }, () => {
         assert.deepEqual([error_bound_ns, synchronised], [0, true]);
       }
       // What was asked for the clock is taken back.
-      await until(() => server.notifications <= 8, PATIENCE_MS, () => `${server.notifications} notifications`);
+      await until(() => server.notifications <= 8, () => `${server.notifications} notifications`);
     });
 
   for (const [kind, more] of [['Notification', ''], ['Variable', '  timestamp: variable\n  time: { symbol: GVL.nTime, unit: ns }\n']])
@@ -130,7 +129,7 @@ describe('ads', { concurrency: 4 }, () => {
       const { values } = await bridge.call('/nowpose/plant_time/cell');
 
       assert.ok(Math.abs(Number(nanoseconds(values.sent) - plc.now())) < 1e9, JSON.stringify(values));
-      await until(() => bridge.state?.state === 'connected', PATIENCE_MS, () => JSON.stringify(bridge.state));
+      await until(() => bridge.state?.state === 'connected', () => JSON.stringify(bridge.state));
       assert.deepEqual([bridge.jointStates, bridge.state.samples, bridge.state.refused], [[], '0', '0']);
     });
 
@@ -154,7 +153,7 @@ describe('ads', { concurrency: 4 }, () => {
     const told = await until(() => {
       const still = bridge.jointStates.filter(s => s.name.includes('still'));
       return still.length >= 10 && still;
-    }, PATIENCE_MS, () => JSON.stringify(bridge.state));
+    }, () => JSON.stringify(bridge.state));
 
     const stamps = told.map(s => nanoseconds(s.header.stamp)), gaps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 1e6);
     assert.ok(told.every(s => s.position[s.name.indexOf('still')] === 1.5));
@@ -167,15 +166,15 @@ describe('ads', { concurrency: 4 }, () => {
     await statesOf(bridge);
 
     plc.plcState = state.stop;
-    await adapter.said('waiting: the PLC\'s program is in state Stop', PATIENCE_MS);
+    await adapter.said('waiting: the PLC\'s program is in state Stop');
     const count = bridge.jointStates.length;
-    await until(() => Number(bridge.state?.['refused/plc-stopped']) > 0, PATIENCE_MS, 'refusals');
+    await until(() => Number(bridge.state?.['refused/plc-stopped']) > 0, 'refusals');
     assert.equal(bridge.jointStates.length, count);
     assert.equal((await bridge.call('/nowpose/plant_time/cell')).result, false);
 
     plc.plcState = state.run;
     await statesOf(bridge, count + 5);
-    assert.equal((await until(() => bridge.state?.state === 'connected' && bridge.state, PATIENCE_MS, 'diagnostics')).kind, 'ads');
+    assert.equal((await until(() => bridge.state?.state === 'connected' && bridge.state, 'diagnostics')).kind, 'ads');
   });
 
   it('Adapter_NewProgram_FindsItsVariablesAgain', async t => {
@@ -184,7 +183,7 @@ describe('ads', { concurrency: 4 }, () => {
 
     plc.download(variables());
 
-    await adapter.said('looked up again', PATIENCE_MS);
+    await adapter.said('looked up again');
     const count = bridge.jointStates.length;
     assertTrue((await statesOf(bridge, count + 20)).slice(count));
   });
@@ -194,13 +193,13 @@ describe('ads', { concurrency: 4 }, () => {
     plc.systemState = state.config;
     const { bridge, adapter } = await cell(t, { plc });
 
-    await adapter.said(`waiting: TwinCAT at ${NET_ID} is in Config mode`, PATIENCE_MS);
+    await adapter.said(`waiting: TwinCAT at ${NET_ID} is in Config mode`);
     plc.systemState = state.run;
 
     await statesOf(bridge);
     await clockOf(bridge);
     plc.systemState = state.config;
-    await adapter.said(`TwinCAT at ${NET_ID} went to Config mode`, PATIENCE_MS);
+    await adapter.said(`TwinCAT at ${NET_ID} went to Config mode`);
   });
 
   it('Adapter_PlcDiesAndReturns_IsReadAgain', async t => {
@@ -208,14 +207,14 @@ describe('ads', { concurrency: 4 }, () => {
     await statesOf(bridge);
 
     await server.close();
-    await adapter.said('nothing answers at 127.0.0.1', PATIENCE_MS);
+    await adapter.said('nothing answers at 127.0.0.1');
     const again = new AdsServer(plc);
     t.after(() => again.close());
     await again.listen(port);
 
     const count = bridge.jointStates.length;
     await statesOf(bridge, count + 5);
-    assert.ok(Number((await until(() => bridge.state, PATIENCE_MS, 'diagnostics')).reconnects) > 0);
+    await until(() => Number(bridge.state?.reconnects) > 0, () => JSON.stringify(bridge.state));
   });
 
   it('Adapter_PlcFallsSilent_IsNoticed', async t => {
@@ -223,7 +222,7 @@ describe('ads', { concurrency: 4 }, () => {
     await statesOf(bridge);
 
     server.silent = true;
-    await adapter.said('waiting: ', PATIENCE_MS);
+    await adapter.said('waiting: ');
     server.silent = false;
 
     const count = bridge.jointStates.length;
@@ -259,9 +258,9 @@ describe('ads', { concurrency: 4 }, () => {
     const bridge = await RosbridgeDouble.start(t);
     const adapter = start(t, [temporaryFile('ads.yaml', configuration({ port: server.address().port, url: bridge.url }))]);
 
-    await until(() => connections.length >= 4, PATIENCE_MS, () => adapter.err);
+    await until(() => connections.length >= 4, () => adapter.err);
 
-    await until(() => bridge.state?.state === 'waiting', PATIENCE_MS, () => JSON.stringify(bridge.state));
+    await until(() => bridge.state?.state === 'waiting', () => JSON.stringify(bridge.state));
     assert.deepEqual(bridge.jointStates, []);
     assert.equal(adapter.child.exitCode, null);
   });
@@ -269,7 +268,7 @@ describe('ads', { concurrency: 4 }, () => {
   it('Adapter_NoRoute_SaysHowToAddOne', async t => {
     const { adapter } = await cell(t, { server: { routes: ['10.0.0.1.1.1'] } });
 
-    await adapter.said('if it never did, it needs a route to this machine: in TwinCAT, SYSTEM > Routes > Add, AMS Net Id 192.168.0.10.1.1, transport TCP_IP', PATIENCE_MS);
+    await adapter.said('if it never did, it needs a route to this machine: in TwinCAT, SYSTEM > Routes > Add, AMS Net Id 192.168.0.10.1.1, transport TCP_IP');
   });
 
   for (const [name, joints, said] of [
@@ -280,7 +279,7 @@ describe('ads', { concurrency: 4 }, () => {
     it(`Adapter_${name}_NamesTheLine`, async t => {
       const { adapter } = await cell(t, { joints });
 
-      await adapter.said('line 11', PATIENCE_MS);
+      await adapter.said('line 11');
       assert.match(adapter.err, said);
     });
 
@@ -291,7 +290,7 @@ describe('ads', { concurrency: 4 }, () => {
     it(`Adapter_${name}Stamp_IsRefusedWithAReason`, async t => {
       const { bridge } = await cell(t, { plc: youBot({ cycleMs: 5, stampOf }) });
 
-      await until(() => Number(bridge.state?.[`refused/${reason}`]) > 10, PATIENCE_MS, () => JSON.stringify(bridge.state));
+      await until(() => Number(bridge.state?.[`refused/${reason}`]) > 10, () => JSON.stringify(bridge.state));
       assert.ok(bridge.jointStates.length <= 5, 'one for each joint at most');
     });
 

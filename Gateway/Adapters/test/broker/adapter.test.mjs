@@ -15,7 +15,6 @@ import { SyncServer } from './syncServer.mjs';
 const { BrokerLink } = await parts('broker/brokerLink');
 
 /** Nothing is waited for that long unless it fails, or the machine has other things to do. */
-const PATIENCE_MS = 40000;
 
 const TOPIC = 'nowpose/cell';
 
@@ -37,8 +36,8 @@ const clockOf = ({ port }, more = '') => `  clock: { host: 127.0.0.1, port: ${po
 async function halls(t, { more = '' } = {}) {
   const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
   const publisher = bridge(t, 'publish', near, broker), subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + more);
-  await until(() => near.heard.filter(m => m.op === 'subscribe').length === 3, PATIENCE_MS, () => publisher.err);
-  await until(() => far.state?.state === 'connected', PATIENCE_MS, () => subscriber.err);
+  await until(() => near.heard.filter(m => m.op === 'subscribe').length === 3, () => publisher.err);
+  await until(() => far.state?.state === 'connected', () => subscriber.err);
   // Before it is known whose time the stamps are of, none passes.
   await served(far);
   return { near, far, broker, sync, publisher, subscriber };
@@ -50,7 +49,7 @@ const state = (stamp, name = ['a'], position = [1]) => ({
 });
 const publish = (double, topic, msg) => double.send({ op: 'publish', topic, msg });
 const served = (double, service = '/nowpose/plant_time/hall') =>
-  until(async () => (await double.call(service)).result, PATIENCE_MS, 'the clock');
+  until(async () => (await double.call(service)).result, 'the clock');
 
 describe('broker', { skip: missing, concurrency: 3 }, () => {
   it('Bridges_JointStates_ArriveWithTheirStamps', async t => {
@@ -60,7 +59,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     for (let i = 0n; i < 50n; i++)
       publish(near, '/joint_states', { ...state(stamp + i * 1000n, ['a', 'b'], [Number(i), -1]), velocity: [0.5, null], acceleration: [null, 2] });
 
-    const states = await until(() => far.jointStates.length === 50 && far.jointStates, PATIENCE_MS, () => `${far.jointStates.length} of 50`);
+    const states = await until(() => far.jointStates.length === 50 && far.jointStates, () => `${far.jointStates.length} of 50`);
     assert.deepEqual(states.map(s => nanoseconds(s.header.stamp)), [...Array(50).keys()].map(i => stamp + BigInt(i) * 1000n));
     const { name, position, velocity, acceleration } = states[9];
     assert.deepEqual([name, position, velocity, acceleration], [['a', 'b'], [9, -1], [0.5, null], [null, 2]]);
@@ -72,12 +71,12 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     const plan = { header: state(sync.now()).header, joint_names: ['a'], points };
     publish(near, '/robot_description', { data: '<robot name="r"/>' });
     publish(near, '/joint_trajectory', plan);
-    await until(() => far.published('/robot_description').length > 0 && far.published('/joint_trajectory').length > 0, PATIENCE_MS, 'both');
+    await until(() => far.published('/robot_description').length > 0 && far.published('/joint_trajectory').length > 0, 'both');
 
     const later = await RosbridgeDouble.start(t);
     bridge(t, 'subscribe', later, broker, clockOf(sync));
 
-    await until(() => later.published('/robot_description').length > 0 && later.published('/joint_trajectory').length > 0, PATIENCE_MS, 'both, later');
+    await until(() => later.published('/robot_description').length > 0 && later.published('/joint_trajectory').length > 0, 'both, later');
     assert.deepEqual(later.published('/robot_description')[0], { data: '<robot name="r"/>' });
     assert.deepEqual(later.published('/joint_trajectory')[0], plan);
   });
@@ -101,7 +100,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await served(far);
 
     await sync.stop();
-    await subscriber.said('is not known', PATIENCE_MS);
+    await subscriber.said('is not known');
     assert.equal((await far.call('/nowpose/plant_time/hall')).result, false);
     await sync.listen(sync.port);
 
@@ -116,7 +115,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
     const refused = bridge(t, 'subscribe', await RosbridgeDouble.start(t), broker, clockOf(sync, `, token_file: "${wrong}"`));
 
-    await refused.said('does not know the token', PATIENCE_MS);
+    await refused.said('does not know the token');
     assert.doesNotMatch(refused.err, /another-one/);
   });
 
@@ -130,29 +129,29 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
       if (i % 50n === 0n) await new Promise(resolve => setImmediate(resolve));
     }
     const asked = performance.now();
-    await until(() => Number(near.state?.lost) > 0, PATIENCE_MS, () => `lost messages: ${JSON.stringify(near.state)}`);
+    await until(() => Number(near.state?.lost) > 0, () => `lost messages: ${JSON.stringify(near.state)}`);
     // The bridge still answers its gateway while the broker stands.
     const count = near.published('/nowpose/diagnostics').length;
-    await until(() => near.published('/nowpose/diagnostics').length > count, PATIENCE_MS, 'diagnostics');
+    await until(() => near.published('/nowpose/diagnostics').length > count, 'diagnostics');
 
     broker.resume();
     await until(() => {
       publish(near, '/joint_states', state(sync.now(), names, names.map(() => 7777)));
       return far.jointStates.at(-1)?.position[0] === 7777;
-    }, PATIENCE_MS, () => `the newest; ${publisher.err}`);
+    }, () => `the newest; ${publisher.err}`);
     assert.ok(far.jointStates.length < 1000, `${far.jointStates.length} after ${performance.now() - asked} ms`);
   });
 
   it('Broker_GoesAndComes_BothBridgesReturn', async t => {
     const { near, far, broker, sync, publisher, subscriber } = await halls(t);
     publish(near, '/robot_description', { data: '<robot name="kept"/>' });
-    await until(() => far.published('/robot_description').length > 0, PATIENCE_MS, 'the description');
+    await until(() => far.published('/robot_description').length > 0, 'the description');
 
     await broker.stop();
-    await Promise.all([publisher.said('waiting: ', PATIENCE_MS), subscriber.said('waiting: ', PATIENCE_MS)]);
+    await Promise.all([publisher.said('waiting: '), subscriber.said('waiting: ')]);
     await broker.run();
 
-    await until(() => far.state?.state === 'connected', PATIENCE_MS, () => subscriber.err);
+    await until(() => far.state?.state === 'connected', () => subscriber.err);
     // The broker has forgotten everything; the bridge has not.
     const client = await connectAsync(broker.url, { protocolVersion: 5 });
     t.after(() => client.endAsync(true));
@@ -164,7 +163,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
       return far.jointStates.length > count;
-    }, PATIENCE_MS, () => `joint states; ${publisher.err}${subscriber.err}`);
+    }, () => `joint states; ${publisher.err}${subscriber.err}`);
   });
 
   it('Publisher_Dies_SubscriberSaysSo', async t => {
@@ -172,8 +171,8 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
     publisher.child.kill('SIGKILL');
 
-    await subscriber.said('waiting: the bridge of the gateway that has the plant is away', PATIENCE_MS);
-    await until(() => far.state?.state === 'waiting', PATIENCE_MS, () => JSON.stringify(far.state));
+    await subscriber.said('waiting: the bridge of the gateway that has the plant is away');
+    await until(() => far.state?.state === 'waiting', () => JSON.stringify(far.state));
   });
 
   for (const [name, topic, payload, reason] of [
@@ -189,14 +188,14 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     it(`Subscriber_${name}_IsRefusedWithAReason`, async t => {
       const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
       const subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync));
-      await subscriber.said('nobody publishes nowpose/cell at the broker yet', PATIENCE_MS);
+      await subscriber.said('nobody publishes nowpose/cell at the broker yet');
       await served(far);
       const client = await connectAsync(broker.url, { protocolVersion: 5 });
       t.after(() => client.endAsync(true));
 
       await client.publishAsync(`${TOPIC}/${topic}`, payload, { retain: true });
 
-      await until(() => far.state?.[`refused/${reason}`] === '1', PATIENCE_MS, () => JSON.stringify(far.state));
+      await until(() => far.state?.[`refused/${reason}`] === '1', () => JSON.stringify(far.state));
       assert.deepEqual(far.jointStates, []);
     });
 
@@ -215,7 +214,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await until(async () => {
       await client.publishAsync(`${TOPIC}/joint_states`, '8', { qos: 1 });
       return heard.includes(8);
-    }, PATIENCE_MS, () => `the good one; ${problems}`);
+    }, () => `the good one; ${problems}`);
 
     assert.deepEqual(problems, ['joint_states']);
     ending.abort();
@@ -228,9 +227,9 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     const broker = await Mosquitto.start(t, ['allow_anonymous false', `password_file ${passwords}`]), near = await RosbridgeDouble.start(t);
 
     const right = bridge(t, 'publish', near, broker, `  user: { name: hall, password_file: "${temporaryFile('password', password)}" }\n`);
-    await right.said('[plant/hall] connected', PATIENCE_MS);
+    await right.said('[plant/hall] connected');
     const wrong = bridge(t, 'publish', near, broker, '  user: { name: hall }\n', { NOWPOSE_PLANT_PASSWORD: 'not-that-one' });
-    await wrong.said('does not let us in; check user and password_file', PATIENCE_MS);
+    await wrong.said('does not let us in; check user and password_file');
 
     assert.doesNotMatch(right.err + wrong.err, /4711|not-that-one/);
   });
@@ -243,8 +242,8 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     const broker = await Mosquitto.start(t, ['allow_anonymous true', `certfile ${certificate}`, `keyfile ${key}`]), near = await RosbridgeDouble.start(t);
     broker.url = broker.url.replace('mqtt:', 'mqtts:');
 
-    await bridge(t, 'publish', near, broker, `  authority_file: ${certificate}\n`).said('[plant/hall] connected', PATIENCE_MS);
-    await bridge(t, 'publish', near, broker).said('certificate is not trusted', PATIENCE_MS);
+    await bridge(t, 'publish', near, broker, `  authority_file: ${certificate}\n`).said('[plant/hall] connected');
+    await bridge(t, 'publish', near, broker).said('certificate is not trusted');
   });
 });
 

@@ -37,7 +37,7 @@ export class Mosquitto {
   async run() {
     this.child = spawn(program, ['-c', this.file], { stdio: 'ignore' });
     this.ended = new Promise(resolve => this.child.on('close', resolve));
-    await until(() => answers(this.port), 10000, 'mosquitto');
+    await until(() => answers(this.port), 'mosquitto');
   }
 
   /** It stops taking and giving anything, without closing. */

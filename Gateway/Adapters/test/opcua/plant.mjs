@@ -28,9 +28,9 @@ export async function adapterFor(test, server, plant, joints, { env, stdin, path
   const run = start(test, [path], { env, stdin });
   return {
     run, bridge, path,
-    states: (count, ms = 60000) => until(() => bridge.jointStates.length >= count && bridge.jointStates, ms,
+    states: count => until(() => bridge.jointStates.length >= count && bridge.jointStates,
       () => `${count} joint states; there are ${bridge.jointStates.length}. ${run.err}`),
-    state: (holds, ms = 60000) => until(() => bridge.state && holds(bridge.state) && bridge.state, ms,
+    state: holds => until(() => bridge.state && holds(bridge.state) && bridge.state,
       () => `another state than ${JSON.stringify(bridge.state)}. ${run.err}`),
   };
 }

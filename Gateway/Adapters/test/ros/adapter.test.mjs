@@ -7,21 +7,20 @@ import { temporaryFile } from '../temporary.mjs';
 import { Robot } from './robot.mjs';
 
 /** Nothing is waited for that long unless it fails, or the machine has other things to do. */
-const PATIENCE_MS = 40000;
 
 /** A robot, a gateway and an adapter between them that listens already. */
 async function cell(t, options = {}, { plant = '', rest = '' } = {}) {
   const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
   const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
   const adapter = start(t, [path]);
-  await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, PATIENCE_MS, () => adapter.err);
+  await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, () => adapter.err);
   // Before it is known whose time the stamps are of, none passes.
-  if (options.now !== null) await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, PATIENCE_MS, 'the clock');
+  if (options.now !== null) await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
   return { robot, bridge, adapter };
 }
 
 const states = (bridge, count = 1) => until(
-  () => bridge.jointStates.length >= count && bridge.jointStates, PATIENCE_MS, () => `${count} joint states: ${JSON.stringify(bridge.state)}`);
+  () => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states: ${JSON.stringify(bridge.state)}`);
 
 const plan = (robot, points) => robot.publish('/plan', { header: { stamp: robot.time(robot.now()) }, joint_names: ['a'], points });
 
@@ -63,12 +62,12 @@ describe('ros', { concurrency: 4 }, () => {
   it('Clock_WithoutRosapi_IsNotToldAndStatesPass', async t => {
     const { robot, bridge, adapter } = await cell(t, { now: null });
 
-    await adapter.said('the robot\'s clock is not told: /rosapi/get_time: Service /rosapi/get_time does not exist; start rosapi', PATIENCE_MS);
+    await adapter.said('the robot\'s clock is not told: /rosapi/get_time: Service /rosapi/get_time does not exist; start rosapi');
     assert.deepEqual(bridge.heard.filter(m => m.op === 'advertise_service'), []);
     robot.jointState(1_700_000_000_000_000_000n, ['a'], [1]);
     await states(bridge);
     robot.now = () => BigInt(Date.now()) * 1_000_000n;
-    await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, PATIENCE_MS, 'the clock once rosapi runs');
+    await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock once rosapi runs');
   });
 
   it('Adapter_Description_IsPassedOnAndKept', async t => {
@@ -76,10 +75,10 @@ describe('ros', { concurrency: 4 }, () => {
     const { robot, bridge } = await cell(t);
 
     robot.publish('/robot_description', { data: urdf }, { isLatched: true });
-    await until(() => bridge.published('/robot_description').length === 1, PATIENCE_MS, 'the description');
+    await until(() => bridge.published('/robot_description').length === 1, 'the description');
     bridge.clients[0].terminate();
 
-    await until(() => bridge.published('/robot_description').length === 2, PATIENCE_MS, 'the description after a reconnection');
+    await until(() => bridge.published('/robot_description').length === 2, 'the description after a reconnection');
     assert.deepEqual(bridge.published('/robot_description'), [{ data: urdf }, { data: urdf }]);
   });
 
@@ -87,7 +86,7 @@ describe('ros', { concurrency: 4 }, () => {
     const rest = 'joints:\n  - { joint: arm_joint_1, source: axis/1, scale: -1, offset: 0.5 }\n  - { joint: arm_joint_2 }\n';
     const { robot, bridge } = await cell(t, {}, { rest, plant: '  topics: { joint_trajectory: /controller/joint_trajectory }\n' });
     const names = ['other', 'arm_joint_2', 'axis/1'];
-    await until(() => robot.isHeardBy('/controller/joint_trajectory'), PATIENCE_MS, 'the subscription');
+    await until(() => robot.isHeardBy('/controller/joint_trajectory'), 'the subscription');
 
     robot.jointState(robot.now(), names, [9, 2, 1], [9, 0.2, 0.1]);
     robot.publish('/controller/joint_trajectory', {
@@ -97,7 +96,7 @@ describe('ros', { concurrency: 4 }, () => {
 
     const [{ name, position, velocity }] = await states(bridge);
     assert.deepEqual([name, position, velocity], [['arm_joint_2', 'arm_joint_1'], [2, -0.5], [0.2, -0.1]]);
-    const [trajectory] = await until(() => bridge.published('/joint_trajectory').length && bridge.published('/joint_trajectory'), PATIENCE_MS, 'the trajectory');
+    const [trajectory] = await until(() => bridge.published('/joint_trajectory').length && bridge.published('/joint_trajectory'), 'the trajectory');
     assert.deepEqual(trajectory.joint_names, ['arm_joint_2', 'arm_joint_1']);
     assert.deepEqual(trajectory.points[0], { positions: [2, -0.5], velocities: [], accelerations: [], time_from_start: { sec: 1, nanosec: 0 } });
   });
@@ -119,7 +118,7 @@ describe('ros', { concurrency: 4 }, () => {
 
       send(robot);
 
-      await until(() => bridge.state?.[`refused/${reason}`] === '1', PATIENCE_MS, () => JSON.stringify(bridge.state));
+      await until(() => bridge.state?.[`refused/${reason}`] === '1', () => JSON.stringify(bridge.state));
       assert.deepEqual([bridge.jointStates, bridge.published('/robot_description')], [[], []]);
     });
 
@@ -130,7 +129,7 @@ describe('ros', { concurrency: 4 }, () => {
     robot.jointState(robot.now(), ['a'], [1]);
 
     await states(bridge);
-    await until(() => bridge.state?.samples === '1', PATIENCE_MS, () => JSON.stringify(bridge.state));
+    await until(() => bridge.state?.samples === '1', () => JSON.stringify(bridge.state));
     assert.equal(bridge.state.refused, '0');
   });
 
@@ -138,13 +137,13 @@ describe('ros', { concurrency: 4 }, () => {
     const { robot, bridge, adapter } = await cell(t);
 
     await robot.stop();
-    await adapter.said('waiting: ', PATIENCE_MS);
+    await adapter.said('waiting: ');
     await robot.listen(robot.port);
-    await until(() => robot.isHeardBy('/joint_states'), PATIENCE_MS, 'the subscription');
+    await until(() => robot.isHeardBy('/joint_states'), 'the subscription');
     robot.jointState(robot.now(), ['a'], [1]);
 
     await states(bridge);
-    await until(() => bridge.state?.state === 'connected' && Number(bridge.state.reconnects) > 0, PATIENCE_MS, () => JSON.stringify(bridge.state));
+    await until(() => bridge.state?.state === 'connected' && Number(bridge.state.reconnects) > 0, () => JSON.stringify(bridge.state));
   });
 
   for (const [name, text, expected] of [
