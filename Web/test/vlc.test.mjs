@@ -108,10 +108,10 @@ function assertRight(seen) {
   assert.ok(Math.abs(error) < 0.5 + bound + 3, `${error.toFixed(2)} ms off, known to ${bound.toFixed(2)} ms`);
 }
 
-const synchronised = page => page.waitForSelector('body[data-state="synchronised"]', { timeout: 15_000 });
+const synchronised = page => page.waitForSelector('body[data-state="synchronised"]', { timeout: 60_000 });
 const unsynchronised = (page, why) => page.waitForFunction(
   why => document.body.dataset.state === 'not synchronised' && document.getElementById('code').hidden
-    && document.getElementById('doubt').textContent.includes(why), why, { timeout: 15_000 });
+    && document.getElementById('doubt').textContent.includes(why), why, { timeout: 60_000 });
 
 describe('what the code is made of', () => {
   it('draws the codes of the vector file', () => {
