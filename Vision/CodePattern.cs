@@ -14,7 +14,12 @@ static class CodePattern
             side = TimestampCode.Side,
             pairs = Enumerable.Range(0, TimestampCode.PairCount).Select(TimestampCode.CellOf),
             ring,
-            kinds = Enum.GetValues<CodeKind>().ToDictionary(kind => kind.ToString(), kind => ring.Select(cell => TimestampCode.IsLitRing(cell, kind))),
+            kinds = Enum.GetValues<CodeKind>().ToDictionary(kind => kind.ToString(), kind => new
+            {
+                lit = ring.Select(cell => TimestampCode.IsLitRing(cell, kind)),
+                // The headset draws squares; the control system's may be LEDs.
+                isFilled = kind == CodeKind.Headset,
+            }),
         };
         return JsonSerializer.Serialize(new { pattern });
     }

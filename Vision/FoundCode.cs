@@ -3,7 +3,7 @@ using Nowpose.VisibleLight;
 namespace Nowpose.Vision;
 
 /// <summary>A code that was found in a picture.</summary>
-/// <param name="Levels">Light of each cell in the middle, in the order of <see cref="TimestampCode"/>, 0 (black) to 1 (white), linear.</param>
+/// <param name="Levels">Light of each cell in the order of <see cref="TimestampCode"/>, without what is behind it; linear, 1 is white.</param>
 /// <param name="Corners">px, y down: x and y of the top left corner as the code is read, then clockwise.</param>
 public sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyList<(double X, double Y)> Corners)
 {

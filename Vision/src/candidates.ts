@@ -1,58 +1,54 @@
 import { cv } from './opencv';
 import { isPlausible, type Point, type Quad } from './geometry';
+import { lightOfByte } from './levels';
 
-/** Least side of a code, px, in the picture that is searched: cells of 7 px. */
+type Mat = InstanceType<typeof cv.Mat>;
+
+/** Least side of a code, px: cells of 7 px. */
 export const leastSide = 56;
-/** Greatest one; larger codes are looked for in a smaller copy of the picture. */
-export const greatestSide = 2.4 * leastSide;
 
-/** Lit parts of a code are nowhere wider than two cells: what is wider than this is scene, px. */
-const widest = 41;
-/** Closes what is between round LEDs, and joins cells that touch at a corner, px; the least also keeps a code from its panel's edge. */
-const gaps = [5, 9];
-/** Neighbourhood whose mean tells lit from dark: about a code, px. */
-const neighbourhood = 111;
-/** Brighter than the mean by so much, of 255. */
-const least = 6;
-/** Also brighter than these: parts a code from brighter or darker things that it touches, of 255. */
-const brightnesses = [20, 45, 90];
-/** What joins a code to other things is thinner than its cells, px. */
-const thinnest = 5;
+/** Cells' edges are looked for in blocks of so many px: their place matters no finer. */
+const block = 4;
+/** Edges that lie no farther apart than this, in blocks, belong together: two cells, for codes of all sizes. */
+const gaps = [4, 6, 8, 11, 15];
+/** What is left of edges that belong together is narrower than this, in gaps, where it is an edge or a cable of the scene. */
+const narrow = 1.3;
+/** Steps of light that are edges, of 255: weak holograms before a bright scene, up to LEDs whose surroundings shall not count. */
+const edges = [6, 10, 16, 26];
 
-/** Where codes of `leastSide` to `greatestSide` might be, as quads, clockwise from any corner, in pixels of the picture. */
-export function candidatesIn(grey: InstanceType<typeof cv.Mat>): Quad[] {
-  const light = new cv.Mat(), closed = new cv.Mat(), wide = square(widest);
-  try {
-    cv.morphologyEx(grey, light, cv.MORPH_TOPHAT, wide);
-    return gaps.flatMap(gap => {
-      const narrow = square(gap);
-      cv.morphologyEx(light, closed, cv.MORPH_CLOSE, narrow);
-      narrow.delete();
-      return quadsInLight(closed);
-    });
-  } finally {
-    for (const made of [light, closed, wide]) made.delete();
+/**
+ * Where codes might be, as quads, clockwise from any corner, in pixels of the picture: where many edges lie close together. What is
+ * behind a hologram adds edges and takes none away, so it is found before structured scenes, too.
+ */
+export function candidatesIn(grey: Mat): Quad[] {
+  const steps = stepsIn(grey), binary = new cv.Mat(), closed = new cv.Mat(), quads: Quad[] = [];
+  for (const edge of edges) {
+    cv.threshold(steps, binary, edge, 255, cv.THRESH_BINARY);
+    for (const gap of gaps) {
+      const within = square(gap), across = square(Math.round(narrow * gap));
+      cv.morphologyEx(binary, closed, cv.MORPH_CLOSE, within);
+      cv.morphologyEx(closed, closed, cv.MORPH_OPEN, across);
+      quads.push(...quadsIn(closed));
+      for (const made of [within, across]) made.delete();
+    }
   }
+  for (const made of [steps, binary, closed]) made.delete();
+  return quads;
+}
+
+/** How much the light changes from pixel to pixel, mean of each block: as light, since a hologram adds the same before bright and dark. */
+function stepsIn(grey: Mat): Mat {
+  const light = grey.clone(), bytes = light.data, small = new cv.Mat(), near = square(3);
+  for (let i = 0; i < bytes.length; i++) bytes[i] = 255 * lightOfByte[bytes[i]] + 0.5;
+  cv.morphologyEx(light, light, cv.MORPH_GRADIENT, near);
+  cv.resize(light, small, new cv.Size(Math.floor(grey.cols / block), Math.floor(grey.rows / block)), 0, 0, cv.INTER_AREA);
+  for (const made of [light, near]) made.delete();
+  return small;
 }
 
 const square = (size: number) => cv.getStructuringElement(cv.MORPH_RECT, new cv.Size(size, size));
 
-function quadsInLight(light: InstanceType<typeof cv.Mat>): Quad[] {
-  const binary = new cv.Mat(), thin = square(thinnest);
-  cv.adaptiveThreshold(light, binary, 255, cv.ADAPTIVE_THRESH_MEAN_C, cv.THRESH_BINARY, neighbourhood, -least);
-  cv.morphologyEx(binary, binary, cv.MORPH_OPEN, thin);
-  const quads = quadsIn(binary);
-  for (const brightness of brightnesses) {
-    cv.threshold(light, binary, brightness, 255, cv.THRESH_BINARY);
-    cv.morphologyEx(binary, binary, cv.MORPH_OPEN, thin);
-    quads.push(...quadsIn(binary));
-  }
-  binary.delete();
-  thin.delete();
-  return quads;
-}
-
-function quadsIn(binary: InstanceType<typeof cv.Mat>): Quad[] {
+function quadsIn(binary: Mat): Quad[] {
   const contours = new cv.MatVector(), hierarchy = new cv.Mat(), quads: Quad[] = [];
   cv.findContours(binary, contours, hierarchy, cv.RETR_LIST, cv.CHAIN_APPROX_SIMPLE);
   for (let i = 0; i < contours.size(); i++) {
@@ -65,10 +61,9 @@ function quadsIn(binary: InstanceType<typeof cv.Mat>): Quad[] {
   return quads;
 }
 
-function quadsOf(contour: InstanceType<typeof cv.Mat>): Quad[] {
-  const box = cv.boundingRect(contour);
-  const size = Math.max(box.width, box.height);
-  if (size < leastSide || size > 1.5 * greatestSide || Math.min(box.width, box.height) < 0.4 * size) return [];
+function quadsOf(contour: Mat): Quad[] {
+  const { width, height } = cv.boundingRect(contour), size = Math.max(width, height);
+  if (size * block < 0.8 * leastSide || Math.min(width, height) < 0.4 * size) return [];
   const hull = new cv.Mat(), corners = new cv.Mat();
   try {
     cv.convexHull(contour, hull, false, true);
@@ -77,17 +72,18 @@ function quadsOf(contour: InstanceType<typeof cv.Mat>): Quad[] {
     for (const share of [0.03, 0.06, 0.1]) {
       cv.approxPolyDP(hull, corners, share * around, true);
       if (corners.rows !== 4) continue;
-      quads.push(clockwise(Array.from({ length: 4 }, (_, i) => [corners.data32S[2 * i] + 0.5, corners.data32S[2 * i + 1] + 0.5])));
+      quads.push(clockwise(Array.from({ length: 4 }, (_, i) => inPicture(corners.data32S[2 * i], corners.data32S[2 * i + 1]))));
       break;
     }
-    const upright = cv.minAreaRect(hull);
-    quads.push(clockwise(cv.RotatedRect.points(upright).map((p: { x: number; y: number }): Point => [p.x + 0.5, p.y + 0.5])));
+    quads.push(clockwise(cv.RotatedRect.points(cv.minAreaRect(hull)).map((p: { x: number; y: number }) => inPicture(p.x, p.y))));
     return quads.filter(quad => isPlausible(quad, 0.7 * leastSide));
   } finally {
     hull.delete();
     corners.delete();
   }
 }
+
+const inPicture = (x: number, y: number): Point => [(x + 0.5) * block, (y + 0.5) * block];
 
 function clockwise(points: Point[]): Quad {
   let area = 0;

@@ -30,6 +30,14 @@ export const centreOf = (q: Quad): Point => [q.reduce((s, p) => s + p[0], 0) / 4
 
 export const scaled = (q: Quad, factor: number): Quad => q.map(p => [p[0] * factor, p[1] * factor]) as Quad;
 
+export const shiftedBy = (q: Quad, dx: number, dy: number): Quad => q.map(p => [p[0] + dx, p[1] + dy]) as Quad;
+
+/** About its centre. */
+export function grownBy(q: Quad, factor: number): Quad {
+  const [x, y] = centreOf(q);
+  return q.map(p => [x + (p[0] - x) * factor, y + (p[1] - y) * factor]) as Quad;
+}
+
 /** Whether it is a convex, clockwise (y down) quad whose sides do not differ more than a code seen aslant has them. */
 export function isPlausible(q: Quad, least: number): boolean {
   const sides = q.map((p, i) => distance(p, q[(i + 1) & 3]));

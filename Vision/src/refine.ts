@@ -1,120 +1,120 @@
-import { centreOf, distance, isPlausible, sizeOf, type Quad } from './geometry';
-import { sampleCentres, type Grey } from './levels';
-import type { Agreement, Matcher } from './pattern';
+import { centreOf, distance, grownBy, isPlausible, shiftedBy, sizeOf, turned, type Quad } from './geometry';
+import type { Grey } from './levels';
+import type { Agreement, Matcher } from './match';
 
-/** A quad with how well the levels inside it agree with a code. */
-export interface Fit {
+/** A quad taken for a code: its first corner is the code's top left one. */
+export interface Fit extends Agreement {
   quad: Quad;
-  agreement: Agreement;
-  contrast: number;
-  /** How much brighter the ring is than what lies around it, at the side where that is least; NaN at the picture's edge. */
-  edge: number;
-  score: number;
+  kind: number;
 }
 
-/** Steps of the corners, in cells: from a row more or less, to what no longer matters. */
-const steps = [1, 0.5, 0.25, 0.12, 0.06];
+/** Where a code may lie about a candidate: its size, and how far away, in cells. */
+const sizes = [0.8, 0.9, 1, 1.1, 1.2], shifts = [-1, 0, 1];
+/** Of these the best are followed. */
+const followed = 2;
+
+/** Steps of the corners, in cells, by the outer edge alone. */
+const outerSteps = [0.5, 0.25];
+/** The same by all steps of light, from a row more or less to what no longer matters, and how far from cells' edges light is looked at. */
+const steps = [[1, 0.4], [0.5, 0.35], [0.25, 0.3], [0.12, 0.25], [0.06, 0.2]];
+
+/** In the middle of cells. What lies farther from their edges is seen from farther off, but before structured scenes spoilt more often. */
+const middle = 0.5;
+/** Of codes that are in place: for telling which way up they are. */
+const inPlace = 0.3;
 
 /** Farther than this a corner is not moved, in cells: it would be looking for another code. */
 const farthest = 2.4;
 
+/** Of the steps of light, by how much more must agree with one kind and turn than with any other: kinds differ in 0.08 of them. */
+const leastLead = 0.02;
+
 /** Moves a quad's corners to where a code of some kind fits best. For pictures that are smooth at the size of a cell. */
 export class Refiner {
   readonly #matcher: Matcher;
+  readonly #isFilled: boolean[];
   readonly #grey: Grey;
-  readonly #around: Float64Array;
-  readonly #levels: Float64Array;
 
-  constructor(matcher: Matcher, grey: Grey) {
+  /** @param isFilled Of each kind, whether cells are lit up to their edges. Where they are not, light is looked at in their middle. */
+  constructor(matcher: Matcher, isFilled: boolean[], grey: Grey) {
     this.#matcher = matcher;
+    this.#isFilled = isFilled;
     this.#grey = grey;
-    this.#around = new Float64Array((matcher.side + 2) ** 2);
-    this.#levels = new Float64Array(matcher.side ** 2);
   }
 
-  /** The best of what a quad might be, before any refinement; null when it reaches out of the picture. */
-  guess(quad: Quad): Fit | null {
-    if (!this.#sample(quad)) return null;
-    return this.#fitOf(quad, this.#matcher.all(this.#levels)[0]);
+  /** What a candidate might be, by its outer edge: the best first. */
+  guesses(candidate: Quad): Fit[] {
+    const cell = sizeOf(candidate) / this.#matcher.side;
+    const outer = (quad: Quad) => ({ quad, ...this.#matcher.outerAgreement(this.#grey, quad) });
+    return sizes.flatMap(size => shifts.flatMap(x => shifts.map(y => outer(shiftedBy(grownBy(candidate, size), x * cell, y * cell)))))
+      .sort(byScore).slice(0, followed)
+      .map(start => outerSteps.reduce((best, step) => climb(best, step * cell, 2, outer), start))
+      .map(({ quad }) => this.#alternatives(quad, middle)[0])
+      .sort(byScore);
   }
 
-  /** @param fit What the quad is taken for: kind and turn stay. */
-  refine(fit: Fit, stepsToTake = steps): Fit {
-    const kind = this.#matcher.kindIndex(fit.agreement.kind), { turns } = fit.agreement;
-    const cell = sizeOf(fit.quad) / this.#matcher.side;
+  /** @param fit What the quad is taken for: kind and turn change only where the place that is found says so. */
+  refine(fit: Fit): Fit {
+    const found = this.#refined(fit, steps), best = this.#alternatives(found.quad, middle)[0];
+    const isSame = best.kind === found.kind && best.quad[0] === found.quad[0];
+    return isSame ? found : this.#refined(best, steps.slice(-3));
+  }
+
+  /** Whether it can be nothing else, or the same another way up. */
+  isClear(fit: Fit): boolean {
+    const [first, second] = this.#alternatives(fit.quad, this.#reach(fit.kind, inPlace));
+    return first.kind === fit.kind && first.quad[0] === fit.quad[0] && first.share - second.share > leastLead;
+  }
+
+  #refined(fit: Fit, stepsToTake: number[][]): Fit {
+    const { kind } = fit, cell = sizeOf(fit.quad) / this.#matcher.side;
     let best = fit;
-    for (const step of stepsToTake) {
-      for (let round = 0; round < 3; round++) {
-        const before = best.score;
-        for (const move of moves) {
-          const quad = move(best.quad, step * cell);
-          if (quad.some((p, i) => distance(p, fit.quad[i]) > farthest * cell) || !this.#sample(quad)) continue;
-          const tried = this.#fitOf(quad, this.#matcher.one(this.#levels, kind, turns));
-          if (tried.score > best.score) best = tried;
-        }
-        if (best.score <= before) break;
-      }
+    for (const [step, reach] of stepsToTake) {
+      const at = (quad: Quad) => ({ quad, kind, ...this.#matcher.agreement(this.#grey, quad, kind, this.#reach(kind, reach)) });
+      best = climb(at(best.quad), step * cell, 3, at, quad => quad.every((p, i) => distance(p, fit.quad[i]) <= farthest * cell));
     }
     return isPlausible(best.quad, 5 * this.#matcher.side) ? best : fit;
   }
 
-  /** Whether no other kind or turn explains the levels nearly as well. */
-  isClear(fit: Fit): boolean {
-    if (!this.#sample(fit.quad)) return false;
-    const [first, second] = this.#matcher.all(this.#levels);
-    return first.kind === fit.agreement.kind && first.turns === fit.agreement.turns && second.rest > 1.25 * first.rest;
+  /** As each kind and turn, the best first. */
+  #alternatives(quad: Quad, reach: number): Fit[] {
+    const { light } = this.#matcher.outerAgreement(this.#grey, quad);
+    return [0, 1, 2, 3].flatMap(turns => this.#isFilled.map((_, kind) => {
+      const seen = turned(quad, turns);
+      return { quad: seen, kind, ...this.#matcher.agreement(this.#grey, seen, kind, reach, light) };
+    })).sort(byScore);
   }
 
-  #sample(quad: Quad): boolean {
-    const { side } = this.#matcher;
-    if (!sampleCentres(this.#grey, quad, side, 1, this.#around)) return this.#sampleInside(quad);
-    for (let row = 0; row < side; row++)
-      for (let column = 0; column < side; column++) this.#levels[row * side + column] = this.#around[(row + 1) * (side + 2) + column + 1];
-    return true;
-  }
+  #reach(kind: number, reach: number): number { return this.#isFilled[kind] ? reach : middle; }
+}
 
-  /** A code at the picture's edge has no surroundings to be compared with. */
-  #sampleInside(quad: Quad): boolean {
-    if (!sampleCentres(this.#grey, quad, this.#matcher.side, 0, this.#levels)) return false;
-    this.#around.fill(NaN);
-    return true;
-  }
+const score = ({ light, share }: Agreement) => light * share;
+const byScore = (a: Agreement, b: Agreement) => score(b) - score(a);
 
-  #fitOf(quad: Quad, agreement: Agreement): Fit {
-    const { mean, spread } = this.#matcher.contrast(this.#levels, agreement.turns);
-    const edges = this.#edges(), edge = Math.min(...edges);
-    // Pairs may be washed out by a long exposure; the ring never is.
-    const held = edges.map(e => Math.max(-agreement.light, Math.min(e, agreement.light)));
-    const ring = (0.8 / held.length) * held.reduce((a, b) => a + b) + 0.3 * Math.min(...held);
-    const score = 1 * Math.min(mean, agreement.light) + (ring || 0) - 2 * agreement.rest - 0.4 * spread;
-    return { quad, agreement, contrast: mean, edge, score };
+/** Goes on while a move of that many px makes it better, so many rounds at most. */
+function climb<T extends Agreement & { quad: Quad }>(
+  start: T, by: number, rounds: number, at: (quad: Quad) => T, isAllowed: (quad: Quad) => boolean = () => true): T {
+  let best = start;
+  for (let round = 0; round < rounds; round++) {
+    const before = best;
+    for (const move of moves) {
+      const quad = move(best.quad, by);
+      if (!isAllowed(quad)) continue;
+      const tried = at(quad);
+      if (score(tried) > score(best)) best = tried;
+    }
+    if (best === before) break;
   }
-
-  /** Of each side. Holds the ring's cells where they are: a row of cells that are half lit would pass for a part of the ring. */
-  #edges(): number[] {
-    const n = this.#matcher.side + 2, a = this.#around;
-    const starts = [[1, n], [(n - 1) * n + 1, -n], [n, 1], [2 * n - 1, -1]], strides = [1, 1, n, n];
-    return starts.map(([outside, inwards], side) => {
-      let sum = 0;
-      for (let i = 0; i < n - 2; i++) {
-        const at = outside + i * strides[side];
-        sum += a[at + inwards] - a[at];
-      }
-      return sum / (n - 2);
-    });
-  }
+  return best;
 }
 
 type Move = (quad: Quad, by: number) => Quad;
 
 const directions = [[1, 0], [-1, 0], [0, 1], [0, -1]];
-const shifted = (dx: number, dy: number): Move => (quad, by) => quad.map(p => [p[0] + dx * by, p[1] + dy * by]) as Quad;
+const shifted = (dx: number, dy: number): Move => (quad, by) => shiftedBy(quad, dx * by, dy * by);
 const cornered = (corner: number, dx: number, dy: number): Move =>
   (quad, by) => quad.map((p, i) => i === corner ? [p[0] + dx * by, p[1] + dy * by] : p) as Quad;
-const grown = (sign: number): Move => (quad, by) => {
-  const [x, y] = centreOf(quad), factor = 1 + sign * 1.4 * by / sizeOf(quad);
-  return quad.map(p => [x + (p[0] - x) * factor, y + (p[1] - y) * factor]) as Quad;
-};
+const grown = (sign: number): Move => (quad, by) => grownBy(quad, 1 + sign * 1.4 * by / sizeOf(quad));
 const rotated = (sign: number): Move => (quad, by) => {
   const [x, y] = centreOf(quad), angle = sign * 1.4 * by / sizeOf(quad);
   const c = Math.cos(angle), s = Math.sin(angle);

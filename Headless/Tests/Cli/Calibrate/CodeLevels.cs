@@ -4,7 +4,7 @@ using Nowpose.Vision;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Codes as they are found in a picture, from what each pair was lit, before a scene that is brighter to the right.</summary>
+/// <summary>Codes as they are found in a picture, from what each pair was lit.</summary>
 static class CodeLevels
 {
     public const double Light = 0.4;
@@ -20,7 +20,7 @@ static class CodeLevels
             (lit[cell], lit[cell + 1]) = ((1 + signOf(pair)) / 2, (1 - signOf(pair)) / 2);
         }
         return new FoundCode(
-            kind, [.. lit.Select((share, cell) => 0.1 + 0.02 * (cell % TimestampCode.Side) + Light * share)],
+            kind, [.. lit.Select(share => Light * share)],
             [(100, top), (180, top), (180, top + 80), (100, top + 80)]);
     }
 

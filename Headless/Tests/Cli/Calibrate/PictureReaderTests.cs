@@ -83,7 +83,8 @@ public sealed class PictureReaderTests
                 var brighter = value - 10_000 + (share < 0.5 ? 0 : step);
                 Assert.That(result.VisuMs, Is.EqualTo(brighter).Within(Math.Max(2, step / 2.0)), $"{value} ms, {share}");
             }
-        Assert.That(read, Is.GreaterThan(40 * 3));
+        // Those of 0.1, 0.3 and 0.8: the others are too much alike.
+        Assert.That(read, Is.GreaterThanOrEqualTo(40 * 3));
     }
 
     [Test]

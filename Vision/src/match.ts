@@ -1,0 +1,99 @@
+import { homography, type Quad } from './geometry';
+import { lightAt, type Grey } from './levels';
+import { Expected, stepsOf, type Pattern } from './pattern';
+
+/** How well a quad agrees with a kind of code whose top left corner is its first. */
+export interface Agreement {
+  /** How much brighter a lit cell is than a dark one, linear, 1 is white. */
+  light: number;
+  /** Share of the steps from cell to cell that are as they should be, −1 to 1. */
+  share: number;
+}
+
+/** Of the outer edge, how far the samples lie from it, in cells. */
+const outerReach = 0.5;
+
+/**
+ * Tells how well a picture agrees with codes, by the steps of light from cell to cell. A step is at most as good as the light of the
+ * code, and that is their median: edges of the scene spoil the few steps that they cross and no others.
+ */
+export class Matcher {
+  readonly kinds: string[];
+  readonly side: number;
+  readonly #kinds: { points: Float64Array; expected: Uint8Array; most: number }[];
+  readonly #outer: Float64Array;
+  readonly #steps: Float64Array;
+  readonly #rises: Float64Array;
+
+  constructor(pattern: Pattern) {
+    this.side = pattern.side;
+    this.kinds = Object.keys(pattern.kinds);
+    this.#kinds = Object.values(pattern.kinds).map(kind => {
+      const steps = stepsOf(pattern, kind);
+      return {
+        points: Float64Array.from(steps.flatMap(({ x, y, dx, dy }) => [x, y, dx, dy])),
+        expected: Uint8Array.from(steps, step => step.expected),
+        most: steps.filter(step => step.expected !== Expected.Level).length,
+      };
+    });
+    this.#outer = outerOf(pattern.side);
+    this.#steps = new Float64Array(Math.max(...this.#kinds.map(kind => kind.expected.length)));
+    this.#rises = new Float64Array(this.#steps.length);
+  }
+
+  /**
+   * @param reach How far from a cell's edge its light is looked at, in cells: 0.5 is its middle.
+   * @param given Light of the code where it is known; so kinds and turns of the same quad can be compared.
+   */
+  agreement(grey: Grey, quad: Quad, kind: number, reach: number, given?: number): Agreement {
+    const { points, expected, most } = this.#kinds[kind], steps = this.#steps;
+    this.#sample(grey, quad, points, reach);
+    let count = 0;
+    for (let i = 0; i < expected.length; i++) if (expected[i] === Expected.Rise) this.#rises[count++] = steps[i];
+    const light = given ?? medianOf(this.#rises, count);
+    if (!(light > 0)) return { light: 0, share: 0 };
+    let sum = 0;
+    for (let i = 0; i < expected.length; i++) {
+      const step = steps[i];
+      if (expected[i] === Expected.Rise) sum += Math.max(-light, Math.min(step, light));
+      else sum += (expected[i] === Expected.Pair ? 1 : -1) * Math.min(Math.abs(step), light);
+    }
+    return { light, share: sum / light / most };
+  }
+
+  /** Of the code's outer edge alone, whatever its kind and whichever way up. */
+  outerAgreement(grey: Grey, quad: Quad): Agreement {
+    const count = this.#outer.length / 4;
+    this.#sample(grey, quad, this.#outer, outerReach);
+    this.#rises.set(this.#steps.subarray(0, count));
+    const light = medianOf(this.#rises, count);
+    if (!(light > 0)) return { light: 0, share: 0 };
+    let sum = 0;
+    for (let i = 0; i < count; i++) sum += Math.max(-light, Math.min(this.#steps[i], light));
+    return { light, share: sum / light / count };
+  }
+
+  /** Steps of light; none where a sample lies outside of the picture. */
+  #sample(grey: Grey, quad: Quad, points: Float64Array, reach: number): void {
+    const [a, b, c, d, e, f, g, h] = homography(quad);
+    for (let i = 0, at = 0; at < points.length; i++, at += 4) {
+      let step = 0;
+      for (let sign = -1; sign <= 1; sign += 2) {
+        const u = points[at] + sign * reach * points[at + 2], v = points[at + 1] + sign * reach * points[at + 3], w = 1 / (g * u + h * v + 1);
+        step += sign * lightAt(grey, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
+      }
+      this.#steps[i] = step || 0;
+    }
+  }
+}
+
+function medianOf(values: Float64Array, count: number): number {
+  return values.subarray(0, count).sort()[count >> 1];
+}
+
+/** Points and directions of the outer edge's steps, inwards. */
+function outerOf(side: number): Float64Array {
+  const cell = 1 / side;
+  return Float64Array.from(Array.from({ length: side }, (_, i) => (i + 0.5) * cell).flatMap(along =>
+    [[0, along, cell, 0], [1, along, -cell, 0], [along, 0, 0, cell], [along, 1, 0, -cell]].flat()));
+}
