@@ -1,6 +1,5 @@
 import { cv } from './opencv';
 import { isPlausible, type Point, type Quad } from './geometry';
-import { lightOfByte } from './levels';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
@@ -20,8 +19,8 @@ const edges = [6, 10, 16, 26];
  * Where codes might be, as quads, clockwise from any corner, in pixels of the picture: where many edges lie close together. What is
  * behind a hologram adds edges and takes none away, so it is found before structured scenes, too.
  */
-export function candidatesIn(grey: Mat): Quad[] {
-  const steps = stepsIn(grey), binary = new cv.Mat(), closed = new cv.Mat(), quads: Quad[] = [];
+export function candidatesIn(light: Mat): Quad[] {
+  const steps = stepsIn(light), binary = new cv.Mat(), closed = new cv.Mat(), quads: Quad[] = [];
   for (const edge of edges) {
     cv.threshold(steps, binary, edge, 255, cv.THRESH_BINARY);
     for (const gap of gaps) {
@@ -36,13 +35,13 @@ export function candidatesIn(grey: Mat): Quad[] {
   return quads;
 }
 
-/** How much the light changes from pixel to pixel, mean of each block: as light, since a hologram adds the same before bright and dark. */
-function stepsIn(grey: Mat): Mat {
-  const light = grey.clone(), bytes = light.data, small = new cv.Mat(), near = square(3);
-  for (let i = 0; i < bytes.length; i++) bytes[i] = 255 * lightOfByte[bytes[i]] + 0.5;
-  cv.morphologyEx(light, light, cv.MORPH_GRADIENT, near);
-  cv.resize(light, small, new cv.Size(Math.floor(grey.cols / block), Math.floor(grey.rows / block)), 0, 0, cv.INTER_AREA);
-  for (const made of [light, near]) made.delete();
+/** How much the light changes from pixel to pixel, mean of each block, 255 is white. A hologram adds the same before bright and dark. */
+function stepsIn(light: Mat): Mat {
+  const bytes = new cv.Mat(), small = new cv.Mat(), near = square(3);
+  light.convertTo(bytes, cv.CV_8U, 255);
+  cv.morphologyEx(bytes, bytes, cv.MORPH_GRADIENT, near);
+  cv.resize(bytes, small, new cv.Size(Math.floor(light.cols / block), Math.floor(light.rows / block)), 0, 0, cv.INTER_AREA);
+  for (const made of [bytes, near]) made.delete();
   return small;
 }
 

@@ -1,5 +1,5 @@
 import { homography, type Quad } from './geometry';
-import { lightAt, type Grey } from './levels';
+import { lightAt, type Light } from './levels';
 import { cv } from './opencv';
 import { Cell, cellAt, eachEdge, type Kind, type Pattern } from './pattern';
 
@@ -31,14 +31,14 @@ interface Equation {
  * samples. So the steps are explained by the cells' light and a scene that bends like a parabola, with the least sum of absolute rests:
  * what few samples see does not count, however bright it is.
  */
-export function cellLight(grey: Grey, quad: Quad, pattern: Pattern, kind: Kind): number[] {
+export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Kind): number[] {
   const { side } = pattern, cell = cellAt(pattern, kind);
   // The code's light first, then that of the cells of pairs, then the scene's slope.
   const unknowns = new Map<number, number>(pattern.pairs.flatMap(left => [left, left + 1]).map((each, i) => [each, 1 + i]));
   const slope = 1 + unknowns.size, count = slope + 5;
   const unknownAt = (row: number, column: number) =>
     cell(row, column) > Cell.Lit ? unknowns.get(row * side + column)! : cell(row, column) === Cell.Lit ? 0 : null;
-  const equations: Equation[] = [], { across, along } = kind.isFilled ? filled : dots, sampled = samplesOf(grey, quad, side);
+  const equations: Equation[] = [], { across, along } = kind.isFilled ? filled : dots, sampled = samplesOf(picture, quad, side);
   const apart = (2 * across.reduce((a, b) => a + b) / across.length) / samples / side;
   eachEdge(side, (row, column, nextRow, nextColumn) => {
     const isBeside = row === nextRow, before = unknownAt(row, column), after = unknownAt(nextRow, nextColumn);
@@ -64,12 +64,12 @@ export function cellLight(grey: Grey, quad: Quad, pattern: Pattern, kind: Kind):
 }
 
 /** Light in the code's own rows and columns of samples, from one cell before it to one behind it. */
-function samplesOf(grey: Grey, quad: Quad, side: number): (row: number, column: number) => number {
+function samplesOf(picture: Light, quad: Quad, side: number): (row: number, column: number) => number {
   const [a, b, c, d, e, f, g, h] = homography(quad), length = (side + 2) * samples, light = new Float32Array(length * length);
   for (let row = 0, i = 0; row < length; row++)
     for (let column = 0; column < length; column++, i++) {
       const u = ((column + 0.5) / samples - 1) / side, v = ((row + 0.5) / samples - 1) / side, w = 1 / (g * u + h * v + 1);
-      light[i] = lightAt(grey, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
+      light[i] = lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
     }
   return (row, column) => light[(row + samples) * length + column + samples];
 }

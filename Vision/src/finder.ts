@@ -1,7 +1,7 @@
 import { candidatesIn, leastSide } from './candidates';
 import { cellLight } from './cellLight';
 import { centreOf, distance, scaled, sizeOf, type Quad } from './geometry';
-import type { Grey } from './levels';
+import { lightOf, type Grey, type Light } from './levels';
 import { Matcher } from './match';
 import { cv } from './opencv';
 import type { Pattern } from './pattern';
@@ -49,12 +49,12 @@ export class Finder {
     const size = `${grey.width}x${grey.height}`;
     if (size !== this.#lastSize) this.#last = [];
     this.#lastSize = size;
-    const picture = searched(grey), layers = this.#layersOf(picture, picture.cols / grey.width);
+    const light = lightOf(grey), picture = searched(light), layers = this.#layersOf(picture, picture.cols / grey.width);
     try {
       let fits = this.#again(layers);
       if (fits.length < this.#matcher.kinds.length) fits = this.#search(picture, layers, fits);
       this.#last = fits.filter(isGood);
-      return fits.map(fit => this.#foundAs(fit, grey));
+      return fits.map(fit => this.#foundAs(fit, light));
     } finally {
       picture.delete();
     }
@@ -68,7 +68,7 @@ export class Finder {
       cv.resize(picture, copy, new cv.Size(Math.round(picture.cols * factor), Math.round(picture.rows * factor)), 0, 0, cv.INTER_AREA);
       if (factor < 1) smooth(copy);
       // A copy: OpenCV's memory moves when it grows.
-      layers.push({ factor: factor * whole, refiner: new Refiner(this.#matcher, isFilled, { width: copy.cols, height: copy.rows, data: copy.data.slice() }) });
+      layers.push({ factor: factor * whole, refiner: new Refiner(this.#matcher, isFilled, { width: copy.cols, height: copy.rows, data: copy.data32F.slice() }) });
       copy.delete();
     }
     return layers;
@@ -97,18 +97,18 @@ export class Finder {
     return bestOfEach(fits);
   }
 
-  #foundAs({ kind, quad }: Fit, grey: Grey): Found {
+  #foundAs({ kind, quad }: Fit, light: Light): Found {
     const name = this.#matcher.kinds[kind];
-    return { kind: name, corners: quad, levels: cellLight(grey, quad, this.#pattern, this.#pattern.kinds[name]) };
+    return { kind: name, corners: quad, levels: cellLight(light, quad, this.#pattern, this.#pattern.kinds[name]) };
   }
 }
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-function searched(grey: Grey): Mat {
-  const picture = new cv.Mat(grey.height, grey.width, cv.CV_8UC1), factor = longestSearched / Math.max(grey.width, grey.height);
-  picture.data.set(grey.data);
-  if (factor < 1) cv.resize(picture, picture, new cv.Size(Math.round(grey.width * factor), Math.round(grey.height * factor)), 0, 0, cv.INTER_AREA);
+function searched({ width, height, data }: Light): Mat {
+  const picture = new cv.Mat(height, width, cv.CV_32FC1), factor = longestSearched / Math.max(width, height);
+  picture.data32F.set(data);
+  if (factor < 1) cv.resize(picture, picture, new cv.Size(Math.round(width * factor), Math.round(height * factor)), 0, 0, cv.INTER_AREA);
   smooth(picture);
   return picture;
 }

@@ -1,5 +1,5 @@
 import { homography, type Quad } from './geometry';
-import { lightAt, type Grey } from './levels';
+import { lightAt, type Light } from './levels';
 import { Expected, stepsOf, type Pattern } from './pattern';
 
 /** How well a quad agrees with a kind of code whose top left corner is its first. */
@@ -45,9 +45,9 @@ export class Matcher {
    * @param reach How far from a cell's edge its light is looked at, in cells: 0.5 is its middle.
    * @param given Light of the code where it is known; so kinds and turns of the same quad can be compared.
    */
-  agreement(grey: Grey, quad: Quad, kind: number, reach: number, given?: number): Agreement {
+  agreement(picture: Light, quad: Quad, kind: number, reach: number, given?: number): Agreement {
     const { points, expected, most } = this.#kinds[kind], steps = this.#steps;
-    this.#sample(grey, quad, points, reach);
+    this.#sample(picture, quad, points, reach);
     let count = 0;
     for (let i = 0; i < expected.length; i++) if (expected[i] === Expected.Rise) this.#rises[count++] = steps[i];
     const light = given ?? medianOf(this.#rises, count);
@@ -62,9 +62,9 @@ export class Matcher {
   }
 
   /** Of the code's outer edge alone, whatever its kind and whichever way up. */
-  outerAgreement(grey: Grey, quad: Quad): Agreement {
+  outerAgreement(picture: Light, quad: Quad): Agreement {
     const count = this.#outer.length / 4;
-    this.#sample(grey, quad, this.#outer, outerReach);
+    this.#sample(picture, quad, this.#outer, outerReach);
     this.#rises.set(this.#steps.subarray(0, count));
     const light = medianOf(this.#rises, count);
     if (!(light > 0)) return { light: 0, share: 0 };
@@ -74,13 +74,13 @@ export class Matcher {
   }
 
   /** Steps of light; none where a sample lies outside of the picture. */
-  #sample(grey: Grey, quad: Quad, points: Float64Array, reach: number): void {
+  #sample(picture: Light, quad: Quad, points: Float64Array, reach: number): void {
     const [a, b, c, d, e, f, g, h] = homography(quad);
     for (let i = 0, at = 0; at < points.length; i++, at += 4) {
       let step = 0;
       for (let sign = -1; sign <= 1; sign += 2) {
         const u = points[at] + sign * reach * points[at + 2], v = points[at + 1] + sign * reach * points[at + 3], w = 1 / (g * u + h * v + 1);
-        step += sign * lightAt(grey, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
+        step += sign * lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
       }
       this.#steps[i] = step || 0;
     }

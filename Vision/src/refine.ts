@@ -1,5 +1,5 @@
 import { centreOf, distance, grownBy, isPlausible, shiftedBy, sizeOf, turned, type Quad } from './geometry';
-import type { Grey } from './levels';
+import type { Light } from './levels';
 import type { Agreement, Matcher } from './match';
 
 /** A quad taken for a code: its first corner is the code's top left one. */
@@ -33,19 +33,19 @@ const leastLead = 0.02;
 export class Refiner {
   readonly #matcher: Matcher;
   readonly #isFilled: boolean[];
-  readonly #grey: Grey;
+  readonly #picture: Light;
 
   /** @param isFilled Of each kind, whether cells are lit up to their edges. Where they are not, light is looked at in their middle. */
-  constructor(matcher: Matcher, isFilled: boolean[], grey: Grey) {
+  constructor(matcher: Matcher, isFilled: boolean[], picture: Light) {
     this.#matcher = matcher;
     this.#isFilled = isFilled;
-    this.#grey = grey;
+    this.#picture = picture;
   }
 
   /** What a candidate might be, by its outer edge: the best first. */
   guesses(candidate: Quad): Fit[] {
     const cell = sizeOf(candidate) / this.#matcher.side;
-    const outer = (quad: Quad) => ({ quad, ...this.#matcher.outerAgreement(this.#grey, quad) });
+    const outer = (quad: Quad) => ({ quad, ...this.#matcher.outerAgreement(this.#picture, quad) });
     return sizes.flatMap(size => shifts.flatMap(x => shifts.map(y => outer(shiftedBy(grownBy(candidate, size), x * cell, y * cell)))))
       .sort(byScore).slice(0, followed)
       .map(start => outerSteps.reduce((best, step) => climb(best, step * cell, 2, outer), start))
@@ -70,7 +70,7 @@ export class Refiner {
     const { kind } = fit, cell = sizeOf(fit.quad) / this.#matcher.side;
     let best = fit;
     for (const [step, reach] of stepsToTake) {
-      const at = (quad: Quad) => ({ quad, kind, ...this.#matcher.agreement(this.#grey, quad, kind, this.#reach(kind, reach)) });
+      const at = (quad: Quad) => ({ quad, kind, ...this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach)) });
       best = climb(at(best.quad), step * cell, 3, at, quad => quad.every((p, i) => distance(p, fit.quad[i]) <= farthest * cell));
     }
     return isPlausible(best.quad, 5 * this.#matcher.side) ? best : fit;
@@ -78,10 +78,10 @@ export class Refiner {
 
   /** As each kind and turn, the best first. */
   #alternatives(quad: Quad, reach: number): Fit[] {
-    const { light } = this.#matcher.outerAgreement(this.#grey, quad);
+    const { light } = this.#matcher.outerAgreement(this.#picture, quad);
     return [0, 1, 2, 3].flatMap(turns => this.#isFilled.map((_, kind) => {
       const seen = turned(quad, turns);
-      return { quad: seen, kind, ...this.#matcher.agreement(this.#grey, seen, kind, reach, light) };
+      return { quad: seen, kind, ...this.#matcher.agreement(this.#picture, seen, kind, reach, light) };
     })).sort(byScore);
   }
 

@@ -83,7 +83,7 @@ public sealed class BadInputTests : CalibrationFolder
     public async Task Pictures_AllWithoutACode_AreCounted() => await RefusedWith(
         "none of 2 pictures could be read; 2 of them: no code found", "vlc", Picture("a.png", WithoutCodes), Picture("b.png", WithoutCodes));
 
-    [TestCase(CodeKind.Control, "half.png: no control code found")]
+    [TestCase(CodeKind.Control, "half.png: control code partly covered")]
     [TestCase(CodeKind.Headset, "half.png: no headset code found")]
     public async Task Picture_WithHalfACode_SaysWhich(CodeKind half, string message) =>
         await RefusedWith(message, "vlc", Picture("half.png", shot => Halved(shot, half)));

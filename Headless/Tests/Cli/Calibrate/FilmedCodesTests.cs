@@ -54,13 +54,15 @@ public class FilmedCodesTests : VideoFolder
 
     static void Draw(byte[] picture, int value, CodeKind kind, int left)
     {
-        const int Top = 56, Gap = 1;
+        const int Top = 56;
+        // The display draws squares that touch; LEDs have something between them.
+        var gap = kind == CodeKind.Control ? 1 : 0;
         Span<bool> lit = stackalloc bool[TimestampCode.CellCount];
         TimestampCode.Draw(value, kind, lit);
         for (var cell = 0; cell < lit.Length; cell++)
         {
-            int x = left + cell % TimestampCode.Side * Cell + Gap, y = Top + cell / TimestampCode.Side * Cell + Gap;
-            for (var row = y; lit[cell] && row < y + Cell - 2 * Gap; row++) picture.AsSpan(row * Width + x, Cell - 2 * Gap).Fill(210);
+            int x = left + cell % TimestampCode.Side * Cell + gap, y = Top + cell / TimestampCode.Side * Cell + gap;
+            for (var row = y; lit[cell] && row < y + Cell - 2 * gap; row++) picture.AsSpan(row * Width + x, Cell - 2 * gap).Fill(210);
         }
     }
 
