@@ -67,8 +67,9 @@ namespace Nowpose.Network
         /// <summary>Says goodbye and closes, in the background and within a second.</summary>
         public void Dispose()
         {
-            if (Interlocked.Exchange(ref _isDisposed, 1) != 0) return;
+            // First: an opening that sees that this was disposed of cancels, which would be another end.
             _arrived.End(null);
+            if (Interlocked.Exchange(ref _isDisposed, 1) != 0) return;
             if (_socket != null) Task.Run(CloseAsync);
         }
 
