@@ -33,7 +33,11 @@ static class RangeVerb
         var profile = RangeProfile.Of(fit, device, displayHz, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
         output.Write(profile, page);
-        if (asJson) Console.Out.WriteLine(RangeJson.Of(fit));
+        if (asJson)
+        {
+            ResultTable.Warn(page);
+            Console.Out.WriteLine(RangeJson.Of(fit));
+        }
         else ResultTable.Print(page, output);
         return ExitStatus.Done;
     }

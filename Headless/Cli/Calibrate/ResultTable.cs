@@ -13,8 +13,14 @@ static class ResultTable
         foreach (var fact in page.Facts) table.AddRow(Markup.Escape(fact[0]), Markup.Escape(fact[1]));
         ResultConsole.Create().Write(table);
         Console.Out.WriteLine(page.Result);
-        foreach (var warning in page.Warnings) Console.Error.WriteLine("nowpose: " + warning);
+        Warn(page);
         if (hasProfile) Console.Out.WriteLine(output.ProfilePath);
         Console.Out.WriteLine(output.PagePath);
+    }
+
+    /// <summary>What is doubtful, on stderr: beside a table and beside JSON.</summary>
+    public static void Warn(CalibrationPageData page)
+    {
+        foreach (var warning in page.Warnings) Console.Error.WriteLine("nowpose: " + warning);
     }
 }

@@ -55,7 +55,7 @@ static class VlcVerb
         if (sweep != null) output.WritePairs(evaluation.Pictures);
         if (parsed.GetValue(Json))
         {
-            foreach (var warning in evaluation.Page.Warnings) Console.Error.WriteLine("nowpose: " + warning);
+            ResultTable.Warn(evaluation.Page);
             Console.Out.WriteLine(VlcJson.Of(result));
         }
         else

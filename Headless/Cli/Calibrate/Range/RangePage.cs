@@ -17,8 +17,8 @@ static class RangePage
         if (measured.Any(each => each.Vertices.HasValue))
         {
             var (plot, table) = RangePlots.OverLoad(measured);
-            yield return new("Render time and L_visu over the load", "Fig. 11a", "Median and middle 68 %. Both are constant up to a number of "
-                + "vertices that depends on the scene: the render time, not the number, is what the headset watches.", [plot], table);
+            yield return new("Render time and L_visu over the load", "Fig. 11a", "Median and middle 68 %. L_visu is constant up to a number of "
+                + "vertices that depends on the scene: the render time, which grows with it, is what the headset watches.", [plot], table);
         }
         yield return new("L_visu over the render time", "Fig. 11b", fit?.LimitRenderMs == null
             ? "No limit was reached: L_visu is known to be constant only up to the greatest render time seen."

@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Calibrate.Range;
 static class RangeProfile
 {
     public static LatencyProfile Of(RangeFitResult fit, string device, double displayHz, RenderTimeSourceKind source) => new(
-        fit.VisuMs, fit.SpreadMs, device, displayHz, DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Pairs - fit.Rejected,
+        fit.VisuMs, fit.SpreadMs, device, displayHz, DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Used,
         fit.LimitRenderMs, source, fit.ValidToRenderMs);
 
     /// <param name="more">Facts of the way of measuring.</param>

@@ -76,7 +76,8 @@ namespace Nowpose.Latency
                     + "check how it was measured", spread, GreatestSpread));
             var last = sorted[split.Count - 1].RenderMs;
             var next = split.IsReached ? sorted[Math.Min(split.Count + Misread, sorted.Length - 1)].RenderMs : last;
-            return new RangeFitResult(mean, spread, last, split.IsReached, sorted.Length, split.Count - inside.Length, next > (1 + Coarse) * last ? next : (double?)null);
+            return new RangeFitResult(mean, spread, last, split.IsReached, sorted.Length, inside.Length, split.Count - inside.Length,
+                next > (1 + Coarse) * last ? next : (double?)null);
         }
 
         static IEnumerable<double> Visu(IEnumerable<LatencyPair> pairs) => pairs.Select(pair => pair.VisuMs);

@@ -5,13 +5,14 @@ namespace Nowpose.Latency
     /// <summary>The constant-latency range as <see cref="RangeFit"/> found it.</summary>
     public sealed class RangeFitResult
     {
-        internal RangeFitResult(double visuMs, double spreadMs, double validToMs, bool isReached, int pairs, int rejected, double? openToMs)
+        internal RangeFitResult(double visuMs, double spreadMs, double validToMs, bool isReached, int pairs, int used, int rejected, double? openToMs)
         {
             VisuMs = visuMs;
             SpreadMs = spreadMs;
             ValidToRenderMs = validToMs;
             LimitRenderMs = isReached ? validToMs : (double?)null;
             Pairs = pairs;
+            Used = used;
             Rejected = rejected;
             OpenToRenderMs = openToMs;
         }
@@ -30,6 +31,9 @@ namespace Nowpose.Latency
 
         /// <summary>Pairs in all.</summary>
         public int Pairs { get; }
+
+        /// <summary>Pairs that L_visu and its spread are of: within the range, and the plateau's.</summary>
+        public int Used { get; }
 
         /// <summary>Pairs within the range whose L_visu is not the plateau's: misread pictures, and frames that waited behind a slow one.</summary>
         public int Rejected { get; }

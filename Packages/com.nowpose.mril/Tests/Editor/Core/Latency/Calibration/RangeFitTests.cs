@@ -111,6 +111,7 @@ namespace Nowpose.Tests
             Assert.That(fit.LimitRenderMs, Is.EqualTo(14.9).Within(1e-9));
             Assert.That(fit.VisuMs, Is.EqualTo(40));
             Assert.That(fit.Rejected, Is.Zero);
+            Assert.That((fit.Pairs, fit.Used), Is.EqualTo((200, 100)), "L_visu is of those before the turn");
         }
 
         [Test]
