@@ -60,7 +60,11 @@ static class SineVerb
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = SinePage.Of(result, profile, path);
         output.Write(profile, page);
-        if (parsed.GetValue(Json)) Console.Out.WriteLine(SineJson.Of(result));
+        if (parsed.GetValue(Json))
+        {
+            ResultTable.Warn(page);
+            Console.Out.WriteLine(SineJson.Of(result));
+        }
         else ResultTable.Print(page, output, profile != null);
         return ExitStatus.Done;
     }

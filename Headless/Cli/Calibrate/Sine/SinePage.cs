@@ -29,7 +29,11 @@ static class SinePage
     {
         const double CertainMs = 1.5;
         if (profile == null) yield return "no profile was written: say what of the lag is L_visu, by --app-ms or by --told-ms";
-        if (result.DeviationMs > CertainMs)
+        if (result.StepsMs > CertainMs)
+            yield return FormattableString.Invariant(
+                $"the ghost moves every {result.Way.HeldMs:0.##} ms, in step with the pictures: the result may be off by up to {result.StepsMs:0.0} ms; ")
+                + "film the gripper instead (--told-ms), or film at another rate";
+        else if (result.DeviationMs > CertainMs)
             yield return FormattableString.Invariant($"the standard error is {result.DeviationMs:0.0} ms: jog further or faster, or film longer, for better than ± 3 ms");
     }
 

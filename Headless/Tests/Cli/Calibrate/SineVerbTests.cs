@@ -63,6 +63,29 @@ public class SineVerbTests : CalibrationFolder
         }
     }
 
+    // Half a picture is 8.3 ms, and nobody can tell which way.
+    [TestCase(50, 8.3)]
+    [TestCase(41.667, 4.2)]
+    [TestCase(47, 0)]
+    public async Task Sine_GhostThatStepsInTimeWithThePictures_SaysByHowMuchItMayBeOff(double samplingMs, double mayBeOff)
+    {
+        for (var seed = 1; seed <= 8; seed++)
+        {
+            var jog = new Jog(95 + samplingMs / 2) { SamplingMs = samplingMs, Seed = seed };
+            var sampling = samplingMs.ToString(CultureInfo.InvariantCulture);
+            var run = await CliRun.OfAsync(
+                "calibrate", "sine", Write("jog.csv", jog.Lines()), "--app-ms", "60", "--sampling-ms", sampling, "--json", "--out", Out);
+
+            Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+            var result = JsonDocument.Parse(run.Output).RootElement;
+            var error = result.GetProperty("visu_ms").GetDouble() - (jog.LagMs - 60);
+            Assert.That(Math.Abs(error), Is.LessThan(3 + mayBeOff), $"seed {seed}");
+            Assert.That(run.Errors.Contains("in step with the pictures"), Is.EqualTo(mayBeOff > 0), run.Errors);
+            if (mayBeOff > 0)
+                Assert.That(result.GetProperty("total_sd_ms").GetDouble(), Is.InRange(mayBeOff / Math.Sqrt(3), mayBeOff), run.Errors);
+        }
+    }
+
     [Test]
     public async Task Sine_OfTheGhost_TakesOffWhatItsSamplesAreLate()
     {
