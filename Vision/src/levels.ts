@@ -18,7 +18,11 @@ export interface Light {
   data: Float32Array;
 }
 
-export const lightOf = ({ width, height, data }: Grey): Light => ({ width, height, data: Float32Array.from(data, byte => lightOfByte[byte]) });
+export function lightOf({ width, height, data }: Grey): Light {
+  const light = new Float32Array(data.length);
+  for (let i = 0; i < data.length; i++) light[i] = lightOfByte[data[i]];
+  return { width, height, data: light };
+}
 
 /** Light at a point between the middles of pixels; NaN outside of the picture. */
 export function lightAt({ width, height, data }: Light, x: number, y: number): number {
