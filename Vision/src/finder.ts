@@ -83,16 +83,17 @@ export class Finder {
     }));
   }
 
-  /** Everywhere, what looks most like a code first. */
+  /** Everywhere but where codes are known, what looks most like a code first. */
   #search(picture: Mat, layers: Layer[], known: Fit[]): Fit[] {
-    const fits = [...known], guesses = layers.length === 0 ? [] : candidatesIn(picture).flatMap(candidate => {
-      const quad = scaled(candidate, 1 / layers[0].factor), layer = layerFor(quad, layers);
-      return layer.refiner.guesses(scaled(quad, layer.factor)).map(guess => ({ guess, layer }));
-    }).filter(({ guess }) => guess.light >= leastLight / 2 && guess.share > leastShareOfGuess);
+    const fits = [...known], isKnown = (quad: Quad) => fits.some(fit => isGood(fit) && isWithin(quad, fit.quad));
+    const guesses = layers.length === 0 ? [] : candidatesIn(picture).map(quad => scaled(quad, 1 / layers[0].factor))
+      .filter(quad => !isKnown(quad)).flatMap(quad => {
+        const layer = layerFor(quad, layers);
+        return layer.refiner.guesses(scaled(quad, layer.factor)).map(guess => ({ guess, layer }));
+      }).filter(({ guess }) => guess.light >= leastLight / 2 && guess.share > leastShareOfGuess);
     for (const { guess, layer } of guesses.sort((a, b) => b.guess.share - a.guess.share)) {
       if (this.#matcher.kinds.every((_, kind) => fits.some(fit => fit.kind === kind && isGood(fit)))) break;
-      if (fits.some(fit => isGood(fit) && isWithin(inPicture(guess, layer), fit))) continue;
-      fits.push(...codesAt(guess, layer));
+      if (!isKnown(inPicture(guess, layer).quad)) fits.push(...codesAt(guess, layer));
     }
     return bestOfEach(fits);
   }
@@ -132,9 +133,8 @@ const inPicture = (fit: Fit, layer: Layer): Fit => ({ ...fit, quad: scaled(fit.q
 function bestOfEach(fits: Fit[]): Fit[] {
   const kept: Fit[] = [];
   for (const fit of fits.sort((a, b) => b.share - a.share))
-    if (kept.every(other => other.kind !== fit.kind && !isWithin(fit, other))) kept.push(fit);
+    if (kept.every(other => other.kind !== fit.kind && !isWithin(fit.quad, other.quad))) kept.push(fit);
   return kept;
 }
 
-const isWithin = (fit: Fit, other: Fit) =>
-  distance(centreOf(fit.quad), centreOf(other.quad)) < 0.55 * Math.max(sizeOf(fit.quad), sizeOf(other.quad));
+const isWithin = (quad: Quad, other: Quad) => distance(centreOf(quad), centreOf(other)) < 0.55 * Math.max(sizeOf(quad), sizeOf(other));

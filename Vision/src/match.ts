@@ -75,20 +75,34 @@ export class Matcher {
 
   /** Steps of light; none where a sample lies outside of the picture. */
   #sample(picture: Light, quad: Quad, points: Float64Array, reach: number): void {
-    const [a, b, c, d, e, f, g, h] = homography(quad);
+    const [a, b, c, d, e, f, g, h] = homography(quad), steps = this.#steps;
     for (let i = 0, at = 0; at < points.length; i++, at += 4) {
-      let step = 0;
-      for (let sign = -1; sign <= 1; sign += 2) {
-        const u = points[at] + sign * reach * points[at + 2], v = points[at + 1] + sign * reach * points[at + 3], w = 1 / (g * u + h * v + 1);
-        step += sign * lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
-      }
-      this.#steps[i] = step || 0;
+      const x = points[at], y = points[at + 1], dx = reach * points[at + 2], dy = reach * points[at + 3];
+      const before = 1 / (g * (x - dx) + h * (y - dy) + 1), after = 1 / (g * (x + dx) + h * (y + dy) + 1);
+      steps[i] = lightAt(picture, (a * (x + dx) + b * (y + dy) + c) * after, (d * (x + dx) + e * (y + dy) + f) * after)
+        - lightAt(picture, (a * (x - dx) + b * (y - dy) + c) * before, (d * (x - dx) + e * (y - dy) + f) * before) || 0;
     }
   }
 }
 
+/** Hoare's selection: sorts no more of the values than it needs. */
 function medianOf(values: Float64Array, count: number): number {
-  return values.subarray(0, count).sort()[count >> 1];
+  const middle = count >> 1;
+  for (let first = 0, last = count - 1; first < last;) {
+    const pivot = values[middle];
+    let low = first, high = last;
+    while (low <= high) {
+      while (values[low] < pivot) low++;
+      while (values[high] > pivot) high--;
+      if (low > high) break;
+      const value = values[low];
+      values[low++] = values[high];
+      values[high--] = value;
+    }
+    if (high < middle) first = low;
+    if (middle < low) last = high;
+  }
+  return values[middle];
 }
 
 /** Points and directions of the outer edge's steps, inwards. */
