@@ -1,12 +1,12 @@
 using System.Diagnostics;
-using Nowpose.Gateway.Clock;
 using Nowpose.Latency;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
 /// <summary>The headset's frame loop, as fast as its display: read C2, play the frame, keep what is displayed.</summary>
-sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetClock clock, DemoTruth truth)
+/// <param name="waitUntil">Returns once the headset clock has come so far.</param>
+sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetClock clock, IDemoTruth truth, Action<HeadsetTime> waitUntil)
 {
     readonly DemoDisplay _display = new(settings);
 
@@ -18,19 +18,19 @@ sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetC
     public void Run(Action<double, Func<string>> report, CancellationToken cancel)
     {
         var begin = clock.Now;
-        var beginCount = Stopwatch.GetTimestamp();
         // Whole frames only; half of one keeps rounding out of it.
         var end = ((int)(settings.Seconds * DemoDisplay.FramesPerSecond) - 0.5) / DemoDisplay.FramesPerSecond;
         while (_display.NextStart.TotalSeconds < end && !cancel.IsCancellationRequested)
         {
-            PreciseWait.Until(beginCount + (long)(_display.NextStart.TotalSeconds * Stopwatch.Frequency));
+            var due = _display.NextStart;
+            waitUntil(begin + due);
             _display.Render();
-            ShowFrame(begin);
+            ShowFrame(begin, due);
             report(_display.NextStart.TotalSeconds, () => DemoProgress.Describe(headset.Session, clock.Now));
         }
     }
 
-    void ShowFrame(HeadsetTime begin)
+    void ShowFrame(HeadsetTime begin, TimeSpan due)
     {
         var start = clock.Now;
         BeginScoring(start, start - begin);
@@ -46,7 +46,7 @@ sealed class DemoFrameLoop(DemoSettings settings, DemoHeadset headset, IHeadsetC
         Frames.Add(frame == null ? [] : frame.Joints, frame == null ? [] : frame.HeldJoints, new DemoFrames.Row(
             start - begin, start, truth.ControlAt(start + _display.Visualisation), frame?.DisplayTime, model,
             frame?.State ?? PoseState.Incomplete, offsetErrorUs, headset.Tool, headset.HeldTool, cpu.TotalMicroseconds, bytes,
-            frame?.Range ?? RangeState.Unknown, _display.Rendered ?? default));
+            frame?.Range ?? RangeState.Unknown, _display.Rendered ?? default, start - begin - due));
     }
 
     // What the runtime measures itself shall be of the frames that are scored.

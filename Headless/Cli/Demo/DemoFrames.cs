@@ -64,8 +64,9 @@ sealed class DemoFrames
     /// <param name="HeldTool">Where the scene's ghost, which is not compensated, shows it.</param>
     /// <param name="Range">As the runtime judged it.</param>
     /// <param name="Rendered">How the frame passed through the display; all zero without a load.</param>
+    /// <param name="Delay">How much later it began than the display asked for it: this machine had no time for it.</param>
     public readonly record struct Row(
         TimeSpan Elapsed, HeadsetTime Start, ControlTime TrueLight, ControlTime? AssumedLight, ClockModel Clock,
         PoseState State, double OffsetErrorUs, ToolPosition Tool, ToolPosition HeldTool, double CpuUs, long AllocatedBytes,
-        RangeState Range = RangeState.Unknown, PipelineFrame Rendered = default);
+        RangeState Range = RangeState.Unknown, PipelineFrame Rendered = default, TimeSpan Delay = default);
 }

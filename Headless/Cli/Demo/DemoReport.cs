@@ -22,7 +22,7 @@ static class DemoReport
             Subtitle = "What the headset would have shown, against where the simulated robot truly was at the moment of light.",
             Settings = Settings(run.Settings),
             Summary = Summary(score, result.ToolErrorMm),
-            Facts = Facts(result, new DemoRangeWords(run.Settings, result, score.Range)),
+            Facts = Facts(result, new DemoRangeWords(run.Settings, result, score.Range), new DemoDelayWords(run.Frames)),
             Error = Error(score, run, start),
             Joint = new DemoJointSeries(run, start).Busiest(),
             Field = Field(score, run),
@@ -55,19 +55,23 @@ static class DemoReport
         new { Label = "Greatest", Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
     ];
 
-    static string[][] Facts(DemoResult r, DemoRangeWords range) =>
+    static string[][] Facts(DemoResult r, DemoRangeWords range, DemoDelayWords delays) =>
     [
         ["Reduction as the headset measured it", $"{Number(100 * r.Hindcast.Reduction)} ± {Number(100 * r.Hindcast.ReductionUncertainty)} %"],
         ["Application latency, median and P95", $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
         ["Error of the moment of light, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
-        .. range.Rows.Select(row => new[] { char.ToUpperInvariant(row.Label[0]) + row.Label[1..], row.Value }),
+        .. Facts(range.Rows),
         ["Clock offset error, median and P95", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
         ["Clock offset error, greatest", $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
         ["Clock synchronised after", $"{Number(r.Clock.ConvergedS)} s"],
         ["Time of a frame, the whole player loop, median and P99", $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
         ["Allocated per frame", $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
         ["Frames, samples, dropped", $"{r.Frames}, {r.Samples}, {r.Dropped}"],
+        .. Facts(delays.Rows),
     ];
+
+    static IEnumerable<string[]> Facts(IEnumerable<(string Label, string Value)> rows) =>
+        rows.Select(row => new[] { char.ToUpperInvariant(row.Label[0]) + row.Label[1..], row.Value });
 
     static object Error(DemoScore score, DemoRun run, ControlTime start) => score.Errors.Count == 0 ? null : new
     {

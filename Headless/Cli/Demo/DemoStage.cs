@@ -51,7 +51,8 @@ static class DemoStage
         var clock = new StopwatchHeadsetClock();
         using var headset = new DemoHeadset(
             settings.Robot, session, clock, (int)(settings.Seconds * 1000 / settings.SamplingMs) + 1000, recordingPath);
-        var loop = new DemoFrameLoop(settings, headset, clock, truth);
+        using var never = new ManualResetEventSlim();
+        var loop = new DemoFrameLoop(settings, headset, clock, truth, time => PreciseWait.While(() => time - clock.Now, never));
         DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
         if (headset.EndRecording() is string problem) Console.Error.WriteLine("nowpose: " + problem);
         if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);

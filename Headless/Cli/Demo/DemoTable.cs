@@ -6,12 +6,13 @@ namespace Nowpose.Cli.Demo;
 /// <summary>The result for reading: uncompensated against compensated, then what it rests on.</summary>
 static class DemoTable
 {
-    public static void Print(DemoSettings settings, DemoScore score, DemoResult result, DemoOutput output)
+    public static void Print(DemoRun run, DemoScore score, DemoResult result, DemoOutput output)
     {
+        var settings = run.Settings;
         var console = ResultConsole.Create();
         console.WriteLine($"{settings.Robot.Name}, {settings.Predictor}, {result.Network}: error of the tool centre point");
         console.Write(Errors(score, result));
-        console.Write(Facts(result, new DemoRangeWords(settings, result, score.Range)));
+        console.Write(Facts(result, new DemoRangeWords(settings, result, score.Range), new DemoDelayWords(run.Frames)));
         console.WriteLine("result  " + output.ResultPath);
         console.WriteLine("report  " + output.ReportPath);
         console.WriteLine("session " + output.SessionPath);
@@ -30,7 +31,7 @@ static class DemoTable
         return table;
     }
 
-    static Grid Facts(DemoResult result, DemoRangeWords range)
+    static Grid Facts(DemoResult result, DemoRangeWords range, DemoDelayWords delays)
     {
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
@@ -46,6 +47,7 @@ static class DemoTable
         var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
         Row("frame, the whole player loop", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
+        foreach (var (label, value) in delays.Rows) Row(label, value);
         return grid;
     }
 

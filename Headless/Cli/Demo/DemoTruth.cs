@@ -8,7 +8,6 @@ namespace Nowpose.Cli.Demo;
 /// <summary>The truth of a cell that runs in this process, on this process's counter.</summary>
 sealed class DemoTruth(StopwatchControlClock control, SimulatedCell cell, IMotion motion) : IDemoTruth
 {
-    /// <summary>The control time of a moment on the headset clock, exactly.</summary>
     public ControlTime ControlAt(HeadsetTime t) =>
         control.AtCount((long)((Int128)t.SinceEpoch.Ticks * Stopwatch.Frequency / TimeSpan.TicksPerSecond));
 

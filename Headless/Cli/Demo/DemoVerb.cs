@@ -100,7 +100,7 @@ static class DemoVerb
         var score = new DemoScore(run);
         var result = score.Result();
         output.Write(score, run, result);
-        DemoTable.Print(settings, score, result, output);
+        DemoTable.Print(run, score, result, output);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 }

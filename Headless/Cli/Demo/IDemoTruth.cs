@@ -3,6 +3,9 @@ namespace Nowpose.Cli.Demo;
 /// <summary>What only the simulation knows: how the two clocks stand, and where the robot is.</summary>
 interface IDemoTruth
 {
+    /// <summary>The control time of a moment on the headset clock, exactly.</summary>
+    ControlTime ControlAt(HeadsetTime t);
+
     /// <summary>Φ, exactly.</summary>
     ClockOffset OffsetAt(HeadsetTime t);
 
