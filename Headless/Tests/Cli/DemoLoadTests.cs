@@ -50,8 +50,16 @@ public class DemoLoadTests
         Assert.That(value, Does.StartWith("2 of 3, by up to 41 ms: this machine was busy"));
     }
 
-    [Test]
-    public void Demo_NoFrameLate_NothingIsSaid() => Assert.That(new DemoDelayWords(VirtualDemo.Play(null, 1, 5).Frames).Rows, Is.Empty);
+    [TestCase(1)]
+    [TestCase(0)]
+    public void Demo_HardlyAnyFrameLate_NothingIsSaid(int late)
+    {
+        var frames = new DemoFrames(0, 200);
+        for (var i = 0; i < 200; i++)
+            frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(4), Delay = TimeSpan.FromMilliseconds(i < late ? 50 : 1) });
+
+        Assert.That(new DemoDelayWords(frames).Rows, Is.Empty);
+    }
 
     static double WhileLoaded(int seed)
     {
