@@ -17,6 +17,9 @@ sealed class CalibrationOutput
 
     public string PagePath => Path.Combine(_folder, "calibration.html");
 
+    /// <summary>The last profile with a limit of the render time that one without has replaced.</summary>
+    public string LimitedProfilePath => Path.Combine(_folder, "profile-with-limit.json");
+
     /// <summary>What <c>calibrate range</c> reads.</summary>
     public string PairsPath => Path.Combine(_folder, "pairs.csv");
 
@@ -38,10 +41,14 @@ sealed class CalibrationOutput
         }
     }
 
-    /// <param name="profile">Null for none: one that is there stays.</param>
+    /// <param name="profile">Null for none: one that is there stays. A limit that is there and that it has not is kept beside it.</param>
     public void Write(LatencyProfile profile, CalibrationPageData page)
     {
-        if (profile != null) LatencyProfileFile.Save(ProfilePath, profile);
+        if (profile != null)
+        {
+            if (profile.Range == null) KeepLimit();
+            LatencyProfileFile.Save(ProfilePath, profile);
+        }
         File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page)));
     }
 
@@ -52,6 +59,28 @@ sealed class CalibrationOutput
         foreach (var picture in pictures.Where(each => each.RenderMs.HasValue))
             file.Write(string.Create(
                 CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
+    }
+
+    void KeepLimit()
+    {
+        if (EarlierLimit() is not TimeSpan limit) return;
+        File.Copy(ProfilePath, LimitedProfilePath, overwrite: true);
+        Console.Error.WriteLine(FormattableString.Invariant(
+            $"nowpose: the profile that was there has a limit of the render time, {limit.TotalMilliseconds:0.00} ms, and the new one none: ")
+            + $"the earlier one is now {LimitedProfilePath}; vlc, sine and nudge take its limit over with --profile");
+    }
+
+    // Null, too, where what stands there is no profile that could be used.
+    TimeSpan? EarlierLimit()
+    {
+        try
+        {
+            return File.Exists(ProfilePath) ? LatencyProfileFile.Load(ProfilePath).Range?.Limit : null;
+        }
+        catch (InputException)
+        {
+            return null;
+        }
     }
 
     static string Quoted(string name) => name?.IndexOfAny([',', '"', '\n']) >= 0 ? '"' + name.Replace("\"", "\"\"", StringComparison.Ordinal) + '"' : name;

@@ -33,6 +33,37 @@ public class NudgeVerbTests : CalibrationFolder
         Assert.That(run.Output, Does.Contain("--forward-mm").And.Contain("half the difference"));
     }
 
+    [Test]
+    public async Task Nudge_ProfileThatIsThereHasALimit_IsKeptBesideTheNewOneAndSaid()
+    {
+        LatencyProfileFile.Save(ProfilePath, new LatencyProfile(
+            40, 1, "HoloLens 2", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 9, 15.1, RenderTimeSourceKind.GpuCompletion));
+        var kept = Path.Combine(Out, "profile-with-limit.json");
+        string[] nudge = ["calibrate", "nudge", "--speed-mm-s", "250", "--forward-mm", "2", "--backward-mm", "-1", "--json", "--out", Out];
+
+        var first = await CliRun.OfAsync(nudge);
+        var second = await CliRun.OfAsync(nudge);
+        var third = await CliRun.OfAsync([.. nudge, "--profile", kept]);
+
+        Assert.That(first.Errors, Does.Contain("a limit of the render time, 15.10 ms").And.Contain(kept));
+        Assert.That(second.Errors, Is.Empty, "there is none to be lost");
+        Assert.That(LatencyProfileFile.Load(kept).Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3));
+        Assert.That(LatencyProfileFile.Load(ProfilePath).Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3), "and is taken over");
+        Assert.That(third.Errors, Is.Empty);
+    }
+
+    [Test]
+    public async Task Nudge_WhatIsThereIsNoProfile_IsReplaced()
+    {
+        Directory.CreateDirectory(Out);
+        await File.WriteAllTextAsync(ProfilePath, "{");
+
+        var run = await CliRun.OfAsync("calibrate", "nudge", "--speed-mm-s", "250", "--forward-mm", "2", "--backward-mm", "-1", "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        Assert.That(LatencyProfileFile.Load(ProfilePath).Method, Is.EqualTo(CalibrationMethod.Nudge));
+    }
+
     [TestCase("--speed-mm-s 250 --forward-mm 2", "backward has no mark")]
     [TestCase("--forward-mm 2 --backward-mm -2", "--speed-mm-s is missing")]
     [TestCase("--speed-mm-s 0 --forward-mm 2 --backward-mm -2", "--speed-mm-s: 0 mm/s is out of range")]
