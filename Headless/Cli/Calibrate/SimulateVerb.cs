@@ -12,6 +12,8 @@ static class SimulateVerb
     static readonly Option<int> Pictures = NumberOption.Create("--pictures", "How many.", Standard.Pictures, 1, 100_000, "");
     static readonly Option<double> Visu = NumberOption.Create("--visu-ms", "True L_visu while frames are ready in time.", Standard.VisuMs, 17, 300, "ms");
     static readonly Option<double> Spoiled = NumberOption.Create("--spoiled", "Share of pictures with something wrong.", Standard.Spoiled, 0, 1, "");
+    static readonly Option<int> PerPlace = NumberOption.Create(
+        "--per-place", "After so many pictures the camera stands elsewhere.", Standard.PicturesPerPlace, 1, 100_000, "");
     static readonly Option<int> LoadSteps = NumberOption.Create(
         "--load-steps", "Steps of the load from 0 to 2 million vertices; 0 stays at 300 000.", Standard.LoadSteps, 0, 100, "");
     static readonly Option<double> Lit = NumberOption.Create(
@@ -30,7 +32,7 @@ static class SimulateVerb
     {
         var verb = new Command("simulate", "Take pictures of a simulated display and LED matrix, with a sweep's log and the truth, to try calibrate vlc on.")
         {
-            Pictures, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, Seed, Check, Output,
+            Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, Seed, Check, Output,
         };
         // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
@@ -41,7 +43,7 @@ static class SimulateVerb
     {
         var settings = new SimulationSettings
         {
-            Pictures = parsed.GetValue(Pictures), VisuMs = parsed.GetValue(Visu), Spoiled = parsed.GetValue(Spoiled), LoadSteps = parsed.GetValue(LoadSteps),
+            Pictures = parsed.GetValue(Pictures), PicturesPerPlace = parsed.GetValue(PerPlace), VisuMs = parsed.GetValue(Visu), Spoiled = parsed.GetValue(Spoiled), LoadSteps = parsed.GetValue(LoadSteps),
             LitMs = parsed.GetValue(Lit), ExposureMs = parsed.GetValue(Exposure), ReadoutMs = parsed.GetValue(Readout), Seed = parsed.GetValue(Seed),
         };
         var status = parsed.GetValue(Check) ? CheckAll(settings, cancel) : TakeAll(settings, parsed.GetValue(Output), cancel);

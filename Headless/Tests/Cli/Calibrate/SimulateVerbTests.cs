@@ -1,3 +1,4 @@
+using Nowpose.Cli.Calibrate.Simulate;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
@@ -13,6 +14,20 @@ public sealed class SimulateVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Output + run.Errors);
         Assert.That(run.Output, Does.Contain("40 pictures").And.Contain(" 0 misread"));
+    }
+
+    /// <summary>Thirty places: scenes, sizes, lights, LEDs and squares; a change that loses one of them in ten is noticed.</summary>
+    [Test]
+    public void Check_ManyPlaces_ReadsNineInTenAndNoneWrong()
+    {
+        var check = SimulationCheck.Run(new SimulationSettings { Pictures = 240, PicturesPerPlace = 8, Seed = 1 }, CancellationToken.None);
+
+        var all = string.Join('\n', check.Lines());
+        Assert.That(check.Pictures, Is.EqualTo(240));
+        Assert.That(check.ReadOfGood, Is.GreaterThan(0.9), all);
+        Assert.That(check.Misread, Is.Zero, all);
+        Assert.That(check.MeanErrorMs, Is.EqualTo(0).Within(0.1), all);
+        Assert.That(check.ErrorP95Ms, Is.LessThan(0.7), all);
     }
 
     [Test]
