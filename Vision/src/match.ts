@@ -1,6 +1,6 @@
 import { homography, type Quad } from './geometry';
 import { lightAt, type Light } from './levels';
-import { Expected, stepsOf, type Pattern } from './pattern';
+import { Expected, outer, stepsOf, type Pattern } from './pattern';
 
 /** How well a quad agrees with a kind of code whose top left corner is its first. */
 export interface Agreement {
@@ -10,7 +10,7 @@ export interface Agreement {
   share: number;
 }
 
-/** Of the outer edge, how far the samples lie from it, in cells. */
+/** Of the outer edge, how far its steps reach. */
 const outerReach = 0.5;
 
 /**
@@ -107,7 +107,7 @@ function medianOf(values: Float64Array, count: number): number {
 
 /** Points and directions of the outer edge's steps, inwards. */
 function outerOf(side: number): Float64Array {
-  const cell = 1 / side;
-  return Float64Array.from(Array.from({ length: side }, (_, i) => (i + 0.5) * cell).flatMap(along =>
-    [[0, along, cell, 0], [1, along, -cell, 0], [along, 0, 0, cell], [along, 1, 0, -cell]].flat()));
+  const edge = outer.inwards / side, step = outer.length / side;
+  return Float64Array.from(Array.from({ length: side }, (_, i) => (i + 0.5) / side).flatMap(along =>
+    [[edge, along, step, 0], [1 - edge, along, -step, 0], [along, edge, 0, step], [along, 1 - edge, 0, -step]].flat()));
 }

@@ -25,10 +25,10 @@ export enum Expected { Level, Rise, Pair }
 
 /** Cells that touch, of which it is known how their light differs. Lengths in sides of the code. */
 export interface Step {
-  /** Middle of the edge between them, right and down from the top left corner. */
+  /** Middle between where they are looked at, right and down from the top left corner. */
   x: number;
   y: number;
-  /** From one cell's middle to the other's, towards the brighter one. */
+  /** From where one is looked at to where the other is, at most; towards the brighter one. */
   dx: number;
   dy: number;
   expected: Expected;
@@ -51,6 +51,14 @@ export function eachEdge(side: number, visit: (row: number, column: number, next
     }
 }
 
+/**
+ * Around LEDs is a housing that may be no wider than half a gap between them, before a scene that may be brighter than they are. So of
+ * steps from outside of a code, the outer light is looked at this near to the edge where the inner one is looked at in a cell's middle.
+ */
+const outside = 0.3;
+/** For that, a step is moved inwards by so much, and made so much shorter. */
+export const outer = { inwards: (0.5 - outside) / 2, length: 0.5 + outside };
+
 /** The steps of a kind of code that are known. */
 export function stepsOf(pattern: Pattern, kind: Kind): Step[] {
   const { side } = pattern, steps: Step[] = [], at = cellAt(pattern, kind);
@@ -58,9 +66,12 @@ export function stepsOf(pattern: Pattern, kind: Kind): Step[] {
     const expected = expectedBetween(at(row, column), at(nextRow, nextColumn));
     if (expected === null || expected === Expected.Pair && row !== nextRow) return;
     const sign = at(row, column) === Cell.Lit && expected === Expected.Rise ? -1 : 1;
+    const isFromOutside = Math.min(row, column) < 0, isOuter = isFromOutside || Math.max(nextRow, nextColumn) >= side;
+    const { inwards, length } = isOuter && !kind.isFilled ? outer : { inwards: 0, length: 1 };
+    const across = nextColumn - column, down = nextRow - row, moved = isFromOutside ? inwards : -inwards;
     steps.push({
-      x: (column + nextColumn + 1) / 2 / side, y: (row + nextRow + 1) / 2 / side,
-      dx: sign * (nextColumn - column) / side, dy: sign * (nextRow - row) / side, expected,
+      x: ((column + nextColumn + 1) / 2 + moved * across) / side, y: ((row + nextRow + 1) / 2 + moved * down) / side,
+      dx: sign * length * across / side, dy: sign * length * down / side, expected,
     });
   });
   return steps;

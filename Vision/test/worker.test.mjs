@@ -66,6 +66,19 @@ test('a weak hologram is found before scenes with edges as bright as itself, and
   assert.ok(read.length >= 11, `${read.length} of ${answers.length}`);
 });
 
+test('LEDs in a narrow housing are found before what is brighter than they are, and read', async () => {
+  const leds = { ...control, corners: square(400, 360, 76, 0.2), light: 0.3 };
+  const board = { corners: square(400, 360, 220, 0.2), lit: Array(64).fill(1), light: 0.8, dot: 0, panel: null };
+
+  const answers = await ask(...Array.from({ length: 6 }, (_, scene) => ({ shot: { ...shot([board, leds]), scene, blur: 1.6 } })));
+
+  const read = answers.filter(({ codes }) => {
+    const { levels } = codes.find(code => code.kind === 'Control') ?? {};
+    return levels && pairs.every((cell, pair) => levels[cell] > levels[cell + 1] === ones(pair));
+  });
+  assert.equal(read.length, answers.length);
+});
+
 test('an interrupt, which reaches all programs of a terminal, does not end it', async () => {
   const child = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
   const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
