@@ -17,13 +17,20 @@ function pngSize(bytes: Buffer): [number, number] {
   return [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
 }
 
-/** From one marker to the next, up to that of a frame. */
+/** What the frame says. Decoders make up what is missing of a file, so its end is looked for, too. */
 function jpegSize(bytes: Buffer): [number, number] {
+  const frame = segment(bytes, isFrame), scan = segment(bytes, marker => marker === startOfScan);
+  if (bytes.indexOf(endOfImage, scan) < 0) throw cutOff();
+  return [bytes.readUInt16BE(frame + 7), bytes.readUInt16BE(frame + 5)];
+}
+
+/** Where the first segment of a kind starts: from one marker to the next. What an embedded picture has lies within a segment. */
+function segment(bytes: Buffer, isWanted: (marker: number) => boolean): number {
   for (let at = 2; at + 9 <= bytes.length;) {
     const marker = bytes[at + 1];
     if (bytes[at] !== 0xff) throw new Error('the picture is damaged');
     if (marker === 0xff) at++;
-    else if (isFrame(marker)) return [bytes.readUInt16BE(at + 7), bytes.readUInt16BE(at + 5)];
+    else if (isWanted(marker)) return at;
     else at += 2 + bytes.readUInt16BE(at + 2);
   }
   throw cutOff();
@@ -31,5 +38,7 @@ function jpegSize(bytes: Buffer): [number, number] {
 
 /** C4, C8 and CC among them are tables. */
 const isFrame = (marker: number) => marker >= 0xc0 && marker <= 0xcf && marker % 4 !== 0 || marker === 0xc0;
+
+const startOfScan = 0xda, endOfImage = Buffer.from([0xff, 0xd9]);
 
 const cutOff = () => new Error('the file is cut off');

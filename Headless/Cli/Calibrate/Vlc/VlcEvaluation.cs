@@ -14,6 +14,9 @@ sealed class VlcEvaluation
     /// <summary>At one load a few frames wait behind a slow one, no more.</summary>
     const double LeastShareNear = 0.9;
 
+    /// <summary>Fewer pictures do not tell how much L_visu scatters, and so not how well its mean is known.</summary>
+    const int FewPictures = 10;
+
     readonly VlcResult _result;
     readonly List<string> _warnings = [];
 
@@ -77,6 +80,7 @@ sealed class VlcEvaluation
         if (!hasSweep && plateau?.Count < LeastShareNear * _result.Read.Count)
             _warnings.Add($"{_result.Read.Count - plateau.Count} of {_result.Read.Count} pictures are late and were left out: "
                 + "were they taken at several loads? Then give the sweep's log (--sweep)");
+        if (plateau?.Count < FewPictures) _warnings.Add($"L_visu is of {plateau.Count} pictures only, which may be some ms off: take 30 or more");
         if (plateau != null) return earlier.With(plateau.VisuMs, plateau.SpreadMs, CalibrationMethod.VisibleLight, plateau.Count);
         _warnings.Add(hasSweep
             ? $"L_visu cannot be told from these {Pictures.Count} pictures of the sweep; no profile was written"
@@ -90,7 +94,7 @@ sealed class VlcEvaluation
     CalibrationPageData PlainPage() => new(
         "Visible light",
         Profile == null
-            ? string.Create(CultureInfo.InvariantCulture, $"{_result.Read.Count} pictures were read; L_visu cannot be told from them.")
+            ? string.Create(CultureInfo.InvariantCulture, $"L_visu cannot be told; pictures read: {_result.Read.Count}.")
             : string.Create(CultureInfo.InvariantCulture,
                 $"L_visu is {Profile.Visualisation.Length.TotalMilliseconds:0.0} ms ± {Profile.Spread.TotalMilliseconds:0.0} ms, of {Profile.Measurements} pictures."),
         [.. Profile == null ? [] : ProfileFacts.Of(Profile), .. Facts()])

@@ -58,6 +58,7 @@ public sealed class VlcVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         Assert.That(run.Output, Does.Contain("L_visu is "));
+        Assert.That(run.Errors, Does.Match("L_visu is of [2-8] pictures only"));
         Assert.That(LatencyProfileFile.Load(In("out/profile.json")).Range, Is.Null);
     }
 
@@ -108,9 +109,18 @@ public sealed class VlcVerbTests
     {
         var whole = File.ReadAllBytes(In("pictures/picture-00001.jpg"));
         var tables = whole.AsSpan().IndexOf([(byte)0xff, (byte)0xc4]);
-        File.WriteAllBytes(In("torn.jpg"), whole[..(tables + 6)]);
+        File.WriteAllBytes(In("a.jpg"), whole[..(tables + 6)]);
+        // Decoders would make up the lower half.
+        File.WriteAllBytes(In("b.jpg"), whole[..(whole.Length / 2)]);
+        whole.AsSpan(tables + 4, 60).Fill(0x11);
+        File.WriteAllBytes(In("c.jpg"), whole);
 
-        Assert.That((await Run(In("torn.jpg"))).Errors, Does.Contain("torn.jpg: unreadable: the picture is damaged or cut off"));
+        string[] good = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(4)];
+
+        var run = await Run([In("a.jpg"), In("b.jpg"), In("c.jpg"), .. good]);
+
+        Assert.That(run.Errors, Does.Contain("a.jpg: unreadable: the file is cut off").And.Contain("b.jpg: unreadable: the file is cut off"));
+        Assert.That(run.Errors, Does.Contain("c.jpg: unreadable: the picture is damaged or cut off"));
     }
 
     [Test]
