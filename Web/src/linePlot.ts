@@ -114,6 +114,7 @@ function paintMarks(u: uPlot, marks: Mark[]): void {
   ctx.strokeStyle = ctx.fillStyle = colour('--muted');
   ctx.lineWidth = ratio;
   ctx.font = `600 ${12 * ratio}px system-ui, sans-serif`;
+  ctx.textBaseline = 'alphabetic';
   ctx.setLineDash([2 * ratio, 3 * ratio]);
   for (const { label, x } of marks) {
     const at = u.valToPos(x, 'x', true);
@@ -122,7 +123,10 @@ function paintMarks(u: uPlot, marks: Mark[]): void {
     ctx.moveTo(at, bbox.top);
     ctx.lineTo(at, bbox.top + bbox.height);
     ctx.stroke();
-    ctx.fillText(label, at + 5 * ratio, bbox.top + 14 * ratio);
+    // Before its line where there is room: behind a limit is what went wrong, and that is in the way.
+    const gap = 5 * ratio, fits = at - gap - ctx.measureText(label).width >= bbox.left;
+    ctx.textAlign = fits ? 'right' : 'left';
+    ctx.fillText(label, fits ? at - gap : at + gap, bbox.top + 14 * ratio);
   }
   ctx.restore();
 }
