@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate;
@@ -34,9 +35,8 @@ sealed class EarlierProfile
     /// <exception cref="InputException">It is none that can be read, or of another device or display rate.</exception>
     public static EarlierProfile Read(string path, string device, double? displayHz, IReadOnlyList<SweepRow> sweep = null)
     {
-        device ??= sweep?[0].Device ?? "";
-        var rate = displayHz ?? sweep?[0].DisplayHz ?? 0;
-        if (double.IsNaN(rate)) rate = 0;
+        device ??= sweep == null ? "" : SweepTable.Device(sweep);
+        var rate = displayHz ?? (sweep == null ? 0 : SweepTable.DisplayHz(sweep));
         var profile = path == null ? null : LatencyProfileFile.Load(path);
         if (profile?.RefusalFor(device, rate) is string refusal) throw new InputException($"--profile: {path}: {refusal}");
         return new EarlierProfile(profile, device, rate);

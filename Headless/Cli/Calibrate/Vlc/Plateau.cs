@@ -42,7 +42,7 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
         try
         {
             var fit = RangeFit.Fit(pairs);
-            return new(fit.VisuMs, fit.SpreadMs, pairs.Length - fit.Rejected);
+            return new(fit.VisuMs, fit.SpreadMs, fit.Used);
         }
         catch (InputException)
         {

@@ -12,11 +12,14 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed class SweepJoin
 {
     readonly IReadOnlyList<SweepRow> _rows;
+    readonly RenderTimeSourceKind _source;
     readonly ILookup<int, int> _rowsOfCode;
 
-    public SweepJoin(IReadOnlyList<SweepRow> rows)
+    /// <param name="source">What the render times that count were measured with; a limit holds for one source only.</param>
+    public SweepJoin(IReadOnlyList<SweepRow> rows, RenderTimeSourceKind source)
     {
         _rows = rows;
+        _source = source;
         _rowsOfCode = Enumerable.Range(0, rows.Count).ToLookup(row => TimestampCode.ValueOf(rows[row].FrameStart));
     }
 
@@ -24,7 +27,9 @@ sealed class SweepJoin
     /// <returns>One of each picture whose frame is in the log.</returns>
     public IReadOnlyList<MeasuredPicture> Join(IEnumerable<PictureResult> pictures) =>
         [.. LongestRun([.. pictures.Where(picture => picture.IsRead)]).Select(
-            place => new MeasuredPicture(place.Picture.File, _rows[place.Row].Vertices, _rows[place.Row].RenderMs, place.Picture.VisuMs))];
+            place => new MeasuredPicture(place.Picture.File, _rows[place.Row].Vertices, RenderMsOf(_rows[place.Row]), place.Picture.VisuMs))];
+
+    double? RenderMsOf(in SweepRow row) => row.Source == _source ? row.RenderMs : null;
 
     /// <summary>The longest run of pictures whose rows never go back.</summary>
     List<Place> LongestRun(IReadOnlyList<PictureResult> pictures)

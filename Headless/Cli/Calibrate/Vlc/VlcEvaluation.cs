@@ -26,8 +26,8 @@ sealed class VlcEvaluation
     public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, EarlierProfile earlier)
     {
         _result = result;
-        if (sweep != null) Pictures = Joined(sweep);
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
+        if (sweep != null) Pictures = Joined(sweep, sensitivity.Source);
         var fit = sensitivity == null ? null : FitOf(sensitivity);
         Profile = fit != null ? RangeProfile.Of(fit, earlier.Device, earlier.DisplayHz, sensitivity.Source) : WithoutRange(sweep != null, earlier);
         Page = fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage();
@@ -41,13 +41,16 @@ sealed class VlcEvaluation
 
     public CalibrationPageData Page { get; }
 
-    IReadOnlyList<MeasuredPicture> Joined(IReadOnlyList<SweepRow> sweep)
+    IReadOnlyList<MeasuredPicture> Joined(IReadOnlyList<SweepRow> sweep, RenderTimeSourceKind source)
     {
-        var joined = new SweepJoin(sweep).Join(_result.Pictures);
+        var joined = new SweepJoin(sweep, source).Join(_result.Pictures);
         if (joined.Count < LeastShareJoined * _result.Read.Count)
             throw new InputException($"--sweep: the log has the frames of {joined.Count} of {_result.Read.Count} pictures: it is that of another recording");
         if (joined.Count < _result.Read.Count)
             _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that the sweep log does not have");
+        var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
+        if (others > 0)
+            _warnings.Add($"{others} of {measured} render times of the sweep were measured with another source than {RenderTimeSourceNames.NameOf(source)} and do not count");
         return joined;
     }
 

@@ -25,10 +25,18 @@ public sealed class SweepJoinTests
     {
         int[] rows = [3, 900, 3_500, 6_000, 9_990, 13_000, 16_001, 19_999];
 
-        var joined = new SweepJoin(Rows).Join(rows.Select(PictureOf));
+        var joined = new SweepJoin(Rows, RenderTimeSourceKind.DisplayGpuTime).Join(rows.Select(PictureOf));
 
         Assert.That(joined.Select(picture => picture.Vertices), Is.EqualTo(rows));
         Assert.That(joined[1].RenderMs, Is.EqualTo(5.9).Within(1e-9));
+    }
+
+    [Test]
+    public void Join_RenderTimeOfAnotherSource_IsNone()
+    {
+        var joined = new SweepJoin(Rows, RenderTimeSourceKind.GpuCompletion).Join([PictureOf(3)]);
+
+        Assert.That((joined.Single().Vertices, joined.Single().RenderMs), Is.EqualTo((3, (double?)null)));
     }
 
     [Test]
@@ -36,7 +44,7 @@ public sealed class SweepJoinTests
     {
         var before = new PictureResult("before", 0, TimestampCode.ValueOf(Rows[0].FrameStart - TimeSpan.FromMilliseconds(5)), 40, null);
 
-        var joined = new SweepJoin(Rows.Take(100).ToList()).Join([PictureResult.Not("blurred", "no code found"), before, PictureOf(50)]);
+        var joined = new SweepJoin(Rows.Take(100).ToList(), RenderTimeSourceKind.DisplayGpuTime).Join([PictureResult.Not("blurred", "no code found"), before, PictureOf(50)]);
 
         Assert.That(joined.Select(picture => picture.File), Is.EqualTo(new[] { "p50" }));
     }
@@ -46,7 +54,7 @@ public sealed class SweepJoinTests
     {
         int[] rows = [.. Enumerable.Range(0, 60).Select(i => first + 40 * i)];
 
-        var joined = new SweepJoin(Rows).Join(rows.Select(PictureOf));
+        var joined = new SweepJoin(Rows, RenderTimeSourceKind.DisplayGpuTime).Join(rows.Select(PictureOf));
 
         Assert.That(joined.Select(picture => picture.Vertices), Is.EqualTo(rows));
     }
@@ -62,7 +70,7 @@ public sealed class SweepJoinTests
             int[] rows = [.. Enumerable.Range(0, 600).Select(i => 5 + 30 * i)];
             Assert.That(early.Any(HasARow), "seed " + seed + ": nothing could go astray");
 
-            var joined = new SweepJoin(Rows).Join(early.Concat(rows.Select(PictureOf)));
+            var joined = new SweepJoin(Rows, RenderTimeSourceKind.DisplayGpuTime).Join(early.Concat(rows.Select(PictureOf)));
 
             Assert.That(joined.Select(picture => picture.File), Is.EqualTo(rows.Select(row => "p" + row)), "seed " + seed);
             Assert.That(joined.Select(picture => picture.Vertices), Is.EqualTo(rows), "seed " + seed);
@@ -84,7 +92,7 @@ public sealed class SweepJoinTests
             }
             var right = pictures.Count(picture => picture.File != "astray");
 
-            var joined = new SweepJoin(Rows).Join(pictures);
+            var joined = new SweepJoin(Rows, RenderTimeSourceKind.DisplayGpuTime).Join(pictures);
 
             foreach (var picture in joined.Where(picture => picture.File != "astray"))
                 Assert.That("p" + picture.Vertices, Is.EqualTo(picture.File), "seed " + seed);

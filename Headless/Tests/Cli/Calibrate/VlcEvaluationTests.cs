@@ -61,6 +61,23 @@ public sealed class VlcEvaluationTests
         Assert.That(evaluation.Profile.Spread.TotalMilliseconds, Is.LessThan(2));
         Assert.That(evaluation.Profile.Range, Is.Null);
         Assert.That(evaluation.Page.Warnings, Has.Some.Contains("this source cannot see load"));
+        Assert.That(evaluation.Profile.Measurements, Is.InRange(0.4 * result.Read.Count, 0.75 * result.Read.Count), "those of the plateau");
+    }
+
+    [Test]
+    public void Sweep_WhoseSourceChangesForAWhile_HasTheLimitOfTheOneThatMeasuredMost()
+    {
+        var (rows, result) = Sweep(ms => ms);
+        var mixed = rows.Select((row, i) => i % 10 != 0 ? row : new SweepRow(
+            row.FrameStart, row.Vertices, 30, RenderTimeSourceKind.GpuCompletion, row.Device, row.DisplayHz)).ToList();
+
+        var evaluation = Evaluate(result, mixed);
+
+        Assert.That(evaluation.Profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.17).Within(0.3));
+        Assert.That(evaluation.Profile.RenderTimeSource, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
+        Assert.That(evaluation.Pictures.Select(picture => picture.RenderMs), Has.None.EqualTo(30));
+        Assert.That(evaluation.Page.Warnings, Has.Some.EqualTo(
+            "252 of 2520 render times of the sweep were measured with another source than engine_gpu_time and do not count"));
     }
 
     [Test]

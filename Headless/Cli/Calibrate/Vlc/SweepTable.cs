@@ -1,0 +1,41 @@
+using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate.Vlc;
+
+/// <summary>A load sweep's log as the command line takes it: of one headset with one display rate, compressed or not.</summary>
+static class SweepTable
+{
+    /// <exception cref="InputException">The file cannot be read, is not of that form, or is of several headsets.</exception>
+    public static IReadOnlyList<SweepRow> Read(string path)
+    {
+        using var text = RecordingText.Open(path);
+        try
+        {
+            return OfOneHeadset(SweepLogReader.Read(text, path), path);
+        }
+        catch (Exception e) when (e is IOException or InvalidDataException)
+        {
+            throw RecordingText.Unreadable(path, e);
+        }
+    }
+
+    /// <summary>The headset's model; empty where no row says it.</summary>
+    public static string Device(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.Device).FirstOrDefault(device => device.Length > 0) ?? "";
+
+    /// <summary>0 where no row says it. A display tells its rate some frames after the scene has begun.</summary>
+    public static double DisplayHz(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.DisplayHz).FirstOrDefault(rate => !double.IsNaN(rate));
+
+    static IReadOnlyList<SweepRow> OfOneHeadset(IReadOnlyList<SweepRow> rows, string path)
+    {
+        var (device, rate) = (Device(rows), DisplayHz(rows));
+        for (var i = 0; i < rows.Count; i++)
+        {
+            if (rows[i].Device.Length > 0 && rows[i].Device != device)
+                throw new InputException($"{path}: frames of '{device}' and of '{rows[i].Device}'; a sweep is of one headset");
+            if (!double.IsNaN(rows[i].DisplayHz) && rows[i].DisplayHz != rate)
+                throw new InputException(FormattableString.Invariant($"{path}: frames at {rate} Hz and at {rows[i].DisplayHz} Hz; L_visu is another one at each: keep the one"));
+        }
+        return rows;
+    }
+}

@@ -1,0 +1,48 @@
+using System.IO.Compression;
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+public sealed class SweepTableTests : CalibrationFolder
+{
+    static string Log(params string[] deviceAndRate) => SweepLog.Header + "\n"
+        + string.Concat(deviceAndRate.Select((each, i) => $"{1_000_000_000 + i * 16_666_667},0,5.5,display_gpu_time,{each}\n"));
+
+    [Test]
+    public void Read_CompressedLog_IsTheSame()
+    {
+        var path = Path.Combine(Folder, "sweep.csv.gz");
+        using (var text = new StreamWriter(new GZipStream(File.Create(path), CompressionLevel.Fastest))) text.Write(Log("HoloLens 2,60", "HoloLens 2,60"));
+
+        Assert.That(SweepTable.Read(path).Select(row => row.RenderMs), Is.EqualTo(new[] { 5.5, 5.5 }));
+    }
+
+    [Test]
+    public void Read_NameThatPromisesGzip_IsOneLine()
+    {
+        var path = Path.Combine(Folder, "sweep.csv.gz");
+        File.WriteAllText(path, Log("HoloLens 2,60"));
+
+        Assert.That(() => SweepTable.Read(path), Throws.TypeOf<InputException>().With.Message.EndsWith("a name ending in .gz promises one"));
+    }
+
+    [Test]
+    public void DisplayHz_ToldSomeFramesAfterTheStart_IsKnown()
+    {
+        var rows = SweepTable.Read(Write("sweep.csv", [Log("HoloLens 2,", "HoloLens 2,", "HoloLens 2,60")]));
+
+        Assert.That((SweepTable.Device(rows), SweepTable.DisplayHz(rows)), Is.EqualTo(("HoloLens 2", 60)));
+        Assert.That(SweepTable.DisplayHz([rows[0]]), Is.Zero, "nobody says it");
+    }
+
+    [TestCase("HoloLens 2,60", "Quest 3,60", "frames of 'HoloLens 2' and of 'Quest 3'; a sweep is of one headset")]
+    [TestCase("HoloLens 2,60", "HoloLens 2,72", "frames at 60 Hz and at 72 Hz")]
+    public void Read_LogOfTwoHeadsets_IsRefused(string first, string second, string named)
+    {
+        var path = Write("sweep.csv", [Log(first, second)]);
+
+        Assert.That(() => SweepTable.Read(path), Throws.TypeOf<InputException>().With.Message.Contains($"{path}: {named}"));
+    }
+}
