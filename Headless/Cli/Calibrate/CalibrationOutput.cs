@@ -17,8 +17,8 @@ sealed class CalibrationOutput
 
     public string PagePath => Path.Combine(_folder, "calibration.html");
 
-    /// <summary>The last profile with a limit of the render time that one without has replaced.</summary>
-    public string LimitedProfilePath => Path.Combine(_folder, "profile-with-limit.json");
+    /// <summary>Where a profile goes that has no limit of the render time while the one that is there has one.</summary>
+    public string UnlimitedProfilePath => Path.Combine(_folder, "profile-without-limit.json");
 
     /// <summary>What <c>calibrate range</c> reads.</summary>
     public string PairsPath => Path.Combine(_folder, "pairs.csv");
@@ -41,15 +41,16 @@ sealed class CalibrationOutput
         }
     }
 
-    /// <param name="profile">Null for none: one that is there stays. A limit that is there and that it has not is kept beside it.</param>
-    public void Write(LatencyProfile profile, CalibrationPageData page)
+    /// <summary>Writes both. A profile that is there stays, unless the new one is as good: where it has a limit and the new one none.</summary>
+    /// <param name="profile">Null for none.</param>
+    /// <returns>Where the profile is; null for none.</returns>
+    public string Write(LatencyProfile profile, CalibrationPageData page)
     {
-        if (profile != null)
-        {
-            if (profile.Range == null) KeepLimit();
-            LatencyProfileFile.Save(ProfilePath, profile);
-        }
         File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page)));
+        if (profile == null) return null;
+        var path = profile.Range == null && EarlierLimit() is TimeSpan limit ? Beside(limit) : ProfilePath;
+        LatencyProfileFile.Save(path, profile);
+        return path;
     }
 
     public void WritePairs(IEnumerable<MeasuredPicture> pictures)
@@ -61,13 +62,12 @@ sealed class CalibrationOutput
                 CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
     }
 
-    void KeepLimit()
+    string Beside(TimeSpan limit)
     {
-        if (EarlierLimit() is not TimeSpan limit) return;
-        File.Copy(ProfilePath, LimitedProfilePath, overwrite: true);
         Console.Error.WriteLine(FormattableString.Invariant(
-            $"nowpose: the profile that was there has a limit of the render time, {limit.TotalMilliseconds:0.00} ms, and the new one none: ")
-            + $"the earlier one is now {LimitedProfilePath}; vlc, sine and nudge take its limit over with --profile");
+            $"nowpose: {ProfilePath} has a limit of the render time, {limit.TotalMilliseconds:0.00} ms, and stays; the new profile has none and is written beside it. ")
+            + $"For the new L_visu with that limit, vlc, sine and nudge take --profile {ProfilePath}");
+        return UnlimitedProfilePath;
     }
 
     // Null, too, where what stands there is no profile that could be used.

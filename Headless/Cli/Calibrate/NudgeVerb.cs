@@ -42,9 +42,9 @@ static class NudgeVerb
         var profile = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Device(parsed), Device.DisplayHz(parsed))
             .With(result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, CalibrationMethod.Nudge, result.Count);
         var page = NudgePage.Of(marks, result, profile);
-        output.Write(profile, page);
+        var written = output.Write(profile, page);
         if (parsed.GetValue(Json)) Console.Out.WriteLine(NudgePage.Json(result));
-        else ResultTable.Print(page, output);
+        else ResultTable.Print(page, written, output.PagePath);
         return ExitStatus.Done;
     }
 

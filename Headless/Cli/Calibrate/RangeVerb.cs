@@ -32,13 +32,13 @@ static class RangeVerb
         var output = CalibrationOutput.At(folder);
         var profile = RangeProfile.Of(fit, device, displayHz, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
-        output.Write(profile, page);
+        var written = output.Write(profile, page);
         if (asJson)
         {
             ResultTable.Warn(page);
             Console.Out.WriteLine(RangeJson.Of(fit));
         }
-        else ResultTable.Print(page, output);
+        else ResultTable.Print(page, written, output.PagePath);
         return ExitStatus.Done;
     }
 

@@ -59,13 +59,13 @@ static class SineVerb
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = SinePage.Of(result, profile, path);
-        output.Write(profile, page);
+        var written = output.Write(profile, page);
         if (parsed.GetValue(Json))
         {
             ResultTable.Warn(page);
             Console.Out.WriteLine(SineJson.Of(result));
         }
-        else ResultTable.Print(page, output, profile != null);
+        else ResultTable.Print(page, written, output.PagePath);
         return ExitStatus.Done;
     }
 

@@ -51,7 +51,7 @@ static class VlcVerb
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Read.Count == 0) return status == ExitStatus.Done ? throw NothingRead(arguments, result) : status;
         var evaluation = new VlcEvaluation(result, sweep, earlier);
-        output.Write(evaluation.Profile, evaluation.Page);
+        var written = output.Write(evaluation.Profile, evaluation.Page);
         if (sweep != null) output.WritePairs(evaluation.Pictures);
         if (parsed.GetValue(Json))
         {
@@ -60,7 +60,7 @@ static class VlcVerb
         }
         else
         {
-            ResultTable.Print(evaluation.Page, output, evaluation.Profile != null);
+            ResultTable.Print(evaluation.Page, written, output.PagePath);
         }
         return status;
     }

@@ -34,22 +34,27 @@ public class NudgeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Nudge_ProfileThatIsThereHasALimit_IsKeptBesideTheNewOneAndSaid()
+    public async Task Nudge_ProfileThatIsThereHasALimit_StaysAndTheNewOneIsWrittenBesideIt()
     {
         LatencyProfileFile.Save(ProfilePath, new LatencyProfile(
             40, 1, "HoloLens 2", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 9, 15.1, RenderTimeSourceKind.GpuCompletion));
-        var kept = Path.Combine(Out, "profile-with-limit.json");
-        string[] nudge = ["calibrate", "nudge", "--speed-mm-s", "250", "--forward-mm", "2", "--backward-mm", "-1", "--json", "--out", Out];
+        var beside = Path.Combine(Out, "profile-without-limit.json");
+        string[] nudge = ["calibrate", "nudge", "--speed-mm-s", "250", "--forward-mm", "2", "--backward-mm", "-1", "--out", Out];
 
-        var first = await CliRun.OfAsync(nudge);
-        var second = await CliRun.OfAsync(nudge);
-        var third = await CliRun.OfAsync([.. nudge, "--profile", kept]);
+        var without = await CliRun.OfAsync(nudge);
+        var stays = LatencyProfileFile.Load(ProfilePath);
+        var with = await CliRun.OfAsync([.. nudge, "--profile", ProfilePath]);
 
-        Assert.That(first.Errors, Does.Contain("a limit of the render time, 15.10 ms").And.Contain(kept));
-        Assert.That(second.Errors, Is.Empty, "there is none to be lost");
-        Assert.That(LatencyProfileFile.Load(kept).Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3));
-        Assert.That(LatencyProfileFile.Load(ProfilePath).Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3), "and is taken over");
-        Assert.That(third.Errors, Is.Empty);
+        Assert.That(without.ExitStatus, Is.Zero);
+        Assert.That(without.Errors, Does.Contain("a limit of the render time, 15.10 ms, and stays").And.Contain("--profile " + ProfilePath));
+        Assert.That(without.Output, Does.Contain(beside));
+        Assert.That((stays.Method, stays.Visualisation.Length.TotalMilliseconds), Is.EqualTo((CalibrationMethod.VisibleLight, 40.0)));
+        Assert.That(LatencyProfileFile.Load(beside).Range, Is.Null);
+        Assert.That(LatencyProfileFile.Load(beside).Visualisation.Length.TotalMilliseconds, Is.EqualTo(46).Within(1e-3));
+        Assert.That(with.Errors, Is.Empty);
+        var both = LatencyProfileFile.Load(ProfilePath);
+        Assert.That(both.Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3), "is taken over");
+        Assert.That(both.Visualisation.Length.TotalMilliseconds, Is.EqualTo(46).Within(1e-3));
     }
 
     [Test]
