@@ -101,6 +101,24 @@ public sealed class LoadSweepTests
         Assert.That(rows, Has.All.Matches<SweepRow>(row => row.Device == SystemInfo.deviceModel && row.DisplayHz == 60));
     }
 
+    [Test]
+    public async Task DisplayRate_ToldOnceTheSweepHasBegun_IsInTheRowsOfLaterLoads()
+    {
+        Play();
+        Run(5);
+        _cell.Player.World.Gpu.DisplayHz = null;
+        _sweep.StartSweep();
+        Run(0.1);
+        _cell.Player.World.Gpu.DisplayHz = 72;
+
+        Run(5);
+        await Judged();
+
+        var rows = SweepLogReader.Read(_sweep.Path);
+        Assert.That(rows[0].DisplayHz, Is.NaN);
+        Assert.That(rows.Where(row => row.Vertices > 0).Select(row => row.DisplayHz).Distinct(), Is.EqualTo(new[] { 72.0 }));
+    }
+
     static IEnumerable<TimeSpan> Gaps(IReadOnlyList<SweepRow> rows) =>
         rows.Skip(1).Zip(rows, (b, a) => b.FrameStart - a.FrameStart).Where(gap => gap.TotalMilliseconds is < 10 or > 25);
 
