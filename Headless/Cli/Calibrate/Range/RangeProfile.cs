@@ -33,7 +33,7 @@ static class RangeProfile
             yield return "limit not reached: beyond the greatest render time seen the headset calls the range unknown; sweep on to a greater load";
         if (fit.OpenToRenderMs is double open)
             yield return FormattableString.Invariant(
-                $"the limit may lie anywhere from {fit.LimitRenderMs:0.00} to {open:0.00} ms, the lower one is taken: sweep in finer steps around it");
+                $"the limit may lie anywhere up to {open:0.00} ms, {fit.LimitRenderMs:0.00} ms is taken: sweep in finer steps around it");
     }
 
     static string Count(int count) => count.ToString(CultureInfo.InvariantCulture);

@@ -31,6 +31,12 @@ namespace Nowpose.Latency
         /// <summary>Further from the limit than this share of it, the next pictures leave open where it is.</summary>
         const double Coarse = 0.05;
 
+        /// <summary>
+        /// Of the gap between the last pictures in time and the first late ones, the limit lies so far in: it may be anywhere there, and to
+        /// place it too high is three times as bad as too low. Never more than this share above what was seen.
+        /// </summary>
+        const double IntoTheGap = 0.25, MostAbove = 0.02;
+
         /// <summary>So many pairs beyond it may be misread.</summary>
         const int Misread = 2;
 
@@ -76,7 +82,8 @@ namespace Nowpose.Latency
                     + "check how it was measured", spread, GreatestSpread));
             var last = sorted[split.Count - 1].RenderMs;
             var next = split.IsReached ? sorted[Math.Min(split.Count + Misread, sorted.Length - 1)].RenderMs : last;
-            return new RangeFitResult(mean, spread, last, split.IsReached, sorted.Length, inside.Length, split.Count - inside.Length,
+            var limit = Math.Min(last + IntoTheGap * (next - last), (1 + MostAbove) * last);
+            return new RangeFitResult(mean, spread, limit, split.IsReached, sorted.Length, inside.Length, split.Count - inside.Length,
                 next > (1 + Coarse) * last ? next : (double?)null);
         }
 

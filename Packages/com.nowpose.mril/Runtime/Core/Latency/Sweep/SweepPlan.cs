@@ -15,7 +15,7 @@ namespace Nowpose.Latency
         /// <param name="steps">From no load to the greatest, 2 to 100.</param>
         /// <param name="secondsPerLoad">For which each load is shown once it has settled, 0.5 to 600 s.</param>
         /// <param name="settleSeconds">
-        /// For which it is shown before, 0 to 60 s. These frames are logged like any other: whoever fits takes medians, and takes no harm.
+        /// For which it is shown before, 0 to 60 s. These frames are logged like any other: the fit takes no harm.
         /// </param>
         /// <param name="goesDown">
         /// Whether the loads are gone through in reverse afterwards. Whatever changes with time and not with the load, a processor that
