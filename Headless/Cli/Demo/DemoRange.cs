@@ -24,10 +24,15 @@ sealed class DemoRange(DemoRun run, IReadOnlyList<DemoError> errors)
         return lengths.Count == 0 ? null : Quantile.Of(lengths, 0.5);
     }
 
-    /// <summary>RMS of the compensated tool's error over scored frames inside or outside, mm; null where there are none.</summary>
-    public double? RmsMm(bool isOutside)
+    /// <summary>RMS of the compensated tool's error over scored frames outside, mm; null where there are none.</summary>
+    public double? RmsOutsideMm => RmsMm(e => e.Mm);
+
+    /// <summary>The same of the same frames, had their light not been late: what the load alone adds is the difference.</summary>
+    public double? RmsInTimeMm => RmsMm(e => e.InTimeMm);
+
+    double? RmsMm(Func<DemoError, double> error)
     {
-        var squares = Of(isOutside).Select(e => e.Mm * e.Mm).ToList();
+        var squares = Of(isOutside: true).Select(e => error(e) * error(e)).ToList();
         return squares.Count == 0 ? null : Math.Sqrt(squares.Average());
     }
 

@@ -26,7 +26,7 @@ sealed class DemoRangeWords(DemoSettings settings, DemoResult result, DemoRange 
 
     string Against() =>
         $"L_visu {Number(range.VisualisationMs(true), "0.0#")} ms, inside {Number(range.VisualisationMs(false), "0.0#")} ms; "
-        + $"error {Number(range.RmsMm(true), "0.00")} mm RMS, inside {Number(range.RmsMm(false), "0.00")} mm";
+        + $"error {Number(range.RmsOutsideMm, "0.00")} mm RMS, shown in time {Number(range.RmsInTimeMm, "0.00")} mm";
 
     static string Number(double? value, string format) => value?.ToString(format, CultureInfo.InvariantCulture) ?? "–";
 }

@@ -58,7 +58,13 @@ sealed class DemoScore
         var truth = _kinematics.TrueAt(_run.Truth, row.TrueLight);
         return new DemoError(
             frame, row.HeldTool.DistanceMm(truth), row.Tool.DistanceMm(truth),
-            (row.AssumedLight.Value - row.TrueLight).TotalMilliseconds, _run.Truth.CycleAt(row.TrueLight));
+            (row.AssumedLight.Value - row.TrueLight).TotalMilliseconds, InTimeMm(row), _run.Truth.CycleAt(row.TrueLight));
+    }
+
+    double InTimeMm(in DemoFrames.Row row)
+    {
+        var late = _run.Settings.Load == null ? TimeSpan.Zero : row.Rendered.Visualisation - TimeSpan.FromMilliseconds(_run.Settings.VisualisationMs);
+        return row.Tool.DistanceMm(_kinematics.TrueAt(_run.Truth, row.TrueLight - late));
     }
 
     DemoResult.Latencies Latencies()
