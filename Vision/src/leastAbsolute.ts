@@ -55,7 +55,7 @@ export class Equations {
 
 /** So many unknowns with the least sum of absolute rests, by least squares in which each counts the less the farther off it was. */
 export function leastAbsolute(equations: Equations, count: number): Float64Array {
-  const normal: Mat = new cv.Mat(count, count, cv.CV_64FC1), right: Mat = new cv.Mat(count, 1, cv.CV_64FC1), found: Mat = new cv.Mat(count, 1, cv.CV_64FC1);
+  const [normal, right, found] = [count, 1, 1].map(columns => new cv.Mat(count, columns, cv.CV_64FC1)) as [Mat, Mat, Mat];
   const weights = new Float64Array(equations.count).fill(1), rests = new Float64Array(equations.count);
   try {
     for (let round = 0; round < rounds; round++) {

@@ -43,7 +43,8 @@ static class SimulateVerb
     {
         var settings = new SimulationSettings
         {
-            Pictures = parsed.GetValue(Pictures), PicturesPerPlace = parsed.GetValue(PerPlace), VisuMs = parsed.GetValue(Visu), Spoiled = parsed.GetValue(Spoiled), LoadSteps = parsed.GetValue(LoadSteps),
+            Pictures = parsed.GetValue(Pictures), PicturesPerPlace = parsed.GetValue(PerPlace), VisuMs = parsed.GetValue(Visu),
+            Spoiled = parsed.GetValue(Spoiled), LoadSteps = parsed.GetValue(LoadSteps),
             LitMs = parsed.GetValue(Lit), ExposureMs = parsed.GetValue(Exposure), ReadoutMs = parsed.GetValue(Readout), Seed = parsed.GetValue(Seed),
         };
         var status = parsed.GetValue(Check) ? CheckAll(settings, cancel) : TakeAll(settings, parsed.GetValue(Output), cancel);

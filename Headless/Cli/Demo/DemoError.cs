@@ -5,6 +5,6 @@ namespace Nowpose.Cli.Demo;
 /// <param name="HoldMm">Distance of the tool from the truth without compensation, mm.</param>
 /// <param name="Mm">Distance of the tool from the truth as displayed, mm.</param>
 /// <param name="LightMs">Assumed minus true control time of the light, ms.</param>
-/// <param name="InTimeMm">The same as <paramref name="Mm"/>, had the frame's light come as early as the display's does when it is not held back, mm.</param>
+/// <param name="InTimeMm">The same as <paramref name="Mm"/>, had the frame's light not been held back, mm.</param>
 /// <param name="Cycle">Motion cycle at the moment of light, from 0.</param>
 readonly record struct DemoError(int Frame, double HoldMm, double Mm, double LightMs, double InTimeMm, int Cycle);

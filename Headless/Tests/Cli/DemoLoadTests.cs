@@ -18,7 +18,8 @@ public class DemoLoadTests
         Assert.That(range.Alarms, Is.EqualTo(1));
         Assert.That(range.LeftS, Is.InRange(6.67, 7.0), "the load comes at 6.67 s");
         Assert.That(range.FoundS, Is.InRange(15, 16), "and goes at 15 s");
-        Assert.That(score.Range.VisualisationMs(isOutside: true), Is.GreaterThan(score.Range.VisualisationMs(isOutside: false) + 15), "frames miss a refresh");
+        Assert.That(
+            score.Range.VisualisationMs(isOutside: true), Is.GreaterThan(score.Range.VisualisationMs(isOutside: false) + 15), "frames miss a refresh");
         Assert.That(score.Range.RmsOutsideMm, Is.GreaterThan(1.5 * score.Range.RmsInTimeMm.Value), "than the same frames in time");
         Assert.That(WhileLoaded(score, run), Is.GreaterThan(1.5 * WhileLoaded(seed)), "than the same motion without a load");
     }

@@ -32,7 +32,8 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
             ? new PictureResult(file, led, shown.Ms, visu, null)
             : PictureResult.Not(file, visu > Greatest
                 ? FormattableString.Invariant($"codes more than {Greatest} ms apart")
-                : FormattableString.Invariant($"headset code more than {-Least} ms ahead of the control code: is what shows that one late (--control-delay-ms)?"));
+                : FormattableString.Invariant($"headset code more than {-Least} ms ahead of the control code: ")
+                    + "is what shows that one late (--control-delay-ms)?");
     }
 
     /// <summary>LEDs show a run of codes; a monitor shows a code for a frame, as the headset does, but any code may follow.</summary>

@@ -34,7 +34,8 @@ static class SweepTable
             if (rows[i].Device.Length > 0 && rows[i].Device != device)
                 throw new InputException($"{path}: frames of '{device}' and of '{rows[i].Device}'; a sweep is of one headset");
             if (!double.IsNaN(rows[i].DisplayHz) && rows[i].DisplayHz != rate)
-                throw new InputException(FormattableString.Invariant($"{path}: frames at {rate} Hz and at {rows[i].DisplayHz} Hz; L_visu is another one at each: keep the one"));
+                throw new InputException(FormattableString.Invariant(
+                    $"{path}: frames at {rate} Hz and at {rows[i].DisplayHz} Hz; L_visu is another one at each: keep one of them"));
         }
         return rows;
     }

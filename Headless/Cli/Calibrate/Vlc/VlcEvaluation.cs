@@ -50,7 +50,8 @@ sealed class VlcEvaluation
             _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that the sweep log does not have");
         var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
         if (others > 0)
-            _warnings.Add($"{others} of {measured} render times of the sweep were measured with another source than {RenderTimeSourceNames.NameOf(source)} and do not count");
+            _warnings.Add($"{others} of {measured} render times of the sweep were measured with another source than "
+                + $"{RenderTimeSourceNames.NameOf(source)} and do not count");
         return joined;
     }
 

@@ -44,7 +44,8 @@ public sealed class SweepJoinTests
     {
         var before = new PictureResult("before", 0, TimestampCode.ValueOf(Rows[0].FrameStart - TimeSpan.FromMilliseconds(5)), 40, null);
 
-        var joined = new SweepJoin(Rows.Take(100).ToList(), RenderTimeSourceKind.DisplayGpuTime).Join([PictureResult.Not("blurred", "no code found"), before, PictureOf(50)]);
+        var joined = new SweepJoin(Rows.Take(100).ToList(), RenderTimeSourceKind.DisplayGpuTime)
+            .Join([PictureResult.Not("blurred", "no code found"), before, PictureOf(50)]);
 
         Assert.That(joined.Select(picture => picture.File), Is.EqualTo(new[] { "p50" }));
     }

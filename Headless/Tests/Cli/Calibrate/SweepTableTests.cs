@@ -14,7 +14,8 @@ public sealed class SweepTableTests : CalibrationFolder
     public void Read_CompressedLog_IsTheSame()
     {
         var path = Path.Combine(Folder, "sweep.csv.gz");
-        using (var text = new StreamWriter(new GZipStream(File.Create(path), CompressionLevel.Fastest))) text.Write(Log("HoloLens 2,60", "HoloLens 2,60"));
+        using (var text = new StreamWriter(new GZipStream(File.Create(path), CompressionLevel.Fastest)))
+            text.Write(Log("HoloLens 2,60", "HoloLens 2,60"));
 
         Assert.That(SweepTable.Read(path).Select(row => row.RenderMs), Is.EqualTo(new[] { 5.5, 5.5 }));
     }

@@ -44,7 +44,8 @@ namespace Nowpose.Tests
         {
             var steady = new SimulatedPictures
             {
-                PerLoad = 30, Loads = Enumerable.Range(0, 11).Select(i => 200_000.0 * i).ToArray(), Display = new DisplayPipelineSettings(scatter: scatter),
+                PerLoad = 30, Loads = Enumerable.Range(0, 11).Select(i => 200_000.0 * i).ToArray(),
+                Display = new DisplayPipelineSettings(scatter: scatter),
             };
 
             Assert.That(CountNear(steady, out var limits), Is.GreaterThanOrEqualTo(95), limits);
@@ -155,7 +156,8 @@ namespace Nowpose.Tests
                 var limit = RangeFit.Fit(pairs).LimitRenderMs;
 
                 // The last step that is all within the limit, or one more where most of it is; and of the gap behind it no more than a little.
-                Assert.That(limit, Is.InRange(Math.Floor(TrueLimitMs / stepMs) * stepMs - 1e-9, 1.021 * Math.Ceiling(TrueLimitMs / stepMs) * stepMs), "seed " + seed);
+                var (before, after) = (Math.Floor(TrueLimitMs / stepMs) * stepMs, Math.Ceiling(TrueLimitMs / stepMs) * stepMs);
+                Assert.That(limit, Is.InRange(before - 1e-9, 1.021 * after), "seed " + seed);
             }
         }
 
