@@ -1,6 +1,6 @@
 import { homography, type Quad } from './geometry';
 import { Equations, leastAbsolute } from './leastAbsolute';
-import { lightAt, type Light } from './levels';
+import { lightThrough, type Light } from './levels';
 import { Cell, cellAt, eachEdge, type Kind, type Pattern } from './pattern';
 
 /** Samples along one side of a cell. */
@@ -52,11 +52,9 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
 
 /** Light in the code's own rows and columns of samples, from one cell before it to one behind it. */
 function samplesOf(picture: Light, quad: Quad, side: number): (row: number, column: number) => number {
-  const [a, b, c, d, e, f, g, h] = homography(quad), length = (side + 2) * samples, light = new Float32Array(length * length);
+  const seen = homography(quad), length = (side + 2) * samples, light = new Float32Array(length * length);
+  const along = (sample: number) => ((sample + 0.5) / samples - 1) / side;
   for (let row = 0, i = 0; row < length; row++)
-    for (let column = 0; column < length; column++, i++) {
-      const u = ((column + 0.5) / samples - 1) / side, v = ((row + 0.5) / samples - 1) / side, w = 1 / (g * u + h * v + 1);
-      light[i] = lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
-    }
+    for (let column = 0; column < length; column++, i++) light[i] = lightThrough(picture, seen, along(column), along(row));
   return (row, column) => light[(row + samples) * length + column + samples];
 }

@@ -3,19 +3,28 @@ export type Point = [x: number, y: number];
 /** Corners of a code in the picture, px: top left, top right, bottom right, bottom left of the code as it is read. */
 export type Quad = [Point, Point, Point, Point];
 
-/**
- * From the unit square to a quad, x then y, by perspective (Heckbert 1989): u runs along the code's top edge, v along its left one.
- * Returns the eight numbers of (a u + b v + c) / (g u + h v + 1), (d u + e v + f) / (g u + h v + 1).
- */
-export function homography([p0, p1, p2, p3]: Quad): number[] {
+/** Takes u, v to x = (a u + b v + c) / (g u + h v + 1), y = (d u + e v + f) / (g u + h v + 1). */
+export interface Homography {
+  a: number;
+  b: number;
+  c: number;
+  d: number;
+  e: number;
+  f: number;
+  g: number;
+  h: number;
+}
+
+/** From the unit square to a quad by perspective (Heckbert 1989): u runs along the code's top edge, v along its left one. */
+export function homography([p0, p1, p2, p3]: Quad): Homography {
   const sx = p0[0] - p1[0] + p2[0] - p3[0], sy = p0[1] - p1[1] + p2[1] - p3[1];
   const dx1 = p1[0] - p2[0], dy1 = p1[1] - p2[1], dx2 = p3[0] - p2[0], dy2 = p3[1] - p2[1];
   const area = dx1 * dy2 - dx2 * dy1;
   const g = (sx * dy2 - dx2 * sy) / area, h = (dx1 * sy - sx * dy1) / area;
-  return [
-    p1[0] - p0[0] + g * p1[0], p3[0] - p0[0] + h * p3[0], p0[0],
-    p1[1] - p0[1] + g * p1[1], p3[1] - p0[1] + h * p3[1], p0[1], g, h,
-  ];
+  return {
+    a: p1[0] - p0[0] + g * p1[0], b: p3[0] - p0[0] + h * p3[0], c: p0[0],
+    d: p1[1] - p0[1] + g * p1[1], e: p3[1] - p0[1] + h * p3[1], f: p0[1], g, h,
+  };
 }
 
 /** The same quad with another corner first, by so many quarter turns of the code, clockwise. */

@@ -1,3 +1,4 @@
+import { medianOf } from './median';
 import { cv } from './opencv';
 
 type Mat = InstanceType<typeof cv.Mat>;
@@ -62,7 +63,7 @@ export function leastAbsolute(equations: Equations, count: number): Float64Array
       equations.setNormal(weights, normal.data64F, right.data64F);
       cv.solve(normal, right, found, cv.DECOMP_CHOLESKY);
       equations.setRests(found.data64F, rests);
-      const least = Math.max(held, noise * rests.slice().sort()[rests.length >> 1]);
+      const least = Math.max(held, noise * medianOf(rests.slice(), rests.length));
       for (let i = 0; i < weights.length; i++) weights[i] = 1 / Math.max(rests[i], least);
     }
     return found.data64F.slice();

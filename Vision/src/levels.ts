@@ -1,3 +1,5 @@
+import type { Homography } from './geometry';
+
 /** A grey picture, one byte per pixel, row by row. */
 export interface Grey {
   width: number;
@@ -25,11 +27,17 @@ export function lightOf({ width, height, data }: Grey): Light {
 }
 
 /** Light at a point between the middles of pixels; NaN outside of the picture. */
-export function lightAt({ width, height, data }: Light, x: number, y: number): number {
+function lightAt({ width, height, data }: Light, x: number, y: number): number {
   const column = Math.floor(x - 0.5), row = Math.floor(y - 0.5);
   if (!(column >= 0 && row >= 0 && column < width - 1 && row < height - 1)) return NaN;
   const right = x - 0.5 - column, down = y - 0.5 - row, at = row * width + column;
   const above = data[at] * (1 - right) + data[at + 1] * right;
   const below = data[at + width] * (1 - right) + data[at + width + 1] * right;
   return above * (1 - down) + below * down;
+}
+
+/** Light at a point of the unit square that a homography takes into the picture. */
+export function lightThrough(picture: Light, { a, b, c, d, e, f, g, h }: Homography, u: number, v: number): number {
+  const w = 1 / (g * u + h * v + 1);
+  return lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
 }

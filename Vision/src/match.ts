@@ -1,5 +1,6 @@
 import { homography, type Quad } from './geometry';
-import { lightAt, type Light } from './levels';
+import { lightThrough, type Light } from './levels';
+import { medianOf } from './median';
 import { Expected, outer, stepsOf, type Pattern } from './pattern';
 
 /** How well a quad agrees with a kind of code whose top left corner is its first. */
@@ -75,34 +76,12 @@ export class Matcher {
 
   /** Steps of light; none where a sample lies outside of the picture. */
   #sample(picture: Light, quad: Quad, points: Float64Array, reach: number): void {
-    const [a, b, c, d, e, f, g, h] = homography(quad), steps = this.#steps;
+    const seen = homography(quad), steps = this.#steps;
     for (let i = 0, at = 0; at < points.length; i++, at += 4) {
       const x = points[at], y = points[at + 1], dx = reach * points[at + 2], dy = reach * points[at + 3];
-      const before = 1 / (g * (x - dx) + h * (y - dy) + 1), after = 1 / (g * (x + dx) + h * (y + dy) + 1);
-      steps[i] = lightAt(picture, (a * (x + dx) + b * (y + dy) + c) * after, (d * (x + dx) + e * (y + dy) + f) * after)
-        - lightAt(picture, (a * (x - dx) + b * (y - dy) + c) * before, (d * (x - dx) + e * (y - dy) + f) * before) || 0;
+      steps[i] = lightThrough(picture, seen, x + dx, y + dy) - lightThrough(picture, seen, x - dx, y - dy) || 0;
     }
   }
-}
-
-/** Hoare's selection: sorts no more of the values than it needs. */
-function medianOf(values: Float64Array, count: number): number {
-  const middle = count >> 1;
-  for (let first = 0, last = count - 1; first < last;) {
-    const pivot = values[middle];
-    let low = first, high = last;
-    while (low <= high) {
-      while (values[low] < pivot) low++;
-      while (values[high] > pivot) high--;
-      if (low > high) break;
-      const value = values[low];
-      values[low++] = values[high];
-      values[high--] = value;
-    }
-    if (high < middle) first = low;
-    if (middle < low) last = high;
-  }
-  return values[middle];
 }
 
 /** Points and directions of the outer edge's steps, inwards. */

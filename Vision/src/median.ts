@@ -1,0 +1,19 @@
+/** The upper median of the first values, which change their places: Hoare's selection sorts no more of them than it needs. */
+export function medianOf(values: Float64Array, count: number): number {
+  const middle = count >> 1;
+  for (let first = 0, last = count - 1; first < last;) {
+    const pivot = values[middle];
+    let low = first, high = last;
+    while (low <= high) {
+      while (values[low] < pivot) low++;
+      while (values[high] > pivot) high--;
+      if (low > high) break;
+      const value = values[low];
+      values[low++] = values[high];
+      values[high--] = value;
+    }
+    if (high < middle) first = low;
+    if (middle < low) last = high;
+  }
+  return values[middle];
+}
