@@ -63,8 +63,8 @@ sealed class DemoScore
 
     double InTimeMm(in DemoFrames.Row row)
     {
-        var late = _run.Settings.Load == null ? TimeSpan.Zero : row.Rendered.Visualisation - TimeSpan.FromMilliseconds(_run.Settings.VisualisationMs);
-        return row.Tool.DistanceMm(_kinematics.TrueAt(_run.Truth, row.TrueLight - late));
+        var inTime = _run.Truth.ControlAt(row.Start + TimeSpan.FromMilliseconds(_run.Settings.VisualisationMs));
+        return row.Tool.DistanceMm(_kinematics.TrueAt(_run.Truth, inTime));
     }
 
     DemoResult.Latencies Latencies()

@@ -11,8 +11,6 @@ sealed class DemoTruth(StopwatchControlClock control, SimulatedCell cell, IMotio
     public ControlTime ControlAt(HeadsetTime t) =>
         control.AtCount((long)((Int128)t.SinceEpoch.Ticks * Stopwatch.Frequency / TimeSpan.TicksPerSecond));
 
-    public ClockOffset OffsetAt(HeadsetTime t) => new(t.SinceEpoch - ControlAt(t).SinceEpoch);
-
     public void JointsAt(ControlTime t, Span<double> positions) => cell.TruthAt(t, positions);
 
     public int CycleAt(ControlTime t) => (int)((t - cell.Start).TotalSeconds / motion.CycleSeconds);

@@ -7,7 +7,7 @@ interface IDemoTruth
     ControlTime ControlAt(HeadsetTime t);
 
     /// <summary>Φ, exactly.</summary>
-    ClockOffset OffsetAt(HeadsetTime t);
+    ClockOffset OffsetAt(HeadsetTime t) => new(t.SinceEpoch - ControlAt(t).SinceEpoch);
 
     /// <summary>Joint positions of the real robot at a control time, past or future, one per moving joint.</summary>
     void JointsAt(ControlTime t, Span<double> positions);

@@ -156,9 +156,7 @@ public class DemoScoreTests
     {
         public const double SkewPpm = -37;
 
-        public ControlTime ControlAt(HeadsetTime t) => OffsetAt(t).ToControl(t);
-
-        public ClockOffset OffsetAt(HeadsetTime t) => new(TimeSpan.FromTicks((long)(t.SinceEpoch.Ticks * SkewPpm * 1e-6)));
+        public ControlTime ControlAt(HeadsetTime t) => new(t.SinceEpoch - TimeSpan.FromTicks((long)(t.SinceEpoch.Ticks * SkewPpm * 1e-6)));
 
         public void JointsAt(ControlTime t, Span<double> positions) => positions.Clear();
 

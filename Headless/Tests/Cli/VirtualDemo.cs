@@ -72,8 +72,6 @@ sealed class VirtualDemo : IDemoTruth, IDisposable
 
     ControlTime IDemoTruth.ControlAt(HeadsetTime t) => _control.At(t);
 
-    ClockOffset IDemoTruth.OffsetAt(HeadsetTime t) => new(t.SinceEpoch - _control.At(t).SinceEpoch);
-
     // The cell asks by headset time; by the clock's rate that is off by less than 0.1 µs.
     void IDemoTruth.JointsAt(ControlTime t, Span<double> positions) => _cell.TruthAt(HeadsetAt(t), positions);
 
