@@ -43,8 +43,7 @@ static class NudgeVerb
             .With(result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, CalibrationMethod.Nudge, result.Count);
         var page = NudgePage.Of(marks, result, profile);
         var written = output.Write(profile, page);
-        if (parsed.GetValue(Json)) Console.Out.WriteLine(NudgePage.Json(result));
-        else ResultTable.Print(page, written, output.PagePath);
+        ResultTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? NudgePage.Json(result) : null);
         return ExitStatus.Done;
     }
 

@@ -33,12 +33,7 @@ static class RangeVerb
         var profile = RangeProfile.Of(fit, device, displayHz, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
         var written = output.Write(profile, page);
-        if (asJson)
-        {
-            ResultTable.Warn(page);
-            Console.Out.WriteLine(RangeJson.Of(fit));
-        }
-        else ResultTable.Print(page, written, output.PagePath);
+        ResultTable.Print(page, written, output.PagePath, asJson ? RangeJson.Of(fit) : null);
         return ExitStatus.Done;
     }
 

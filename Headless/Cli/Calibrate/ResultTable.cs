@@ -3,24 +3,29 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>What a calibration found, on stdout.</summary>
+/// <summary>What a calibration found, on stdout; what is doubtful about it, on stderr.</summary>
 static class ResultTable
 {
     /// <param name="profilePath">Null for none.</param>
-    public static void Print(CalibrationPageData page, string profilePath, string pagePath)
+    /// <param name="json">Printed instead of the table; null for the table.</param>
+    public static void Print(CalibrationPageData page, string profilePath, string pagePath, string json)
+    {
+        if (json == null) PrintTable(page);
+        foreach (var warning in page.Warnings) Console.Error.WriteLine("nowpose: " + warning);
+        if (json != null)
+        {
+            Console.Out.WriteLine(json);
+            return;
+        }
+        if (profilePath != null) Console.Out.WriteLine(profilePath);
+        Console.Out.WriteLine(pagePath);
+    }
+
+    static void PrintTable(CalibrationPageData page)
     {
         var table = new Table().AddColumns("result", "");
         foreach (var fact in page.Facts) table.AddRow(Markup.Escape(fact[0]), Markup.Escape(fact[1]));
         ResultConsole.Create().Write(table);
         Console.Out.WriteLine(page.Result);
-        Warn(page);
-        if (profilePath != null) Console.Out.WriteLine(profilePath);
-        Console.Out.WriteLine(pagePath);
-    }
-
-    /// <summary>What is doubtful, on stderr: beside a table and beside JSON.</summary>
-    public static void Warn(CalibrationPageData page)
-    {
-        foreach (var warning in page.Warnings) Console.Error.WriteLine("nowpose: " + warning);
     }
 }

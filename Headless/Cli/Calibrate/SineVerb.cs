@@ -60,12 +60,7 @@ static class SineVerb
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = SinePage.Of(result, profile, path);
         var written = output.Write(profile, page);
-        if (parsed.GetValue(Json))
-        {
-            ResultTable.Warn(page);
-            Console.Out.WriteLine(SineJson.Of(result));
-        }
-        else ResultTable.Print(page, written, output.PagePath);
+        ResultTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? SineJson.Of(result) : null);
         return ExitStatus.Done;
     }
 

@@ -53,15 +53,7 @@ static class VlcVerb
         var evaluation = new VlcEvaluation(result, sweep, earlier);
         var written = output.Write(evaluation.Profile, evaluation.Page);
         if (sweep != null) output.WritePairs(evaluation.Pictures);
-        if (parsed.GetValue(Json))
-        {
-            ResultTable.Warn(evaluation.Page);
-            Console.Out.WriteLine(VlcJson.Of(result));
-        }
-        else
-        {
-            ResultTable.Print(evaluation.Page, written, output.PagePath);
-        }
+        ResultTable.Print(evaluation.Page, written, output.PagePath, parsed.GetValue(Json) ? VlcJson.Of(result) : null);
         return status;
     }
 
