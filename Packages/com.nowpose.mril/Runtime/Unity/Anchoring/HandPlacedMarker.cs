@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
 using UnityEngine;
@@ -65,7 +66,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _id = "hand " + GetInstanceID();
+            _id ??= "hand " + Guid.NewGuid();
             _session = this.SessionOr(null);
         }
 

@@ -421,7 +421,8 @@ namespace Nowpose.Tests
             Assert.That(frame.Joints[TestRobot.Model.IndexOfMovingJoint("grip")], Is.EqualTo(0.02), "the only one it sent");
             Assert.That(session.Statistics(default).Samples, Is.EqualTo(21));
             Assert.That(session.Drops[DropReason.SlowReader], Is.EqualTo(979));
-            Assert.That(judged.Select(j => j.Stamp), Is.Ordered.And.Exactly(1000).Items, "each is told of, in the order of arrival");
+            Assert.That(judged, Has.Count.EqualTo(1000));
+            Assert.That(judged.Select(j => j.Stamp), Is.Ordered, "in the order of arrival");
             Assert.That(judged.Skip(980).Select(j => j.Reason), Is.All.EqualTo(DropReason.None));
         }
 
