@@ -1,0 +1,40 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework.Api;
+using NUnit.Framework.Interfaces;
+using NUnit.Framework.Internal;
+
+namespace Nowpose.Tests
+{
+    /// <summary>Runs all tests of this assembly. Lists the failed ones and ends with the counts; exit status 1 when one failed or none ran.</summary>
+    static class Program
+    {
+        static int Main()
+        {
+            var runner = new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder());
+            runner.Load(typeof(Program).Assembly, new Dictionary<string, object>());
+            var result = runner.Run(new FailureLog(), TestFilter.Empty);
+            Console.WriteLine($"Passed: {result.PassCount}, failed: {result.FailCount}, skipped: {result.SkipCount}, inconclusive: {result.InconclusiveCount}");
+            return result.FailCount == 0 && result.PassCount > 0 ? 0 : 1;
+        }
+
+        sealed class FailureLog : ITestListener
+        {
+            public void TestStarted(ITest test)
+            {
+            }
+
+            public void TestFinished(ITestResult result)
+            {
+                if (result.ResultState.Status != TestStatus.Failed || result.HasChildren) return;
+                Console.WriteLine("  Failed " + result.FullName);
+                Console.WriteLine(result.Message);
+                Console.WriteLine(result.StackTrace);
+            }
+
+            public void TestOutput(TestOutput output)
+            {
+            }
+        }
+    }
+}
