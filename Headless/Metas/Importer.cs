@@ -30,6 +30,7 @@ public sealed record Importer(string Name, params string[] Fields)
         [".mat"] = new("NativeFormatImporter", NoExternalObjects, "mainObjectFileID: 2100000"),
         [".shader"] = new("ShaderImporter", NoExternalObjects, "defaultTextures: []", "nonModifiableTextures: []",
             "preprocessorOverride: 0"),
+        [".hlsl"] = new("ShaderIncludeImporter", NoExternalObjects),
     };
 
     /// <summary>The importer Unity chooses for an asset; <c>DefaultImporter</c> for folders, scenes and what it does not know.</summary>

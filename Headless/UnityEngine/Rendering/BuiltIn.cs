@@ -12,7 +12,7 @@ static class BuiltIn
 
     internal static Material DefaultMaterial => s_material ? s_material : s_material = Make("Default-Material", "Standard");
 
-    internal static Material FontMaterial => s_fontMaterial ? s_fontMaterial : s_fontMaterial = Make("Font Material", "GUI/Text Shader");
+    internal static Material FontMaterial => s_fontMaterial ? s_fontMaterial : s_fontMaterial = MakeFontMaterial();
 
     /// <summary>Boxes of the primitives' documented sizes: nothing draws them.</summary>
     internal static Mesh Mesh(PrimitiveType type)
@@ -46,6 +46,13 @@ static class BuiltIn
     static Material Make(string name, string shader)
     {
         using (Own.Enter()) return AsAsset(new Material(AsAsset(new Shader { name = shader })) { name = name });
+    }
+
+    static Material MakeFontMaterial()
+    {
+        var made = Make("Font Material", "GUI/Text Shader");
+        using (Own.Enter()) made.mainTexture = AsAsset(new Texture2D(256, 256) { name = "Font Texture" });
+        return made;
     }
 
     static T AsAsset<T>(T made) where T : Object

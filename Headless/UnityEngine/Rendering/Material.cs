@@ -12,13 +12,22 @@ public class Material : Object
     public Material(Material source)
     {
         shader = source.shader;
-        renderQueue = source.renderQueue;
+        OwnRenderQueue = source.OwnRenderQueue;
         enableInstancing = source.enableInstancing;
         CopyPropertiesFromMaterial(source);
     }
 
     public Shader shader { get; set; }
-    public int renderQueue { get; set; } = -1;
+
+    /// <summary>Gets the material's own queue, else the shader's. Set -1 to have the shader's.</summary>
+    public int renderQueue
+    {
+        get => OwnRenderQueue >= 0 || !shader ? OwnRenderQueue : shader.renderQueue;
+        set => OwnRenderQueue = value;
+    }
+
+    internal int OwnRenderQueue { get; set; } = -1;
+
     public bool enableInstancing { get; set; }
 
     public Color color
@@ -27,11 +36,17 @@ public class Material : Object
         set => SetColor("_Color", value);
     }
 
+    public Texture mainTexture { get; set; }
+
     public void CopyPropertiesFromMaterial(Material mat)
     {
         _floats.CopyFrom(mat._floats);
         _vectors.CopyFrom(mat._vectors);
+        mainTexture = mat.mainTexture;
     }
+
+    public string GetTag(string tag, bool searchFallbacks, string defaultValue) =>
+        shader && shader.Tags.TryGetValue(tag, out var value) ? value : defaultValue;
 
     public bool HasProperty(int nameID) => _floats.Has(nameID) || _vectors.Has(nameID);
     public bool HasProperty(string name) => HasProperty(Shader.PropertyToID(name));

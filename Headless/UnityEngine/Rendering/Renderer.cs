@@ -66,8 +66,22 @@ public class Renderer : Component
     public Material[] sharedMaterials
     {
         get => (Material[])_materials.Clone();
-        set => _materials = (Material[])value.Clone();
+        set
+        {
+            // In place where it can be: a change of materials allocates nothing that the caller's array does not.
+            if (value.Length == _materials.Length) System.Array.Copy(value, _materials, value.Length);
+            else _materials = (Material[])value.Clone();
+        }
     }
+
+    public void GetSharedMaterials(System.Collections.Generic.List<Material> m)
+    {
+        ThrowIfDestroyed();
+        m.Clear();
+        foreach (var material in _materials) m.Add(material);
+    }
+
+    public bool HasPropertyBlock() => !_block.IsEmpty;
 
     public void SetPropertyBlock(MaterialPropertyBlock properties)
     {

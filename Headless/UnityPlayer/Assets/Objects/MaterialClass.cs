@@ -20,7 +20,7 @@ static class MaterialClass
 
     public static Shader NewShader(ShaderDeclaration declaration)
     {
-        var shader = new Shader { name = declaration.Name };
+        var shader = new Shader { name = declaration.Name, Tags = declaration.Tags };
         Declarations.Add(shader, declaration);
         return shader;
     }
@@ -45,7 +45,7 @@ static class MaterialClass
             Slot.Constant("m_LightmapFlags", Nodes.Number(4)),
             Slot.Property("m_EnableInstancingVariants", (Material m) => m.enableInstancing, (m, v) => m.enableInstancing = v),
             Slot.Constant("m_DoubleSidedGI", Nodes.Number(0)),
-            Slot.Property("m_CustomRenderQueue", (Material m) => m.renderQueue, (m, v) => m.renderQueue = v),
+            Slot.Property("m_CustomRenderQueue", (Material m) => m.OwnRenderQueue, (m, v) => m.OwnRenderQueue = v),
             Slot.Constant("stringTagMap", Nodes.Braces()),
             Slot.Constant("disabledShaderPasses", Nodes.List()),
             Slot.Property("m_SavedProperties", (Material m) => m, (_, _) => { }, new SavedProperties()),

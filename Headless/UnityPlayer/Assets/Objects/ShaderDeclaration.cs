@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
@@ -16,14 +17,22 @@ sealed class ShaderDeclaration
     static readonly Regex Declarations = new Regex(
         "(\\w+)\\s*\\(\\s*\"[^\"]*\"\\s*,\\s*(Color|Vector|Float|Range|Int|Integer|2D|3D|Cube)\\b[^=]*=\\s*([^\n]+)", RegexOptions.CultureInvariant);
 
-    ShaderDeclaration(string name, IReadOnlyDictionary<string, float> floats, IReadOnlyDictionary<string, Color> colours)
+    static readonly Regex TagBlocks = new Regex("\\bTags\\s*\\{([^}]*)\\}", RegexOptions.CultureInvariant);
+    static readonly Regex Tag = new Regex("\"([^\"]+)\"\\s*=\\s*\"([^\"]+)\"", RegexOptions.CultureInvariant);
+
+    ShaderDeclaration(
+        string name, IReadOnlyDictionary<string, string> tags, IReadOnlyDictionary<string, float> floats, IReadOnlyDictionary<string, Color> colours)
     {
         Name = name;
+        Tags = tags;
         Floats = floats;
         Colours = colours;
     }
 
     public string Name { get; }
+
+    /// <summary>Tags of the last SubShader, which is the built-in pipeline's.</summary>
+    public IReadOnlyDictionary<string, string> Tags { get; }
 
     /// <summary>Numbers with their defaults.</summary>
     public IReadOnlyDictionary<string, float> Floats { get; }
@@ -31,7 +40,7 @@ sealed class ShaderDeclaration
     /// <summary>Colours and vectors with their defaults.</summary>
     public IReadOnlyDictionary<string, Color> Colours { get; }
 
-    /// <exception cref="AssetException">No shader, or one with textures, which are not needed here yet.</exception>
+    /// <exception cref="AssetException">No shader. Textures are left out: no material of the package has one of its own.</exception>
     public static ShaderDeclaration Read(string text, string file)
     {
         text = Comments.Replace(text, "");
@@ -43,11 +52,13 @@ sealed class ShaderDeclaration
         foreach (Match match in Declarations.Matches(Blocks.Match(text).Groups[1].Value))
         {
             var (name, type, value) = (match.Groups[1].Value, match.Groups[2].Value, match.Groups[3].Value.Trim());
-            if (type is "2D" or "3D" or "Cube") throw new AssetException(file + ": property " + name + ": textures are not understood here");
+            if (type is "2D" or "3D" or "Cube") continue;
             if (type is "Color" or "Vector") colours.Add(name, Colour(value, name, file));
             else floats.Add(name, Number(value, name, file));
         }
-        return new ShaderDeclaration(head.Groups[1].Value, floats, colours);
+        var last = text.Substring(Math.Max(0, text.LastIndexOf("SubShader", StringComparison.Ordinal)));
+        var tags = Tag.Matches(TagBlocks.Match(last).Groups[1].Value).ToDictionary(t => t.Groups[1].Value, t => t.Groups[2].Value);
+        return new ShaderDeclaration(head.Groups[1].Value, tags, floats, colours);
     }
 
     static Color Colour(string value, string name, string file)

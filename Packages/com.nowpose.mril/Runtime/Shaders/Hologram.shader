@@ -1,5 +1,5 @@
-// A virtual part in the built-in render pipeline, single-pass instanced stereo included. What it shows has to be told from the real
-// scene and from a pose that is not current without any colour: opacity (_Fade) and stripes (_Hatch) say it.
+// A virtual part. Opacity (_Fade) and stripes (_Hatch) tell a pose that is not current without any colour. The first SubShader is for URP,
+// the second for the built-in pipeline; both serve single-pass instanced stereo.
 Shader "Nowpose/Hologram"
 {
     Properties
@@ -12,13 +12,63 @@ Shader "Nowpose/Hologram"
 
     SubShader
     {
-        Tags { "RenderType" = "Transparent" "Queue" = "Transparent" "IgnoreProjector" = "True" }
+        PackageRequirements
+        {
+            "com.unity.render-pipelines.universal"
+        }
+        // Batching would take away the object's own space, which the stripes are in.
+        Tags
+        {
+            "RenderPipeline" = "UniversalPipeline" "RenderType" = "Transparent" "Queue" = "Transparent" "IgnoreProjector" = "True"
+            "DisableBatching" = "True"
+        }
 
         Pass
         {
+            Name "Hologram"
+            Tags { "LightMode" = "UniversalForwardOnly" }
             // The second pair is for the alpha that a mixed reality capture takes over.
             Blend SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha
             // Depth is written although the colour blends: a HoloLens steadies its picture by it.
+            ZWrite On
+            Cull Back
+
+            HLSLPROGRAM
+            #pragma vertex Project
+            #pragma fragment Shade
+            #pragma multi_compile_instancing
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "HologramPass.hlsl"
+            ENDHLSL
+        }
+
+        // URP's depth prepass draws it for a material with an opaque render queue.
+        Pass
+        {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            ColorMask 0
+            ZWrite On
+            Cull Back
+
+            HLSLPROGRAM
+            #pragma vertex Project
+            #pragma fragment ShadeDepth
+            #pragma multi_compile_instancing
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "HologramPass.hlsl"
+            ENDHLSL
+        }
+    }
+
+    SubShader
+    {
+        Tags { "RenderType" = "Transparent" "Queue" = "Transparent" "IgnoreProjector" = "True" "DisableBatching" = "True" }
+
+        Pass
+        {
+            Name "Hologram"
+            Blend SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha
             ZWrite On
             Cull Back
 
@@ -27,68 +77,7 @@ Shader "Nowpose/Hologram"
             #pragma fragment Shade
             #pragma multi_compile_instancing
             #include "UnityCG.cginc"
-
-            struct Vertex
-            {
-                float4 position : POSITION;
-                float3 normal : NORMAL;
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-            };
-
-            struct Fragment
-            {
-                float4 position : SV_POSITION;
-                float4 screen : TEXCOORD0;
-                float3 normal : TEXCOORD1;
-                float3 view : TEXCOORD2;
-                UNITY_VERTEX_INPUT_INSTANCE_ID
-                UNITY_VERTEX_OUTPUT_STEREO
-            };
-
-            UNITY_INSTANCING_BUFFER_START(Properties)
-                UNITY_DEFINE_INSTANCED_PROP(float4, _Color)
-                UNITY_DEFINE_INSTANCED_PROP(float, _Fade)
-                UNITY_DEFINE_INSTANCED_PROP(float, _Hatch)
-            UNITY_INSTANCING_BUFFER_END(Properties)
-
-            Fragment Project(Vertex vertex)
-            {
-                Fragment fragment;
-                UNITY_SETUP_INSTANCE_ID(vertex);
-                UNITY_INITIALIZE_OUTPUT(Fragment, fragment);
-                UNITY_TRANSFER_INSTANCE_ID(vertex, fragment);
-                UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(fragment);
-
-                fragment.position = UnityObjectToClipPos(vertex.position);
-                fragment.screen = ComputeScreenPos(fragment.position);
-                fragment.normal = UnityObjectToWorldNormal(vertex.normal);
-                fragment.view = UnityWorldSpaceViewDir(mul(unity_ObjectToWorld, vertex.position).xyz);
-                return fragment;
-            }
-
-            // 1 in every second of the diagonal stripes, 48 to the height of the picture; as steep on every display.
-            float Stripe(float4 screen)
-            {
-                float2 place = screen.xy / screen.w;
-                place.x *= _ScreenParams.x / _ScreenParams.y;
-                return step(0.5, frac((place.x + place.y) * 48));
-            }
-
-            fixed4 Shade(Fragment fragment) : SV_Target
-            {
-                UNITY_SETUP_INSTANCE_ID(fragment);
-                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(fragment);
-
-                float4 colour = UNITY_ACCESS_INSTANCED_PROP(Properties, _Color);
-                float fade = UNITY_ACCESS_INSTANCED_PROP(Properties, _Fade);
-                float hatch = UNITY_ACCESS_INSTANCED_PROP(Properties, _Hatch);
-
-                // As if the viewer carried the lamp: shapes read the same in a scene without any light.
-                float facing = saturate(dot(normalize(fragment.normal), normalize(fragment.view)));
-                colour.rgb *= 0.4 + 0.6 * facing;
-                colour.a *= (1 - 0.8 * fade) * (1 - 0.85 * hatch * Stripe(fragment.screen));
-                return colour;
-            }
+            #include "HologramPass.hlsl"
             ENDCG
         }
     }

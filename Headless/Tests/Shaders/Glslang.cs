@@ -1,0 +1,59 @@
+using System.Diagnostics;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Shaders;
+
+/// <summary>Compiles programs with glslangValidator (Debian's package glslang-tools).</summary>
+static class Glslang
+{
+    const string Tool = "glslangValidator";
+
+    /// <summary>Ignores the test where the compiler is not installed; in CI the test fails.</summary>
+    public static void Require()
+    {
+        var isThere = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, Tool)));
+        if (isThere) return;
+        const string missing = Tool + " is not installed; install it: apt-get install glslang-tools";
+        if (Environment.GetEnvironmentVariable("CI") != null) Assert.Fail(missing);
+        Assert.Ignore(missing);
+    }
+
+    /// <summary>Compiles every variant of a program for both stages.</summary>
+    /// <returns>What is wrong, each line with shader, pipeline, pass, variant, stage and line; empty if all compile.</returns>
+    public static IReadOnlyList<string> Compile(PassProgram program)
+    {
+        using var folder = new TemporaryFolder();
+        // The lines before the program are empty, so that line numbers are those of the shader's file.
+        var file = Path.GetFileName(program.Shader.Path);
+        File.WriteAllText(Path.Combine(folder.Path, file), new string('\n', program.Pass.Program.Line - 1) + program.Pass.Program.Text);
+        return program.Variants
+            .SelectMany(keywords => new[] { ("vert", program.VertexFunction), ("frag", program.FragmentFunction) }
+                .SelectMany(stage => Compile(program, keywords, stage, folder.Path, file)))
+            .ToList();
+    }
+
+    static IEnumerable<string> Compile(PassProgram program, string[] keywords, (string Name, string Function) stage, string folder, string file)
+    {
+        var multiview = keywords.Contains("STEREO_MULTIVIEW_ON");
+        string[] defines =
+        [
+            .. keywords.Select(k => k + "=1"), multiview ? "SHADER_API_VULKAN=1" : "SHADER_API_D3D11=1", "SHADER_TARGET=45",
+            stage.Name == "vert" ? "SHADER_STAGE_VERTEX=1" : "SHADER_STAGE_FRAGMENT=1",
+        ];
+        string[] arguments =
+        [
+            "-D", "-V", "-S", stage.Name, "-e", stage.Function, "-o", "program.spv", .. defines.Select(d => "-D" + d),
+            .. program.Folders.Select(f => "-I" + f), file,
+        ];
+        var start = new ProcessStartInfo(Tool, arguments) { WorkingDirectory = folder, RedirectStandardOutput = true, RedirectStandardError = true };
+        using var process = Process.Start(start);
+        var error = process.StandardError.ReadToEndAsync();
+        var output = process.StandardOutput.ReadToEnd() + error.Result;
+        process.WaitForExit();
+        if (process.ExitCode == 0 && !output.Contains("Missing functionality", StringComparison.Ordinal)) return [];
+        var variant = keywords.Length == 0 ? "no keywords" : string.Join(" ", keywords);
+        var lines = output.Split('\n', StringSplitOptions.RemoveEmptyEntries)
+            .Where(line => line != file && !line.StartsWith("SPIR-V", StringComparison.Ordinal) && !line.Contains("compilation errors", StringComparison.Ordinal));
+        return lines.Select(line => $"{program}, {variant}, {stage.Name}: {line.Replace("ERROR: ", "", StringComparison.Ordinal)}");
+    }
+}

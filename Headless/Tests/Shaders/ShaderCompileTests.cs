@@ -1,0 +1,102 @@
+using System.Text.RegularExpressions;
+using Nowpose.Headless.Tests.Repository;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Shaders;
+
+/// <summary>Every variant of every shader compiles, for both render pipelines, against stand-ins for Unity's includes.</summary>
+public sealed class ShaderCompileTests
+{
+    const string Broken = """
+        Shader "Test/Broken"
+        {
+            SubShader
+            {
+                Pass
+                {
+                    Name "Only"
+                    CGPROGRAM
+                    #pragma vertex Project
+                    #pragma fragment Shade
+                    #pragma multi_compile_instancing
+                    #include "UnityCG.cginc"
+                    float4 Project(float4 position : POSITION) : SV_POSITION { return mul(UNITY_MATRIX_VP, position); }
+                    #if defined(INSTANCING_ON) && defined(STEREO_MULTIVIEW_ON)
+                    half4 Shade() : SV_Target { return 1 }
+                    #else
+                    half4 Shade() : SV_Target { return 1; }
+                    #endif
+                    ENDCG
+                }
+            }
+        }
+        """;
+
+    static IEnumerable<PassProgram> Programs => ShaderFiles.Programs;
+
+    [TestCaseSource(nameof(Programs))]
+    public void Program_EveryVariant_Compiles(PassProgram program)
+    {
+        Glslang.Require();
+
+        Assert.That(Glslang.Compile(program), Is.Empty);
+    }
+
+    [Test]
+    public void Programs_All_AreTheShippedShadersAndAnExample()
+    {
+        Assert.That(ShaderFiles.Shipped.Select(s => s.Name), Is.EquivalentTo(new[] { "Nowpose/Hologram", "Nowpose/Occluder", "Nowpose/Text" }));
+        Assert.That(ShaderFiles.Examples, Is.Not.Empty);
+    }
+
+    [Test]
+    public void Compile_SyntaxErrorInOneVariant_NamesShaderPassVariantAndLine()
+    {
+        Glslang.Require();
+        var shader = ShaderLabReader.Read(Broken, "Broken.shader");
+
+        var errors = Glslang.Compile(ShaderFiles.Of(shader).Single());
+
+        // The stages are compiled from one text: both see the error.
+        Assert.That(errors, Is.Not.Empty);
+        Assert.That(errors.Where(e => !e.StartsWith("Broken.shader, built-in, pass Only, STEREO_MULTIVIEW_ON INSTANCING_ON, ", StringComparison.Ordinal)), Is.Empty);
+        Assert.That(errors.Select(e => Regex.Match(e, "Broken.shader[:(](15)").Groups[1].Value), Has.Some.EqualTo("15"));
+    }
+
+    [TestCase("Hologram", "NowposeOpacity(fade, hatch, fragment.metres)", "NowposeOpacity(fade, hatch)")]
+    [TestCase("Occluder", "UNITY_VERTEX_OUTPUT_STEREO", "UNITY_VERTEX_OUTPUT_STEREOS")]
+    [TestCase("Text", "half4(fragment.colour.rgb, fragment.colour.a * letter)", "half4(fragment.color)")]
+    public void Compile_FaultInASharedPass_IsFoundInBothPipelines(string name, string right, string wrong)
+    {
+        Glslang.Require();
+        var folder = RepositoryFiles.Package + "/Runtime/Shaders/";
+        var pass = RepositoryFiles.Read(folder + name + "Pass.hlsl");
+        Assert.That(pass, Does.Contain(right));
+        var text = RepositoryFiles.Read(folder + name + ".shader")
+            .Replace($"#include \"{name}Pass.hlsl\"", pass.Replace(right, wrong, StringComparison.Ordinal), StringComparison.Ordinal);
+
+        var programs = ShaderFiles.Of(ShaderLabReader.Read(text, folder + name + ".shader")).ToList();
+
+        Assert.That(programs.Select(p => p.SubShader.Pipeline).Distinct(), Is.EquivalentTo(new[] { "URP", "built-in" }));
+        foreach (var program in programs) Assert.That(Glslang.Compile(program), Is.Not.Empty, program.ToString());
+    }
+
+    [Test]
+    public void Variants_OfBothPipelines_AreAllThatUnityCompiles()
+    {
+        var counts = ShaderFiles.Programs.Select(p => (p.SubShader.IsUniversal, p.Variants.Count)).Distinct();
+
+        Assert.That(counts, Is.EquivalentTo(new[] { (true, 6), (false, 8) }));
+    }
+
+    [Test]
+    public void Variants_Keywords_AreMultiplied()
+    {
+        var text = Broken.Replace("#pragma multi_compile_instancing", "#pragma multi_compile _ A B\n#pragma shader_feature_local C", StringComparison.Ordinal);
+
+        var variants = ShaderFiles.Of(ShaderLabReader.Read(text, "Broken.shader")).Single().Variants;
+
+        Assert.That(variants, Has.Count.EqualTo(4 * 3 * 2));
+        Assert.That(variants.Select(v => string.Join(" ", v)), Is.Unique.And.Contains("STEREO_INSTANCING_ON B C"));
+    }
+}

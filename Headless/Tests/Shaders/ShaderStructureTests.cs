@@ -1,0 +1,160 @@
+using System.Text.RegularExpressions;
+using Nowpose.Headless.Tests.Repository;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Shaders;
+
+/// <summary>What Unity, URP's SRP batcher and single-pass instanced stereo ask of a shader beside that it compiles.</summary>
+public sealed class ShaderStructureTests
+{
+    const string Shaders = RepositoryFiles.Package + "/Runtime/Shaders/";
+
+    static readonly Regex Buffers = new(
+        @"(UNITY_INSTANCING_BUFFER_START|CBUFFER_START)\(UnityPerMaterial\)(?<members>.*?)(UNITY_INSTANCING_BUFFER_END|CBUFFER_END)",
+        RegexOptions.Singleline | RegexOptions.CultureInvariant);
+
+    static readonly Regex Members = new(
+        @"UNITY_DEFINE_INSTANCED_PROP\((?<type>\w+), (?<name>\w+)\)|^\s*(?<type>\w+)\s+(?<name>\w+);", RegexOptions.Multiline | RegexOptions.CultureInvariant);
+
+    static readonly Dictionary<string, string[]> KnownTags = new()
+    {
+        ["RenderPipeline"] = ["UniversalPipeline"],
+        ["RenderType"] = ["Opaque", "Transparent", "TransparentCutout"],
+        ["Queue"] = ["Background", "Geometry-10", "Geometry", "AlphaTest", "Transparent"],
+        ["IgnoreProjector"] = ["True"],
+        ["DisableBatching"] = ["True"],
+        ["PoseAppearance"] = ["Ignore"],
+    };
+
+    static IEnumerable<ShaderSource> All => ShaderFiles.Shipped.Concat(ShaderFiles.Examples);
+
+    static IEnumerable<ShaderSource> Shipped => ShaderFiles.Shipped;
+
+    static IEnumerable<PassProgram> Programs => ShaderFiles.Programs;
+
+    [TestCaseSource(nameof(Shipped))]
+    public void Shader_Name_IsThatOfItsFile(ShaderSource shader)
+    {
+        Assert.That(shader.Name, Is.EqualTo("Nowpose/" + Path.GetFileNameWithoutExtension(shader.Path)));
+    }
+
+    /// <summary>URP takes the first SubShader that has its tag or none.</summary>
+    [TestCaseSource(nameof(Shipped))]
+    public void Shader_SubShaders_AreUrpsAndThenTheBuiltInPipelines(ShaderSource shader)
+    {
+        Assert.That(shader.SubShaders.Select(s => s.Pipeline), Is.EqualTo(new[] { "URP", "built-in" }));
+        Assert.That(shader.SubShaders[0].Requirements, Is.EqualTo(new[] { "com.unity.render-pipelines.universal" }));
+        Assert.That(shader.SubShaders[1].Requirements, Is.Empty);
+        Assert.That(shader.SubShaders[0].Passes.Select(p => p.Tags.GetValueOrDefault("LightMode")), Is.SubsetOf(new[] { "UniversalForwardOnly", "DepthOnly" }));
+        Assert.That(shader.SubShaders[1].Passes.Select(p => p.Tags.Count), Is.All.Zero);
+    }
+
+    [TestCaseSource(nameof(All))]
+    public void Shader_Tags_AreKnown(ShaderSource shader)
+    {
+        foreach (var (name, value) in shader.SubShaders.SelectMany(s => s.Tags))
+        {
+            Assert.That(KnownTags, Contains.Key(name));
+            Assert.That(KnownTags[name], Does.Contain(value));
+        }
+    }
+
+    [TestCaseSource(nameof(Shipped))]
+    public void Shader_TagsAndMainPass_AreTheSameInBothPipelines(ShaderSource shader)
+    {
+        Assert.That(shader.SubShaders[0].Tags.Where(t => t.Key != "RenderPipeline"), Is.EquivalentTo(shader.SubShaders[1].Tags));
+        Assert.That(shader.SubShaders[0].Passes[0].States, Is.EquivalentTo(shader.SubShaders[1].Passes[0].States));
+    }
+
+    /// <summary>The SRP batcher wants every property in this buffer, and the same buffer in every pass; textures stand outside.</summary>
+    [TestCaseSource(nameof(Programs))]
+    public void Program_MaterialBuffer_HasTheProperties(PassProgram program)
+    {
+        var expected = program.Shader.Properties.Where(p => p.Type != "2D").Select(p => (p.Name, p.Type is "Color" or "Vector" ? "float4" : "float"));
+
+        var buffers = Buffers.Matches(program.OwnText);
+
+        Assert.That(buffers, Has.Count.EqualTo(expected.Any() ? 1 : 0));
+        var members = buffers.SelectMany(b => Members.Matches(b.Groups["members"].Value)).Select(m => (m.Groups["name"].Value, m.Groups["type"].Value));
+        Assert.That(members, Is.EqualTo(expected));
+        foreach (var texture in program.Shader.Properties.Where(p => p.Type == "2D"))
+            Assert.That(program.OwnText, Does.Match($@"Texture2D {texture.Name};\s+SamplerState sampler{texture.Name};"));
+    }
+
+    [TestCaseSource(nameof(Programs))]
+    public void Program_Stereo_ServesBothEyesAtOnce(PassProgram program)
+    {
+        string[] needed =
+        [
+            "#pragma multi_compile_instancing", "UNITY_VERTEX_INPUT_INSTANCE_ID", "UNITY_VERTEX_OUTPUT_STEREO", "UNITY_SETUP_INSTANCE_ID(vertex)",
+            "(Fragment)0", "UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(fragment)", "UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(fragment)",
+        ];
+
+        Assert.That(needed.Where(n => !program.OwnText.Contains(n, StringComparison.Ordinal)), Is.Empty);
+        Assert.That(program.OwnText, Does.Match($@"\b{program.VertexFunction}\(Vertex vertex\)"));
+        Assert.That(program.OwnText, Does.Match($@"\b{program.FragmentFunction}\(Fragment fragment\) : SV_Target"));
+        Assert.That(program.Pass.Program.IsCg, Is.Not.EqualTo(program.SubShader.IsUniversal));
+    }
+
+    [Test]
+    public void Occluder_Passes_WriteDepthOnlyAndFirst()
+    {
+        var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Occluder.shader"), "Occluder.shader");
+
+        Assert.That(shader.SubShaders.Select(s => s.Tags["Queue"]), Is.All.EqualTo("Geometry-10"));
+        foreach (var pass in shader.SubShaders.SelectMany(s => s.Passes))
+        {
+            Assert.That(pass.States["ColorMask"], Is.EqualTo("0"));
+            Assert.That(pass.States["ZWrite"], Is.EqualTo("On"));
+        }
+    }
+
+    /// <summary>The font's own shader has ZTest Always and ZWrite Off: words through hands and arm, and no depth for the reprojection.</summary>
+    [Test]
+    public void Text_Passes_AreHiddenByWhatIsBeforeAndWriteDepth()
+    {
+        var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Text.shader"), "Text.shader");
+
+        foreach (var program in ShaderFiles.Of(shader with { Path = Shaders + "Text.shader" }))
+        {
+            Assert.That(program.Pass.States["ZTest"], Is.EqualTo("LEqual"));
+            Assert.That(program.Pass.States["ZWrite"], Is.EqualTo("On"));
+            Assert.That(program.OwnText, Does.Contain("clip("));
+        }
+    }
+
+    [Test]
+    public void Hologram_Pass_WritesDepth()
+    {
+        var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Hologram.shader"), "Hologram.shader");
+
+        Assert.That(shader.SubShaders.SelectMany(s => s.Passes).Select(p => p.States["ZWrite"]), Is.All.EqualTo("On"));
+    }
+
+    [TestCase("}", "", "'(' is expected")]
+    [TestCase("\n    }\n}\n", "\n    }\n", "braces do not match")]
+    [TestCase("\n    }\n}\n", "\n    }\n}\n}\n", "braces do not match")]
+    [TestCase("\"Queue\" = \"Transparent\"", "\"Queue\" \"Transparent\"", "'=' is expected")]
+    [TestCase("ZWrite On", "ZWirte On", "'ZWirte' is not understood")]
+    [TestCase("(0.25, 0.75, 1, 1)", "(0.25, 0.75, 1)", "',' is expected")]
+    [TestCase("Range(0, 1)) = 0", "Range(0, 1)) =", "no number")]
+    [TestCase("ENDHLSL", "ENDCG", "ends as the other kind")]
+    [TestCase("_Hatch (\"", "_Fade (\"", "property _Fade is declared twice")]
+    public void Read_BrokenStructure_IsRefusedWithItsLine(string right, string wrong, string problem)
+    {
+        var text = RepositoryFiles.Read(Shaders + "Hologram.shader");
+        var at = text.IndexOf(right, StringComparison.Ordinal);
+
+        Assert.That(() => ShaderLabReader.Read(text.Remove(at, right.Length).Insert(at, wrong), "Hologram.shader"),
+            Throws.TypeOf<ShaderLabException>().With.Message.Match(@"^Hologram\.shader:\d+: ").And.Message.Contains(problem));
+    }
+
+    [Test]
+    public void NowposePose_Stripes_AreInTheObjectsSpaceAndACentimetreWide()
+    {
+        var include = RepositoryFiles.Read(Shaders + "NowposePose.hlsl");
+
+        Assert.That(include, Does.Contain("#define NOWPOSE_STRIPE_METRES 0.01").And.Contain("UNITY_MATRIX_M"));
+        Assert.That(Regex.Matches(include, "SV_Position|VPOS|screen", RegexOptions.IgnoreCase), Is.Empty);
+    }
+}

@@ -1,0 +1,52 @@
+using Nowpose.Headless.Tests.Repository;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Shaders;
+
+/// <summary>The stand-ins declare, and the shaders use, only names that Unity's own includes have.</summary>
+public sealed class StandInTests
+{
+    static readonly IReadOnlyDictionary<string, IReadOnlySet<string>> Known = UnityNames.Read();
+
+    static IEnumerable<PassProgram> Programs => ShaderFiles.Programs;
+
+    static IEnumerable<string> StandIns => RepositoryFiles.All.Where(f => f.StartsWith(PassProgram.StandIns + "/", StringComparison.Ordinal));
+
+    [Test]
+    public void StandIns_DeclaredNames_AreUnitys([Values("UnityCG.cginc", "Core.hlsl")] string include)
+    {
+        var declared = StandIns.SelectMany(f => UnityNames.DeclaredBy(RepositoryFiles.Read(f))).Distinct().ToList();
+
+        Assert.That(declared, Has.Count.GreaterThan(20));
+        Assert.That(declared.Where(n => !Known[include].Contains(n)), Is.Empty, "not in " + UnityNames.List);
+    }
+
+    [TestCaseSource(nameof(Programs))]
+    public void Program_NamesOfUnitys_AreInItsInclude(PassProgram program)
+    {
+        Assert.That(program.UnityIncludes, Is.EqualTo(new[] { program.SubShader.IsUniversal ? "Core.hlsl" : "UnityCG.cginc" }));
+        var used = UnityNames.UsedBy(program.OwnText).ToList();
+
+        Assert.That(used, Is.Not.Empty);
+        Assert.That(used.Where(n => !Known[program.UnityIncludes[0]].Contains(n)), Is.Empty, "not in " + UnityNames.List);
+    }
+
+    [TestCase("#define UNITY_OWN 1", "UNITY_OWN")]
+    [TestCase("    float4x4 unity_Own[2];", "unity_Own")]
+    [TestCase("static uint unity_Own;", "unity_Own")]
+    [TestCase("float4 OwnTransform(float4 position)", "OwnTransform")]
+    [TestCase("    UNITY_DEFINE_INSTANCED_PROP(float4x4, unity_Own)", "unity_Own")]
+    public void DeclaredBy_EachKindOfDeclaration_IsFound(string text, string name)
+    {
+        Assert.That(UnityNames.DeclaredBy(text), Is.EqualTo(new[] { name }));
+    }
+
+    /// <summary>A pattern in the screen's space differs between the eyes and slides over the part.</summary>
+    [TestCase("float4 screen = ComputeScreenPos(position);", "ComputeScreenPos")]
+    [TestCase("place.x *= _ScreenParams.x;", "_ScreenParams")]
+    public void UsedBy_ScreenSpace_IsNotAmongTheNames(string text, string name)
+    {
+        Assert.That(UnityNames.UsedBy(text), Is.EqualTo(new[] { name }));
+        Assert.That(Known.Values.Where(names => names.Contains(name)), Is.Empty);
+    }
+}

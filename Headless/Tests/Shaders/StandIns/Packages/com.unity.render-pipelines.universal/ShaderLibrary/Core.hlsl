@@ -1,0 +1,2 @@
+// Stand-in for URP's include.
+#include "StandIn.hlsl"

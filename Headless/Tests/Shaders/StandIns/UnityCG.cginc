@@ -1,0 +1,2 @@
+// Stand-in for the built-in pipeline's include.
+#include "StandIn.hlsl"
