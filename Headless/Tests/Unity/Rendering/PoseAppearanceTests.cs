@@ -385,6 +385,7 @@ public class PoseAppearanceTests
         hidden.forceRenderingOff = true;
         var material = new Material((Shader)null);
         material.SetFloat("_Fade", 0.75f);
+        material.SetFloat("_Hatch", 0);
         hidden.sharedMaterial = material;
         BeCurrent();
         var current = (Look(_tool), hidden.forceRenderingOff);

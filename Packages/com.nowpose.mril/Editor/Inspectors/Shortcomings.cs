@@ -33,6 +33,11 @@ namespace Nowpose.Editor
                 typeof(PoseAppearance), "_session", typeof(MrilSession),
                 "There is no session on it or above whose pose it would show. Assign one.", Only<MrilSession>),
             new ReferenceRule(
+                typeof(PoseAppearance), "_substitute", null,
+                "Opaque parts below it have shaders without _Fade and _Hatch. They are hidden while the pose is not current. Assign a substitute, "
+                + "or add NowposePose.hlsl to their shaders.",
+                _ => PackageAsset.Hologram.Load<Material>(), appearance => ((PoseAppearance)appearance).NeedsSubstitute),
+            new ReferenceRule(
                 typeof(StatusPanel), "_session", typeof(MrilSession),
                 "There is no session on it or above that it would tell of. Assign one.", Only<MrilSession>),
             new ReferenceRule(

@@ -11,7 +11,8 @@ namespace Nowpose.Unity
     /// </summary>
     /// <remarks>
     /// Sets <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1) of the materials' shaders, which the package's have, by property
-    /// blocks: the materials stay as they are. Once disabled, everything has the values again that it had before.
+    /// blocks: the materials stay as they are. A blended material without them gets a lower alpha; an opaque one is replaced by the
+    /// substitute, or hidden, while the pose is not current. Once disabled, everything has the values again that it had before.
     /// </remarks>
     [AddComponentMenu("Nowpose/Pose Appearance")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
@@ -24,6 +25,12 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Where the words are written. They turn to the viewer, and are as large as it takes to read them. Empty: no words.")]
         TextMesh _words = null;
 
+        [SerializeField, Tooltip("Drawn in place of opaque materials whose shader has no _Fade and _Hatch, while the pose is not current. It needs both "
+            + "itself, as the package's Hologram has. Empty: such parts are hidden then.")]
+        Material _substitute = null;
+
+        readonly PoseMaterials _materials = new PoseMaterials();
+        readonly HashSet<Material> _reported = new HashSet<Material>();
         readonly List<Renderer> _found = new List<Renderer>();
         readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
@@ -77,14 +84,27 @@ namespace Nowpose.Unity
         /// <summary>Renderers that take part, the words' apart.</summary>
         internal int PartCount => _parts.Count;
 
+        /// <summary>Whether something below is opaque and cannot show a pose that is not current by its own material.</summary>
+        internal bool NeedsSubstitute
+        {
+            get
+            {
+                var materials = new PoseMaterials();
+                foreach (var each in GetComponentsInChildren<Renderer>(true))
+                    if (!IsWords(each) && materials.Of(materials.In(each)).Means == PoseMeans.None) return true;
+                return false;
+            }
+        }
+
         /// <summary>Takes up renderers that have come or gone below this object; done by itself when a rig is built, and when enabled.</summary>
         public void Refresh()
         {
             // Not enabled, as in an edited scene: it does so itself then.
             if (!_isOn) return;
             GetComponentsInChildren(true, _found);
-            if (_words != null) _found.Remove(_words.GetComponent<Renderer>());
+            _found.RemoveAll(IsWords);
             Leave();
+            _materials.Begin(_substitute);
             _carriers.Clear();
             _anchor = GetComponentInParent<BaseAnchor>();
             _base = BaseLook.Of(_anchor);
@@ -92,9 +112,10 @@ namespace Nowpose.Unity
             Follow(_carrier);
             foreach (var each in _found)
             {
-                if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block));
+                if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block, _materials));
                 part.Take();
                 Follow(part.Carrier);
+                if (part.Helpless is Material material) Report(material, each);
             }
             Draw();
         }
@@ -189,6 +210,20 @@ namespace Nowpose.Unity
         {
             _hasWords = _words != null && words.Length > 0;
             if (_words != null) _words.text = words;
+        }
+
+        // Of a component that is edited, too.
+        bool IsWords(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
+
+        void Report(Material material, Renderer part)
+        {
+            if (!_reported.Add(material)) return;
+            var problem = "pose appearance '" + name + "': material '" + material.name + "' of '" + part.name + "' is opaque, or one of several, and its "
+                + "shader has no _Fade and _Hatch. While the pose is not current, the part is ";
+            const string remedy = "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
+            if (_materials.Substitute != null)
+                ConsoleLog.Say(this, problem + "drawn with '" + _materials.Substitute.name + "'. To keep its own look, " + remedy);
+            else ConsoleLog.Warn(this, problem + "hidden. Assign a Substitute with _Fade and _Hatch, or " + remedy);
         }
 
         void Follow(PoseCarrier carrier)

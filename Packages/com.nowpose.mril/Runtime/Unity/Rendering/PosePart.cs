@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Nowpose.Unity
@@ -5,53 +6,82 @@ namespace Nowpose.Unity
     /// <summary>One renderer of a shown pose, and how it was drawn before.</summary>
     sealed class PosePart
     {
-        static readonly int FadeId = Shader.PropertyToID("_Fade");
-        static readonly int HatchId = Shader.PropertyToID("_Hatch");
+        /// <summary>Share of its opacity that a part loses by a fade of 1, as in NowposePose.hlsl.</summary>
+        const float FadedAway = 0.8f;
+
+        /// <summary>Minimum fade of a part without stripes, so that it looks different in every state that has some.</summary>
+        const float MinFadeWithoutStripes = 0.5f;
 
         readonly Renderer _renderer;
         readonly MaterialPropertyBlock _block;
+        readonly PoseMaterials _materials;
+        PoseMaterial _material;
+        Material[] _own, _substitutes;
+        Color? _ownColour;
         float _ownFade, _ownHatch;
-        bool _isOwnOff, _isTaken;
+        bool _isOwnOff, _isTaken, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _hadBlock;
 
         /// <param name="block">To work with: shared by all parts.</param>
-        public PosePart(Renderer renderer, MaterialPropertyBlock block)
+        public PosePart(Renderer renderer, MaterialPropertyBlock block, PoseMaterials materials)
         {
             _renderer = renderer;
             _block = block;
+            _materials = materials;
         }
 
-        public bool IsDrawn { get; private set; }
+        public bool IsDrawn => _isPoseDrawn && !_isHidden;
 
         /// <summary>Null for what nothing ever carried.</summary>
         public PoseCarrier Carrier { get; private set; }
+
+        /// <summary>The first material that cannot show a pose that is not current; null where all can.</summary>
+        public Material Helpless
+        {
+            get
+            {
+                if (_material.Means != PoseMeans.None) return null;
+                foreach (var material in _isSubstituted ? new List<Material>(_own) : _materials.In(_renderer))
+                    if (_materials.Of(material).Means == PoseMeans.None) return material;
+                return _renderer.sharedMaterial;
+            }
+        }
 
         /// <summary>Looks for what carries it, and remembers how it is drawn unless that is done.</summary>
         public void Take()
         {
             Carrier = PoseCarrier.Of(_renderer.transform, Carrier);
+            if (!_isSubstituted) _own = null;
+            Examine();
             if (_isTaken) return;
             _isTaken = true;
             _isOwnOff = _renderer.forceRenderingOff;
             _renderer.GetPropertyBlock(_block);
-            _ownFade = Own(FadeId);
-            _ownHatch = Own(HatchId);
+            _ownFade = Own(PoseMaterial.FadeId);
+            _ownHatch = Own(PoseMaterial.HatchId);
         }
 
         public void Draw(PoseLook look, float opacity)
         {
-            IsDrawn = look.IsDrawn && (Carrier == null || Carrier.IsFollowing);
-            Set(look, opacity);
+            _isPoseDrawn = look.IsDrawn && (Carrier == null || Carrier.IsFollowing);
+            Show(look, opacity);
         }
 
         /// <summary>What was not drawn before the session ended does not come to light by that.</summary>
-        public void Abandon(float opacity) => Set(PoseLook.Abandoned, opacity);
+        public void Abandon(float opacity) => Show(PoseLook.Abandoned, opacity);
 
         /// <summary>Draws it as before.</summary>
         public void GiveBack()
         {
-            if (_isTaken) Set(_isOwnOff, _ownFade, _ownHatch);
+            if (_isTaken && _renderer != null)
+            {
+                RestoreMaterials();
+                if (_material.Means == PoseMeans.Alpha) SetAlpha(0);
+                else SetPattern(_ownFade, _ownHatch);
+                _renderer.forceRenderingOff = _isOwnOff;
+            }
             _isTaken = false;
-            IsDrawn = true;
+            _isHidden = false;
+            _isPoseDrawn = true;
         }
 
         // Of several materials the first: a property block of the user's says it for all of them anyway.
@@ -62,17 +92,86 @@ namespace Nowpose.Unity
             return material != null && material.HasProperty(property) ? material.GetFloat(property) : 0;
         }
 
-        void Set(PoseLook look, float opacity) =>
-            Set(_isOwnOff || !IsDrawn, Mathf.Max(_ownFade, look.FadeAt(opacity)), look.IsHatched ? 1 : _ownHatch);
-
-        void Set(bool isOff, float fade, float hatch)
+        void Show(PoseLook look, float opacity)
         {
             if (_renderer == null) return;
-            _renderer.forceRenderingOff = isOff;
+            Examine();
+            _isHidden = false;
+            var fade = look.FadeAt(opacity);
+            if (_material.Means == PoseMeans.Alpha)
+            {
+                SetAlpha(look.IsHatched ? Mathf.Max(fade, MinFadeWithoutStripes) : fade);
+            }
+            else
+            {
+                if (_material.Means == PoseMeans.None && look.IsHatched) _isHidden = !Substitute();
+                else RestoreMaterials();
+                SetPattern(Mathf.Max(_ownFade, fade), look.IsHatched ? 1 : _ownHatch);
+            }
+            _renderer.forceRenderingOff = _isOwnOff || !IsDrawn;
+        }
+
+        // Materials may be others than at the last look; those of the user's that replaced the substitutes are the part's own now.
+        void Examine()
+        {
+            var materials = _materials.In(_renderer);
+            if (_isSubstituted && IsSame(materials, _substitutes)) return;
+            _isSubstituted = false;
+            _material = _materials.Of(materials);
+        }
+
+        bool Substitute()
+        {
+            if (_isSubstituted) return true;
+            if (_materials.Substitute == null) return false;
+            var materials = _materials.In(_renderer);
+            if (_own == null || !IsSame(materials, _own))
+            {
+                _own = materials.ToArray();
+                _substitutes = _materials.SubstitutesFor(_own);
+            }
+            _renderer.sharedMaterials = _substitutes;
+            return _isSubstituted = true;
+        }
+
+        void RestoreMaterials()
+        {
+            if (_isSubstituted) _renderer.sharedMaterials = _own;
+            _isSubstituted = false;
+        }
+
+        void SetPattern(float fade, float hatch)
+        {
             _renderer.GetPropertyBlock(_block);
-            _block.SetFloat(FadeId, fade);
-            _block.SetFloat(HatchId, hatch);
+            _block.SetFloat(PoseMaterial.FadeId, fade);
+            _block.SetFloat(PoseMaterial.HatchId, hatch);
             _renderer.SetPropertyBlock(_block);
+        }
+
+        /// <param name="fade">0 gives the colour back.</param>
+        void SetAlpha(float fade)
+        {
+            if (fade <= 0 && !_isAlphaSet) return;
+            _renderer.GetPropertyBlock(_block);
+            if (!_isAlphaSet)
+            {
+                _hadBlock = _renderer.HasPropertyBlock();
+                _ownColour = _block.HasColor(_material.Colour) ? _block.GetColor(_material.Colour) : (Color?)null;
+            }
+            _isAlphaSet = fade > 0;
+            var colour = _ownColour ?? _renderer.sharedMaterial.GetColor(_material.Colour);
+            colour.a *= 1 - FadedAway * fade;
+            _block.SetColor(_material.Colour, colour);
+            // A colour cannot be taken out of a block, and one that stays hides what the material's becomes.
+            _renderer.SetPropertyBlock(_isAlphaSet || _hadBlock ? _block : null);
+        }
+
+        static bool IsSame(List<Material> materials, Material[] others)
+        {
+            if (materials.Count != others.Length) return false;
+            for (var i = 0; i < others.Length; i++)
+                if (!ReferenceEquals(materials[i], others[i])) return false;
+            return true;
         }
     }
 }

@@ -88,6 +88,24 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Appearance_OpaquePartsBelow_IsOfferedASubstitute()
+        {
+            var appearance = _scene.New<PoseAppearance>("Looks", _scene.New<MrilSession>("Session").transform);
+            Assert.That(Of(appearance), Is.Empty);
+            var part = _scene.New<MeshRenderer>("Part", appearance.transform);
+            part.sharedMaterial = PackageAsset.Hologram.Load<Material>();
+            Assert.That(Of(appearance), Is.Empty, "it has _Fade and _Hatch");
+
+            part.sharedMaterial = _scene.Material("Steel");
+            var shortcoming = Of(appearance).Single();
+            Assert.That(shortcoming.Message, Does.StartWith("Opaque parts below it"));
+            Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'Hologram'"));
+            shortcoming.Fix();
+
+            Assert.That(Of(appearance), Is.Empty);
+        }
+
+        [Test]
         public void Several_SomeLacking_AreFixedTogetherAndOnlyThose()
         {
             var session = _scene.New<MrilSession>("Session");

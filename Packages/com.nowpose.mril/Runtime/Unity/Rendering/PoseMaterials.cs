@@ -1,0 +1,58 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>The materials of a pose's parts, each examined once: asking a material for a tag allocates.</summary>
+    sealed class PoseMaterials
+    {
+        readonly Dictionary<Material, PoseMaterial> _known = new Dictionary<Material, PoseMaterial>();
+        readonly List<Material> _list = new List<Material>();
+
+        /// <summary>Drawn in place of a material that cannot show that the pose is not current; null for none.</summary>
+        public Material Substitute { get; private set; }
+
+        /// <summary>Forgets what it found: a material may have another shader by now.</summary>
+        /// <param name="substitute">Null for none. One that cannot show the state itself is not used.</param>
+        public void Begin(Material substitute)
+        {
+            _known.Clear();
+            Substitute = substitute != null && PoseMaterial.Of(substitute).Means == PoseMeans.Pattern ? substitute : null;
+        }
+
+        /// <summary>The renderer's materials, until the next call.</summary>
+        public List<Material> In(Renderer renderer)
+        {
+            renderer.GetSharedMaterials(_list);
+            return _list;
+        }
+
+        /// <param name="material">Null for none.</param>
+        public PoseMaterial Of(Material material)
+        {
+            if (material == null) return PoseMaterial.Patterned;
+            if (!_known.TryGetValue(material, out var known)) _known.Add(material, known = PoseMaterial.Of(material));
+            return known;
+        }
+
+        /// <summary>Finds out how a renderer with these materials can show that a pose is not current.</summary>
+        public PoseMaterial Of(List<Material> materials)
+        {
+            if (materials.Count == 1) return Of(materials[0]);
+            // A property block has one colour for all of a renderer's materials.
+            foreach (var material in materials)
+                if (NeedsSubstitute(Of(material).Means)) return PoseMaterial.Helpless;
+            return PoseMaterial.Patterned;
+        }
+
+        /// <summary>Fills in the materials to draw instead, each in the place of one that cannot show the state.</summary>
+        public Material[] SubstitutesFor(Material[] own)
+        {
+            var drawn = new Material[own.Length];
+            for (var i = 0; i < own.Length; i++) drawn[i] = NeedsSubstitute(Of(own[i]).Means) ? Substitute : own[i];
+            return drawn;
+        }
+
+        static bool NeedsSubstitute(PoseMeans means) => means == PoseMeans.None || means == PoseMeans.Alpha;
+    }
+}

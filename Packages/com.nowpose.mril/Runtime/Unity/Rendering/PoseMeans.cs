@@ -1,0 +1,18 @@
+namespace Nowpose.Unity
+{
+    /// <summary>How a material can show that a pose is not current.</summary>
+    enum PoseMeans
+    {
+        /// <summary>Its shader declares <c>_Fade</c> and <c>_Hatch</c>.</summary>
+        Pattern,
+
+        /// <summary>It is blended, and its shader has a colour whose alpha can be lowered.</summary>
+        Alpha,
+
+        /// <summary>Neither: the part is drawn with another material, or not at all.</summary>
+        None,
+
+        /// <summary>It draws no colour, so it looks the same in every state.</summary>
+        NotNeeded,
+    }
+}
