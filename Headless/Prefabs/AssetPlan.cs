@@ -13,6 +13,8 @@ public static class AssetPlan
         (PackagePaths.Occluder, MaterialAssets.Occluder),
         (PackagePaths.Panel, MaterialAssets.Panel),
         (PackagePaths.Timestamp, MaterialAssets.Timestamp),
+        (PackagePaths.Solid, MaterialAssets.Solid),
+        (PackagePaths.Text, MaterialAssets.Text),
         (PackagePaths.Youbot, w => RobotAssets.Description(w, PackagePaths.Youbot, PackagePaths.YoubotUrdf)),
         (PackagePaths.Ur5, w => RobotAssets.Description(w, PackagePaths.Ur5, PackagePaths.Ur5Urdf)),
         (PackagePaths.Settings, w => RobotAssets.Settings(w, PackagePaths.Settings)),

@@ -30,7 +30,7 @@ static class CalibrationObjects
     static void AddDisplay(Workshop workshop, MrilSession session, Transform parent)
     {
         var display = Child("Timestamp Display", parent, Vector3.zero).AddComponent<TimestampDisplay>();
-        var cell = Texts.Add("Cell", display.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
+        var cell = Texts.Add(workshop, "Cell", display.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
         cell.gameObject.SetActive(false);
         Fields.Set(display, "_session", session);
         Fields.Set(display, "_cell", cell);
@@ -41,7 +41,7 @@ static class CalibrationObjects
     {
         var load = Child("Load", calibration.transform, new Vector3(0, 0, LoadBehindMetres)).AddComponent<LoadGenerator>();
         Fields.Set(load, "_material", workshop.Load<Material>(PackagePaths.Panel));
-        var words = Texts.Add("Words", calibration.transform, TextAnchor.UpperCenter, TextAlignment.Center);
+        var words = Texts.Add(workshop, "Words", calibration.transform, TextAnchor.UpperCenter, TextAlignment.Center);
         words.transform.localPosition = Vector3.down * WordsBelowMetres;
         var sweep = calibration.AddComponent<LoadSweep>();
         Fields.Set(sweep, "_session", session);

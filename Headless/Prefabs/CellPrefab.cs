@@ -75,7 +75,9 @@ sealed class CellPrefab
 
         // One for all that the rig shows, also for what it builds at run time, takes the place of the gripper's.
         Object.DestroyImmediate(gripper.GetComponent<PoseAppearance>());
-        Fields.Set(rig.gameObject.AddComponent<PoseAppearance>(), "_session", _session);
+        var appearance = rig.gameObject.AddComponent<PoseAppearance>();
+        Fields.Set(appearance, "_session", _session);
+        Fields.Set(appearance, "_substitute", tool);
         return rig;
     }
 
@@ -93,7 +95,7 @@ sealed class CellPrefab
     {
         var panel = Child("Status Panel");
         panel.AddComponent<BodyFollow>();
-        var cell = Texts.Add("Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
+        var cell = Texts.Add(_workshop, "Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
         cell.gameObject.SetActive(false);
         var status = panel.AddComponent<StatusPanel>();
         Fields.Set(status, "_session", _session);

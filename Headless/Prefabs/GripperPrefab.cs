@@ -30,17 +30,19 @@ static class GripperPrefab
             new("gripper_finger_joint_l", left),
             new("gripper_finger_joint_r", right),
         });
-        AddAppearance(gripper);
+        AddAppearance(workshop, gripper, hologram);
         return workshop.Prefab(gripper);
     }
 
     /// <summary>Part of the gripper, so that nobody who mounts it by itself takes an old pose for a current one.</summary>
-    static void AddAppearance(GameObject gripper)
+    static void AddAppearance(Workshop workshop, GameObject gripper, Material substitute)
     {
-        var words = Texts.Add(Words, gripper.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
+        var words = Texts.Add(workshop, Words, gripper.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
         // Beside the palm: they cover neither the fingers nor what these grasp.
         words.transform.localPosition = new Vector3(0.12f, 0.02f, 0);
-        Fields.Set(gripper.AddComponent<PoseAppearance>(), "_words", words);
+        var appearance = gripper.AddComponent<PoseAppearance>();
+        Fields.Set(appearance, "_words", words);
+        Fields.Set(appearance, "_substitute", substitute);
     }
 
     static Transform Named(Transform link, string name)

@@ -7,6 +7,12 @@ static class MaterialAssets
     /// <summary>Before what is transparent: the text in front of it has to be drawn after it.</summary>
     const int BehindText = 2900;
 
+    /// <summary>With everything that hides what is behind it.</summary>
+    const int Opaque = 2000;
+
+    /// <summary>After the virtual parts, so that its depth hides none of them: where it is in front they show through it.</summary>
+    const int AfterVirtualParts = 3100;
+
     /// <summary>The virtual parts: bright, for a headset's display only adds light.</summary>
     public static string Hologram(Workshop workshop) => Make(workshop, "Hologram", new Color(0.25f, 0.75f, 1, 1));
 
@@ -14,7 +20,18 @@ static class MaterialAssets
     public static string Arm(Workshop workshop) => Make(workshop, "Arm", new Color(1, 0.55f, 0.15f, 1));
 
     /// <summary>The uncompensated pose: colourless and half transparent, so told from the other without its colour too.</summary>
-    public static string Ghost(Workshop workshop) => Make(workshop, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f));
+    public static string Ghost(Workshop workshop) => Make(workshop, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f), AfterVirtualParts);
+
+    /// <summary>Real things of a scene on a desktop: grey, and shaded without a light in both render pipelines.</summary>
+    public static string Solid(Workshop workshop) => Make(workshop, "Solid", new Color(0.6f, 0.6f, 0.6f, 1), Opaque);
+
+    /// <summary>Letters, hidden by what is before them.</summary>
+    public static string Text(Workshop workshop)
+    {
+        var material = new Material(workshop.Load<Shader>(PackagePaths.TextShader)) { name = "Text", color = Color.white, enableInstancing = true };
+        material.SetFloat("_Cutoff", 0.3f);
+        return workshop.Asset(material);
+    }
 
     public static string Occluder(Workshop workshop)
     {

@@ -14,11 +14,14 @@ static class PackagePaths
 
     public const string HologramShader = Runtime + "Shaders/Hologram.shader";
     public const string OccluderShader = Runtime + "Shaders/Occluder.shader";
+    public const string TextShader = Runtime + "Shaders/Text.shader";
     public const string Hologram = Runtime + "Materials/Hologram.mat";
     public const string Arm = Runtime + "Materials/Arm.mat";
     public const string Ghost = Runtime + "Materials/Ghost.mat";
     public const string Occluder = Runtime + "Materials/Occluder.mat";
     public const string Panel = Runtime + "Materials/Panel.mat";
+    public const string Solid = Runtime + "Materials/Solid.mat";
+    public const string Text = Runtime + "Materials/Text.mat";
     public const string Timestamp = Runtime + "Materials/Timestamp.mat";
     public const string YoubotUrdf = Runtime + "Robots/youbot.urdf";
     public const string Ur5Urdf = Runtime + "Robots/ur5.urdf";

@@ -7,9 +7,6 @@ namespace Nowpose.Prefabs;
 /// <summary>What a scene for a desktop has around the robot.</summary>
 static class Props
 {
-    /// <summary>The engine's own, grey.</summary>
-    public static Material DefaultMaterial => (Material)BuiltInAssets.Find(BuiltInAssets.DefaultMaterial);
-
     /// <param name="position">Metres.</param>
     /// <param name="eulerAngles">Degrees.</param>
     public static GameObject Camera(Vector3 position, Vector3 eulerAngles)
@@ -50,12 +47,13 @@ static class Props
     }
 
     /// <summary>4 m in square, at the robot's base.</summary>
-    public static GameObject Ground()
+    public static GameObject Ground(Workshop workshop)
     {
         var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);
         ground.name = "Ground";
         ground.transform.eulerAngles = new Vector3(90, 0, 0);
         ground.transform.localScale = new Vector3(4, 4, 1);
+        ground.GetComponent<MeshRenderer>().sharedMaterial = workshop.Load<Material>(PackagePaths.Solid);
         return ground;
     }
 

@@ -35,7 +35,8 @@ static class Scenes
         var control = new GameObject("Simulated Control System").AddComponent<SimulatedControlSystem>();
         Fields.Set(control, "_session", session);
         Fields.Set(control, "_robot", robot);
-        var real = Rigs.Build(robot, null, Props.DefaultMaterial, Props.DefaultMaterial);
+        var solid = workshop.Load<Material>(PackagePaths.Solid);
+        var real = Rigs.Build(robot, null, solid, solid);
         real.name = "Real Robot";
         Fields.Set(real.gameObject.AddComponent<TruthRig>(), "_controlSystem", control);
         Tidy.Transforms(real.transform);
@@ -47,7 +48,7 @@ static class Scenes
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.CalibrationSettings);
         CalibrationObjects.Add(workshop, cell.GetComponent<MrilSession>());
-        return workshop.Scene(Props.Camera(new Vector3(0, 1.5f, -1.5f), Vector3.zero), Props.Light(), Props.Ground(), cell);
+        return workshop.Scene(Props.Camera(new Vector3(0, 1.5f, -1.5f), Vector3.zero), Props.Light(), Props.Ground(workshop), cell);
     }
 
     /// <param name="settingsPath">Its own, for those of an installed package cannot be changed.</param>
@@ -76,7 +77,7 @@ static class Scenes
 
     static string Save(Workshop workshop, params GameObject[] robots)
     {
-        var props = new[] { Props.Camera(new Vector3(0, 0.75f, -1.25f), new Vector3(20, 0, 0)), Props.Light(), Props.Ground() };
+        var props = new[] { Props.Camera(new Vector3(0, 0.75f, -1.25f), new Vector3(20, 0, 0)), Props.Light(), Props.Ground(workshop) };
         return workshop.Scene(props.Concat(robots).ToArray());
     }
 }

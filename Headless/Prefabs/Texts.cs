@@ -1,3 +1,4 @@
+using Nowpose.Unity;
 using Nowpose.UnityPlayer.Assets.Objects;
 using UnityEngine;
 
@@ -11,18 +12,19 @@ static class Texts
     /// <summary>Letters of half a degree at 1 m; the components make them as large as the viewer's distance asks for.</summary>
     const float Scale = 0.0035f;
 
-    public static TextMesh Add(string name, Transform parent, TextAnchor anchor, TextAlignment alignment)
+    public static TextMesh Add(Workshop workshop, string name, Transform parent, TextAnchor anchor, TextAlignment alignment)
     {
         var made = new GameObject(name);
         made.transform.SetParent(parent, worldPositionStays: false);
         made.transform.localScale = new Vector3(Scale, Scale, Scale);
         var renderer = made.AddComponent<MeshRenderer>();
-        renderer.sharedMaterial = (Material)BuiltInAssets.Find(BuiltInAssets.FontMaterial);
+        renderer.sharedMaterial = workshop.Load<Material>(PackagePaths.Text);
         var text = made.AddComponent<TextMesh>();
         text.anchor = anchor;
         text.alignment = alignment;
         text.fontSize = Points;
         text.richText = false;
+        Fields.Set(made.AddComponent<FontTexture>(), "_fontMaterial", (Material)BuiltInAssets.Find(BuiltInAssets.FontMaterial));
         return text;
     }
 }

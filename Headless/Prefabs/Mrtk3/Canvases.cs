@@ -38,9 +38,9 @@ static class Canvases
         ground.GetComponent<MeshRenderer>().sharedMaterial = workshop.Load<Material>(PackagePaths.Panel);
     }
 
-    public static TextMesh AddText(string name, Transform canvas, Vector3 place)
+    public static TextMesh AddText(Workshop workshop, string name, Transform canvas, Vector3 place)
     {
-        var text = Texts.Add(name, canvas, TextAnchor.MiddleCenter, TextAlignment.Center);
+        var text = Texts.Add(workshop, name, canvas, TextAnchor.MiddleCenter, TextAlignment.Center);
         text.transform.localPosition = place;
         text.transform.localScale = new Vector3(TextScale, TextScale, TextScale);
         return text;

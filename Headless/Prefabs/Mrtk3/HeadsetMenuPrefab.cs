@@ -11,6 +11,7 @@ sealed class HeadsetMenuPrefab
 {
     const float NudgeMs = 20, NudgeStepMs = 1, OpacityStep = 0.2f;
 
+    readonly Workshop _workshop;
     readonly GameObject _root;
     readonly CellActions _actions;
     readonly HeadsetMenu _menu;
@@ -19,6 +20,7 @@ sealed class HeadsetMenuPrefab
 
     HeadsetMenuPrefab(Workshop workshop)
     {
+        _workshop = workshop;
         _root = new GameObject("Headset Menu");
         _actions = _root.AddComponent<CellActions>();
         _menu = _root.AddComponent<HeadsetMenu>();
@@ -56,9 +58,9 @@ sealed class HeadsetMenuPrefab
     void AddSliders()
     {
         Slide("_nudge", _buttons.Slider("L_visu Nudge", -NudgeMs, NudgeMs, 0, new Vector2(0, -22)), nameof(HeadsetMenu.SlideNudge));
-        Fields.Set(_menu, "_nudgeWords", Canvases.AddText("L_visu Nudge Words", _canvas, new Vector3(0, -10, 0)));
+        Fields.Set(_menu, "_nudgeWords", Canvases.AddText(_workshop, "L_visu Nudge Words", _canvas, new Vector3(0, -10, 0)));
         Slide("_opacity", _buttons.Slider("Opacity", 0, 1, 1, new Vector2(0, -54)), nameof(HeadsetMenu.SlideOpacity));
-        Fields.Set(_menu, "_opacityWords", Canvases.AddText("Opacity Words", _canvas, new Vector3(0, -42, 0)));
+        Fields.Set(_menu, "_opacityWords", Canvases.AddText(_workshop, "Opacity Words", _canvas, new Vector3(0, -42, 0)));
     }
 
     void AddVoice()

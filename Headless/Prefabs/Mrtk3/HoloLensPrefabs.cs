@@ -25,7 +25,7 @@ static class HoloLensPrefabs
     {
         var panel = new GameObject("Status Panel (MRTK3)");
         var follow = panel.AddComponent<BodyFollow>();
-        var cell = Texts.Add("Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
+        var cell = Texts.Add(workshop, "Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
         cell.gameObject.SetActive(false);
         var status = panel.AddComponent<StatusPanel>();
         Fields.Set(status, "_cell", cell);
@@ -57,7 +57,7 @@ static class HoloLensPrefabs
         var content = Child("Content", root.transform, Vector3.zero);
         var canvas = Canvases.Add(content.transform, Vector3.zero);
         Canvases.AddGround(workshop, canvas, new Vector3(0, 0, 4), new Vector2(400, 180));
-        var question = Canvases.AddText("Question", canvas, new Vector3(0, 40, 0));
+        var question = Canvases.AddText(workshop, "Question", canvas, new Vector3(0, 40, 0));
         question.transform.localScale *= 1.5f;
         var buttons = new Buttons(workshop, canvas);
         var accept = buttons.Button("Accept", "Accept", new Vector2(-40, -60));
