@@ -272,7 +272,11 @@ public sealed class InspectorTests : EditorFixture
     public void Appearance_Playing_SaysWhatIsShownAndWhy()
     {
         var session = _cell.Play();
-        var appearance = Below<RobotRig>(session).gameObject.AddComponent<PoseAppearance>();
+        var substitute = new Material((Shader)null) { name = "Hologram" };
+        substitute.SetFloat("_Fade", 0);
+        substitute.SetFloat("_Hatch", 0);
+        var appearance = Below<RobotRig>(session).gameObject.AddComponent<PoseAppearance>().With("_substitute", substitute);
+        appearance.Refresh();
         var editor = Inspect(appearance);
 
         Play(session, 8);
