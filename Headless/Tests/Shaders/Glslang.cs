@@ -11,8 +11,8 @@ static class Glslang
     /// <summary>Ignores the test where the compiler is not installed; in CI the test fails.</summary>
     public static void Require()
     {
-        var isThere = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, Tool)));
-        if (isThere) return;
+        var folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
+        if (folders.Any(folder => File.Exists(Path.Combine(folder, Tool)))) return;
         const string missing = Tool + " is not installed; install it: apt-get install glslang-tools";
         if (Environment.GetEnvironmentVariable("CI") != null) Assert.Fail(missing);
         Assert.Ignore(missing);
@@ -53,7 +53,8 @@ static class Glslang
         if (process.ExitCode == 0 && !output.Contains("Missing functionality", StringComparison.Ordinal)) return [];
         var variant = keywords.Length == 0 ? "no keywords" : string.Join(" ", keywords);
         var lines = output.Split('\n', StringSplitOptions.RemoveEmptyEntries)
-            .Where(line => line != file && !line.StartsWith("SPIR-V", StringComparison.Ordinal) && !line.Contains("compilation errors", StringComparison.Ordinal));
+            .Where(line => line != file && !line.StartsWith("SPIR-V", StringComparison.Ordinal))
+            .Where(line => !line.Contains("compilation errors", StringComparison.Ordinal));
         return lines.Select(line => $"{program}, {variant}, {stage.Name}: {line.Replace("ERROR: ", "", StringComparison.Ordinal)}");
     }
 }

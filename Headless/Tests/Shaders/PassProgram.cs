@@ -41,7 +41,9 @@ public sealed class PassProgram
             List<string[]> axes = [SubShader.IsUniversal ? stereo : [.. stereo, "UNITY_SINGLE_PASS_STEREO"]];
             foreach (Match pragma in Pragmas.Matches(Pass.Program.Text))
                 if (KeywordsOf(pragma.Groups[1].Value, pragma.Groups[2].Value) is { } keywords) axes.Add(keywords);
-            return axes.Aggregate<string[], IEnumerable<string[]>>([[]], (sets, axis) => sets.SelectMany(set => axis.Select(k => Union(set, k)))).ToList();
+            List<string[]> sets = [[]];
+            foreach (var axis in axes) sets = sets.SelectMany(set => axis.Select(keyword => Union(set, keyword))).ToList();
+            return sets;
         }
     }
 
@@ -77,7 +79,9 @@ public sealed class PassProgram
     string Single(string pragma)
     {
         var names = Pragmas.Matches(Pass.Program.Text).Where(m => m.Groups[1].Value == pragma).Select(m => m.Groups[2].Value.Trim()).ToList();
-        return names.Count == 1 ? names[0] : throw new ShaderLabException(Shader.Path, Pass.Line, $"the pass has {names.Count} lines #pragma {pragma}");
+        return names.Count == 1
+            ? names[0]
+            : throw new ShaderLabException(Shader.Path, Pass.Line, $"the pass has {names.Count} lines #pragma {pragma}");
     }
 
     string Inlined(string text, HashSet<string> done) => Includes.Replace(text, match =>
@@ -85,7 +89,7 @@ public sealed class PassProgram
         var name = match.Groups[1].Value;
         if (IsStandIn(name)) return "";
         var file = Folders.Select(folder => Path.Combine(folder, name)).FirstOrDefault(File.Exists)
-            ?? throw new ShaderLabException(Shader.Path, Pass.Program.Line, $"there is no include {name}");
+            ?? throw new ShaderLabException(Shader.Path, Pass.Program.Line, $"include {name} is missing");
         return done.Add(file) ? Inlined(File.ReadAllText(file), done) : "";
     });
 

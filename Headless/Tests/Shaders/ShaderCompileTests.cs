@@ -59,7 +59,8 @@ public sealed class ShaderCompileTests
 
         // The stages are compiled from one text: both see the error.
         Assert.That(errors, Is.Not.Empty);
-        Assert.That(errors.Where(e => !e.StartsWith("Broken.shader, built-in, pass Only, STEREO_MULTIVIEW_ON INSTANCING_ON, ", StringComparison.Ordinal)), Is.Empty);
+        const string where = "Broken.shader, built-in, pass Only, STEREO_MULTIVIEW_ON INSTANCING_ON, ";
+        Assert.That(errors.Where(e => !e.StartsWith(where, StringComparison.Ordinal)), Is.Empty);
         Assert.That(errors.Select(e => Regex.Match(e, "Broken.shader[:(](15)").Groups[1].Value), Has.Some.EqualTo("15"));
     }
 
@@ -92,7 +93,8 @@ public sealed class ShaderCompileTests
     [Test]
     public void Variants_Keywords_AreMultiplied()
     {
-        var text = Broken.Replace("#pragma multi_compile_instancing", "#pragma multi_compile _ A B\n#pragma shader_feature_local C", StringComparison.Ordinal);
+        const string keywords = "#pragma multi_compile _ A B\n#pragma shader_feature_local C";
+        var text = Broken.Replace("#pragma multi_compile_instancing", keywords, StringComparison.Ordinal);
 
         var variants = ShaderFiles.Of(ShaderLabReader.Read(text, "Broken.shader")).Single().Variants;
 

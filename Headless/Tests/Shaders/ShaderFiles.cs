@@ -16,7 +16,8 @@ static class ShaderFiles
 
     public static IEnumerable<PassProgram> Programs => Shipped.Concat(Examples).SelectMany(Of);
 
-    public static IEnumerable<PassProgram> Of(ShaderSource shader) => shader.SubShaders.SelectMany(s => s.Passes.Select(p => new PassProgram(shader, s, p)));
+    public static IEnumerable<PassProgram> Of(ShaderSource shader) =>
+        shader.SubShaders.SelectMany(s => s.Passes.Select(p => new PassProgram(shader, s, p)));
 
     static IEnumerable<ShaderSource> ExamplesIn(string path)
     {

@@ -8,7 +8,8 @@ namespace Nowpose.Headless.Tests.Shaders;
 public sealed class ShaderLabReader
 {
     static readonly Regex Tokens = new(
-        """(?<space>\s+|//[^\n]*|/\*.*?\*/)|(?<program>(CG|HLSL)PROGRAM\b(?<text>.*?)\bEND(CG|HLSL)\b)|(?<token>"[^"\n]*"|[\w.+-]+|[{}()\[\],=:])|(?<other>.)""",
+        """(?<space>\s+|//[^\n]*|/\*.*?\*/)|(?<program>(CG|HLSL)PROGRAM\b(?<text>.*?)\bEND(CG|HLSL)\b)"""
+        + """|(?<token>"[^"\n]*"|[\w.+-]+|[{}()\[\],=:])|(?<other>.)""",
         RegexOptions.Singleline | RegexOptions.CultureInvariant);
 
     static readonly HashSet<string> StateNames = new() { "Blend", "ZWrite", "ZTest", "Cull", "ColorMask" };
@@ -217,7 +218,7 @@ public sealed class ShaderLabReader
     void TakeNumber()
     {
         var text = TakeAny();
-        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out _)) throw Error($"'{text}' is no number");
+        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out _)) throw Error($"'{text}' is not a number");
     }
 
     void TakeThrough(string last)

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>What Unity, URP's SRP batcher and single-pass instanced stereo ask of a shader beside that it compiles.</summary>
+/// <summary>Checks what Unity, URP's SRP batcher and single-pass instanced stereo require of a shader's structure.</summary>
 public sealed class ShaderStructureTests
 {
     const string Shaders = RepositoryFiles.Package + "/Runtime/Shaders/";
@@ -14,7 +14,8 @@ public sealed class ShaderStructureTests
         RegexOptions.Singleline | RegexOptions.CultureInvariant);
 
     static readonly Regex Members = new(
-        @"UNITY_DEFINE_INSTANCED_PROP\((?<type>\w+), (?<name>\w+)\)|^\s*(?<type>\w+)\s+(?<name>\w+);", RegexOptions.Multiline | RegexOptions.CultureInvariant);
+        @"UNITY_DEFINE_INSTANCED_PROP\((?<type>\w+), (?<name>\w+)\)|^\s*(?<type>\w+)\s+(?<name>\w+);",
+        RegexOptions.Multiline | RegexOptions.CultureInvariant);
 
     static readonly Dictionary<string, string[]> KnownTags = new()
     {
@@ -45,7 +46,8 @@ public sealed class ShaderStructureTests
         Assert.That(shader.SubShaders.Select(s => s.Pipeline), Is.EqualTo(new[] { "URP", "built-in" }));
         Assert.That(shader.SubShaders[0].Requirements, Is.EqualTo(new[] { "com.unity.render-pipelines.universal" }));
         Assert.That(shader.SubShaders[1].Requirements, Is.Empty);
-        Assert.That(shader.SubShaders[0].Passes.Select(p => p.Tags.GetValueOrDefault("LightMode")), Is.SubsetOf(new[] { "UniversalForwardOnly", "DepthOnly" }));
+        var modes = shader.SubShaders[0].Passes.Select(p => p.Tags.GetValueOrDefault("LightMode"));
+        Assert.That(modes, Is.SubsetOf(new[] { "UniversalForwardOnly", "DepthOnly" }));
         Assert.That(shader.SubShaders[1].Passes.Select(p => p.Tags.Count), Is.All.Zero);
     }
 
@@ -75,7 +77,8 @@ public sealed class ShaderStructureTests
         var buffers = Buffers.Matches(program.OwnText);
 
         Assert.That(buffers, Has.Count.EqualTo(expected.Any() ? 1 : 0));
-        var members = buffers.SelectMany(b => Members.Matches(b.Groups["members"].Value)).Select(m => (m.Groups["name"].Value, m.Groups["type"].Value));
+        var members = buffers.SelectMany(b => Members.Matches(b.Groups["members"].Value))
+            .Select(m => (m.Groups["name"].Value, m.Groups["type"].Value));
         Assert.That(members, Is.EqualTo(expected));
         foreach (var texture in program.Shader.Properties.Where(p => p.Type == "2D"))
             Assert.That(program.OwnText, Does.Match($@"Texture2D {texture.Name};\s+SamplerState sampler{texture.Name};"));
@@ -137,7 +140,7 @@ public sealed class ShaderStructureTests
     [TestCase("\"Queue\" = \"Transparent\"", "\"Queue\" \"Transparent\"", "'=' is expected")]
     [TestCase("ZWrite On", "ZWirte On", "'ZWirte' is not understood")]
     [TestCase("(0.25, 0.75, 1, 1)", "(0.25, 0.75, 1)", "',' is expected")]
-    [TestCase("Range(0, 1)) = 0", "Range(0, 1)) =", "no number")]
+    [TestCase("Range(0, 1)) = 0", "Range(0, 1)) =", "not a number")]
     [TestCase("ENDHLSL", "ENDCG", "ends as the other kind")]
     [TestCase("_Hatch (\"", "_Fade (\"", "property _Fade is declared twice")]
     public void Read_BrokenStructure_IsRefusedWithItsLine(string right, string wrong, string problem)

@@ -9,11 +9,13 @@ static class UnityNames
     public const string List = "Headless/Tests/Shaders/unity-shader-names.txt";
 
     static readonly Regex Declarations = new(
-        @"^\s*#define\s+(?<name>\w+)|^\s*(static\s+)?(float\w*|half\w*|int|uint)\s+(?<name>\w+)\s*(\[\w+\])?\s*[;(]|UNITY_DEFINE_INSTANCED_PROP\(\w+, (?<name>\w+)\)\s*$",
+        @"^\s*#define\s+(?<name>\w+)|^\s*(static\s+)?(float\w*|half\w*|int|uint)\s+(?<name>\w+)\s*(\[\w+\])?\s*[;(]"
+        + @"|UNITY_DEFINE_INSTANCED_PROP\(\w+, (?<name>\w+)\)\s*$",
         RegexOptions.Multiline | RegexOptions.CultureInvariant);
 
     static readonly Regex Uses = new(
-        @"\b(UNITY_\w+|unity_\w+|Unity[A-Z]\w+|CBUFFER_\w+|SAMPLE_\w+|TEXTURE2D\w*|Transform[A-Z]\w+To\w+|Compute\w+Pos|_WorldSpaceCameraPos|_ScreenParams)\b",
+        @"\b(UNITY_\w+|unity_\w+|Unity[A-Z]\w+|CBUFFER_\w+|SAMPLE_\w+|TEXTURE2D\w*"
+        + @"|Transform[A-Z]\w+To\w+|Compute\w+Pos|_WorldSpaceCameraPos|_ScreenParams)\b",
         RegexOptions.CultureInvariant);
 
     static readonly Regex Comments = new("//[^\n]*|/\\*.*?\\*/", RegexOptions.Singleline | RegexOptions.CultureInvariant);
@@ -31,11 +33,11 @@ static class UnityNames
         return lists;
     }
 
-    /// <summary>What a stand-in declares; names of its own begin with NOWPOSE_.</summary>
+    /// <summary>Returns the names that a stand-in declares, without its own, which begin with NOWPOSE_.</summary>
     public static IEnumerable<string> DeclaredBy(string text) => Declarations.Matches(Comments.Replace(text, ""))
         .Select(m => m.Groups["name"].Value).Where(n => !n.StartsWith("NOWPOSE_", StringComparison.Ordinal)).Distinct();
 
-    /// <summary>What a shader uses that looks like a name of Unity's; the name of the material's buffer is the shader's own.</summary>
+    /// <summary>Returns the names in a shader that look like Unity's. The name of the material's buffer is the shader's own.</summary>
     public static IEnumerable<string> UsedBy(string text) =>
         Uses.Matches(Comments.Replace(text, "")).Select(m => m.Value).Where(n => n != "UnityPerMaterial").Distinct();
 }

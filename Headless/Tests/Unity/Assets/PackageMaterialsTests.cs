@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Headless.Tests.Unity.Assets;
 
-/// <summary>What prefabs and scenes are drawn with: materials of the package alone, in an order that hides nothing that should be seen.</summary>
+/// <summary>Prefabs and scenes use materials of the package alone, in an order that hides nothing that should be visible.</summary>
 public sealed class PackageMaterialsTests
 {
     const string Materials = RepositoryFiles.Package + "/Runtime/Materials/";

@@ -71,7 +71,7 @@ public sealed class FontTextureTests
     }
 
     [Test]
-    public void OnEnable_NoFontMaterial_SaysWhatToDo()
+    public void OnEnable_NoFontMaterial_LogsAnError()
     {
         _renderer.GetComponent<FontTexture>().With("_fontMaterial", null);
 

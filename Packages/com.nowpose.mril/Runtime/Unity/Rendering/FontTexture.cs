@@ -18,8 +18,8 @@ namespace Nowpose.Unity
     {
         static readonly int TextureId = Shader.PropertyToID("_MainTex");
 
-        [SerializeField, Tooltip("The font's own material, an asset below the font: its texture has the letters. Of another font than the Text Mesh's, "
-            + "letters are blocks.")]
+        [SerializeField, Tooltip("The font's own material, an asset below the font: its texture has the letters. It must belong to "
+            + "the font of the Text Mesh.")]
         Material _fontMaterial = null;
 
         Renderer _renderer;

@@ -25,8 +25,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Where the words are written. They turn to the viewer, and are as large as it takes to read them. Empty: no words.")]
         TextMesh _words = null;
 
-        [SerializeField, Tooltip("Drawn in place of opaque materials whose shader has no _Fade and _Hatch, while the pose is not current. It needs both "
-            + "itself, as the package's Hologram has. Empty: such parts are hidden then.")]
+        [SerializeField, Tooltip("Drawn in place of opaque materials whose shader has no _Fade and _Hatch, while the pose is not current. It needs "
+            + "both itself, as the package's Hologram has. Empty: such parts are hidden then.")]
         Material _substitute = null;
 
         readonly PoseMaterials _materials = new PoseMaterials();
@@ -218,8 +218,8 @@ namespace Nowpose.Unity
         void Report(Material material, Renderer part)
         {
             if (!_reported.Add(material)) return;
-            var problem = "pose appearance '" + name + "': material '" + material.name + "' of '" + part.name + "' is opaque, or one of several, and its "
-                + "shader has no _Fade and _Hatch. While the pose is not current, the part is ";
+            var problem = "pose appearance '" + name + "': material '" + material.name + "' of '" + part.name + "' is opaque, or one of several, and "
+                + "its shader has no _Fade and _Hatch. While the pose is not current, the part is ";
             const string remedy = "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
             if (_materials.Substitute != null)
                 ConsoleLog.Say(this, problem + "drawn with '" + _materials.Substitute.name + "'. To keep its own look, " + remedy);
