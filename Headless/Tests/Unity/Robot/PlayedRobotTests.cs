@@ -1,7 +1,9 @@
 using Nowpose.Gateway.Robots;
+using Nowpose.Headless.Tests.Repository;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -213,8 +215,23 @@ public class PlayedRobotTests
         rig.Bind(RobotFiles.Load("ur5"));
         rig.Bind(RobotFiles.Load("youbot"));
 
-        Assert.That(_cell.Messages.Single(), Does.Contain("'Plain' lacks a material"));
+        Assert.That(_cell.Messages.Single(), Does.Contain("'Plain' lacks a material").And.Contain("magenta"));
         Assert.That(_cell.Player.Logs.Single().Context, Is.SameAs(rig));
+    }
+
+    [Test]
+    public void Rig_BuiltWithoutMaterials_IsDrawnByThePackagesShaderAndLeavesNoMaterialBehind()
+    {
+        var shader = new AssetLibrary(RepositoryFiles.Root).Load<Material>(RepositoryFiles.Package + "/Runtime/Materials/Hologram.mat").shader;
+        var rig = new GameObject("Plain").AddComponent<RobotRig>();
+
+        rig.Bind(RobotFiles.Load("ur5"));
+        var drawn = rig.GetComponentsInChildren<MeshRenderer>().Select(r => r.sharedMaterial).Distinct().ToList();
+        rig.Bind(RobotFiles.Load("youbot"));
+        _cell.Frame(null);
+
+        Assert.That(drawn.Single() == null, "the first robot's material is destroyed with it");
+        Assert.That(rig.GetComponentsInChildren<MeshRenderer>().Select(r => r.sharedMaterial.shader).Distinct(), Is.EqualTo(new[] { shader }));
     }
 
     [Test]

@@ -9,6 +9,8 @@ namespace Nowpose.Editor
     [CanEditMultipleObjects]
     sealed class RobotRigEditor : LiveInspector
     {
+        const string PlainMaterial = "Packages/com.nowpose.mril/Runtime/Materials/Hologram.mat";
+
         string _refusal;
 
         RobotRig Target => (RobotRig)target;
@@ -44,7 +46,7 @@ namespace Nowpose.Editor
             _refusal = null;
             try
             {
-                var root = Target.BuildToStay(description.Read());
+                var root = Target.BuildToStay(description.Read(), AssetDatabase.LoadAssetAtPath<Material>(PlainMaterial));
                 if (root != null) Undo.RegisterCreatedObjectUndo(root, "Build " + description.name);
                 else _refusal = "Its links are there already. Delete them to have the robot built anew.";
             }

@@ -7,10 +7,11 @@ namespace Nowpose.Unity
     /// <remarks>Colours come from the materials alone, for on an additive display a dark one is invisible.</remarks>
     sealed class PlainLook : IRigLook
     {
-        readonly Material _arm, _tool;
-        Material _unitys;
+        const string ShaderName = "Nowpose/Hologram";
 
-        /// <param name="arm">Of the links up to the flange; null for what Unity gives its primitives.</param>
+        readonly Material _arm, _tool;
+
+        /// <param name="arm">Of the links up to the flange; null for one that is made when it is needed.</param>
         /// <param name="tool">Of the links that the flange carries; null for the same.</param>
         public PlainLook(Material arm, Material tool)
         {
@@ -21,26 +22,28 @@ namespace Nowpose.Unity
         /// <summary>Whether a material was asked for that it was not given.</summary>
         public bool LacksMaterial { get; private set; }
 
+        /// <summary>
+        /// Material made in place of a missing one; its user destroys it. Null for none, also where the build does not contain the
+        /// package's shader: then Unity draws the parts magenta.
+        /// </summary>
+        public Material Made { get; private set; }
+
         public Material MaterialOf(VisualColour? colour, bool isTool)
         {
             var material = isTool ? _tool : _arm;
             if (material != null) return material;
-            if (!LacksMaterial) _unitys = TakenFromAPrimitive();
+            if (!LacksMaterial) Made = NewMaterial();
             LacksMaterial = true;
-            return _unitys;
+            return Made;
         }
 
         public GameObject MeshOf(LinkVisual visual, bool isTool) => null;
 
-        // What has no material at all is magenta; and a script can have Unity's default in no other way.
-        static Material TakenFromAPrimitive()
+        // Not Unity's default, which only GameObject.CreatePrimitive gives: that throws where a build contains no colliders.
+        static Material NewMaterial()
         {
-            var cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
-            cube.SetActive(false);
-            var material = cube.GetComponent<MeshRenderer>().sharedMaterial;
-            if (Application.isPlaying) Object.Destroy(cube);
-            else Object.DestroyImmediate(cube);
-            return material;
+            var shader = Shader.Find(ShaderName);
+            return shader == null ? null : new Material(shader) { name = "Plain" };
         }
     }
 }

@@ -31,6 +31,7 @@ namespace Nowpose.Unity
         RobotModel _refused;
         RigHierarchy _hierarchy;
         GameObject _built;
+        Material _plain;
         bool _toldOfMaterials;
         double[] _joints = Array.Empty<double>();
 
@@ -98,7 +99,9 @@ namespace Nowpose.Unity
         /// <summary>Builds the robot as a part of its scene or prefab, which a rig then finds and never takes away.</summary>
         /// <returns>Its root link; null where the links are there already.</returns>
         /// <exception cref="InputException">The children show another robot, or only a part of this one.</exception>
-        internal GameObject BuildToStay(RobotModel model) => RigHierarchy.Find(model, transform) == null ? NewLinks(model) : null;
+        /// <param name="plain">In place of a missing material: an asset, for a material in memory is not saved with a prefab.</param>
+        internal GameObject BuildToStay(RobotModel model, Material plain) =>
+            RigHierarchy.Find(model, transform) == null ? NewLinks(model, plain, out _) : null;
 
         void OnEnable()
         {
@@ -123,6 +126,7 @@ namespace Nowpose.Unity
         void OnDestroy()
         {
             if (_built != null) Destroy(_built);
+            if (_plain != null) Destroy(_plain);
         }
 
         void Show(DisplayFrame frame)
@@ -150,18 +154,20 @@ namespace Nowpose.Unity
 
         RigHierarchy Built(RobotModel model)
         {
-            _built = NewLinks(model);
+            _built = NewLinks(model, null, out _plain);
             return RigHierarchy.Find(model, transform);
         }
 
-        GameObject NewLinks(RobotModel model)
+        GameObject NewLinks(RobotModel model, Material plain, out Material made)
         {
-            var look = new PlainLook(_armMaterial, _toolMaterial);
+            var look = new PlainLook(_armMaterial != null ? _armMaterial : plain, _toolMaterial != null ? _toolMaterial : plain);
             var links = RigBuilder.Build(model, transform, look);
+            made = look.Made;
             if (look.LacksMaterial && !_toldOfMaterials)
                 Debug.LogWarning(
-                    "[Nowpose] rig '" + name + "' lacks a material for the robot that it built, which therefore looks like Unity's primitives, "
-                    + "or magenta in an app of another render pipeline; assign both", this);
+                    "[Nowpose] rig '" + name + "' lacks a material for the robot that it built, which is therefore "
+                    + (made != null ? "drawn by the shader Nowpose/Hologram" : "magenta, for this build does not contain the shader Nowpose/Hologram")
+                    + "; assign Arm Material and Tool Material", this);
             _toldOfMaterials |= look.LacksMaterial;
             return links;
         }
@@ -171,9 +177,16 @@ namespace Nowpose.Unity
         {
             if (_built == null) return;
             _built.transform.SetParent(null, worldPositionStays: false);
-            if (Application.isPlaying) Destroy(_built);
-            else DestroyImmediate(_built);
+            Discard(_built);
+            if (_plain != null) Discard(_plain);
             _built = null;
+            _plain = null;
+        }
+
+        static void Discard(UnityEngine.Object made)
+        {
+            if (Application.isPlaying) Destroy(made);
+            else DestroyImmediate(made);
         }
     }
 }

@@ -257,15 +257,16 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void Bind_NoMaterials_LooksLikeUnitysPrimitivesAndLeavesNoneBehind()
+        public void Bind_MaterialMissing_UsesThePackagesShaderAndNoPrimitive()
         {
+            var shader = UnityEditor.AssetDatabase.LoadAssetAtPath<Material>("Packages/com.nowpose.mril/Runtime/Materials/Hologram.mat").shader;
             var arm = _scene.Material("arm");
             var rig = NewRig().With("_armMaterial", arm);
 
             rig.Bind(UrdfFiles.Robot("youbot"));
 
             Assert.That(MaterialOf(rig, "arm_link_5"), Is.SameAs(arm));
-            Assert.That(MaterialOf(rig, "gripper_palm_link").name, Does.StartWith("Default-Material").Or.StartsWith("Lit"));
+            Assert.That(MaterialOf(rig, "gripper_palm_link").shader, Is.SameAs(shader));
             Assert.That(GameObject.Find("Cube"), Is.Null);
         }
 
