@@ -1,3 +1,5 @@
+using MixedReality.Toolkit.SpatialManipulation;
+using MixedReality.Toolkit.UX;
 using Nowpose.Mrtk3;
 using Nowpose.Unity;
 using UnityEngine;
@@ -7,6 +9,15 @@ namespace Nowpose.Prefabs;
 /// <summary>What the wearer of a HoloLens grasps, reads and answers.</summary>
 static class HoloLensPrefabs
 {
+    /// <summary>Size of the status panel's bar in font sizes: as wide as the panel's ground.</summary>
+    const float BarWidth = 31.5f, BarHeight = 2.8f;
+
+    /// <summary>One unit of its canvas in font sizes. A button of 32 units is 2° high where the panel is read, Microsoft's minimum.</summary>
+    const float BarUnit = 0.0785f;
+
+    /// <summary>Font size of a panel that follows at 1.3 m, metres: read from up to a tenth farther.</summary>
+    static readonly float BarSize = LetterSize.At(1.3f * 1.1f);
+
     /// <summary>Its own transform is the robot's base frame.</summary>
     public static string Marker(Workshop workshop)
     {
@@ -31,21 +42,44 @@ static class HoloLensPrefabs
         Fields.Set(status, "_cell", cell);
         Fields.Set(status, "_ground", workshop.Load<Material>(PackagePaths.Panel));
 
-        // Below the rows, which reach down to 0.23 m where the panel follows, and before them where it is put farther away.
-        var bar = Child("Bar", panel.transform, new Vector3(0, -0.27f, -0.02f));
-        var canvas = Canvases.Add(bar.transform, Vector3.zero);
-        Canvases.AddGround(workshop, canvas, new Vector3(0, 0, 4), new Vector2(140, 40));
-        var buttons = new Buttons(workshop, canvas);
-        var pin = buttons.Toggle("Pin", "Stay", new Vector2(-50, 0));
-        var close = buttons.Button("Close", "Close", new Vector2(50, 0));
+        var bar = AddBar(workshop, panel.transform, out var handle, out var pin, out var close);
+        Fields.Set(status, "_bar", bar);
         var graspable = panel.AddComponent<GraspablePanel>();
         Fields.Set(graspable, "_follow", follow);
-        // Between the two buttons, so that nobody moves it when he presses one.
-        Fields.Set(graspable, "_manipulator", Graspable.Make(bar, panel.transform, new Vector3(0.06f, 0.036f, 0.01f)));
+        Fields.Set(graspable, "_manipulator", handle);
         Fields.Set(graspable, "_pin", pin);
         Calls.Add(pin, "<OnClicked>k__BackingField", graspable, nameof(GraspablePanel.TogglePinned));
         Calls.Add(close, "<OnClicked>k__BackingField", panel, nameof(GameObject.SetActive), false);
         return workshop.Prefab(panel);
+    }
+
+    /// <summary>In units of the panel's font size, below its lower edge.</summary>
+    /// <returns>What the panel places and scales; so it looks the same in the editor as where the panel follows.</returns>
+    static Transform AddBar(
+        Workshop workshop, Transform panel, out ObjectManipulator handle, out PressableButton pin, out PressableButton close)
+    {
+        var bar = Child("Bar Place", panel, new Vector3(0, PanelCells.LowerEdge * BarSize, 0)).transform;
+        bar.localScale = Vector3.one * BarSize;
+        var content = Child("Bar", bar, new Vector3(0, -BarHeight / 2 - 0.15f, -0.3f));
+        var canvas = Canvases.Add(content.transform, Vector3.zero);
+        canvas.localScale = Vector3.one * BarUnit;
+        Canvases.AddGround(workshop, canvas, new Vector3(0, 0, 4), new Vector2(BarWidth / BarUnit, BarHeight / BarUnit));
+        var buttons = new Buttons(workshop, canvas);
+        pin = buttons.Toggle("Pin", "", new Vector2(-170, 0));
+        AddWord("Stay", canvas, new Vector3(-120, 0, 0));
+        close = buttons.Button("Close", "×", new Vector2(170, 0));
+        AddWord("Close", canvas, new Vector3(115, 0, 0));
+        // Between the two words, so that pressing a button does not move the panel.
+        handle = Graspable.Make(content, panel, new Vector3(12, BarHeight, 0.6f));
+        return bar;
+    }
+
+    /// <summary>Beside a button: its own letters are too small from where a panel is read.</summary>
+    static void AddWord(string word, Transform canvas, Vector3 place)
+    {
+        var text = Canvases.AddText(word + " Word", canvas, place);
+        text.text = word;
+        text.transform.localScale = Vector3.one / (LetterSize.Of(text) * BarUnit);
     }
 
     /// <summary>Follows the wearer, before the panel and within reach, for a question that is not seen is not answered.</summary>

@@ -24,6 +24,7 @@ public sealed class PackageAssetsTests
         ("PoseAppearance._session", "Virtual Gripper.prefab/Virtual Gripper"),
         ("PoseAppearance._words", "/Base Anchor/Ghost"),
         ("BodyFollow._head", "/Status Panel"),
+        ("StatusPanel._bar", "/Status Panel"),
         ("BodyFollow._head", "/Calibration"),
         ("BodyFollow._head", "/Status Panel (MRTK3)"),
         ("BodyFollow._head", "/Consent Prompt"),

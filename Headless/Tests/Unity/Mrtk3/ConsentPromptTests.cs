@@ -83,7 +83,7 @@ public sealed class ConsentPromptTests
 
         Assert.That(_content.activeSelf, Is.True);
         Assert.That(_question.text.Replace('\n', ' '), Is.EqualTo(_pairing.Question));
-        Assert.That(_question.text.Split('\n').Max(l => l.Length), Is.LessThanOrEqualTo(44));
+        Assert.That(_question.text.Split('\n').Max(Status.SeenText.WidthOf), Is.LessThanOrEqualTo(30));
     }
 
     [Test]

@@ -210,7 +210,7 @@ public class StatusPanelTests
         Play(1);
 
         var text = Texts[0];
-        var height = 0.519 * 0.1 * text.fontSize * text.characterSize * text.transform.lossyScale.y;
+        var height = 1409 / 2048.0 * 0.1 * text.fontSize * text.characterSize * text.transform.lossyScale.y;
         Assert.That(2 * Math.Atan(height / 2 / metres) * 180 / Math.PI, Is.InRange(0.5, 0.75));
     }
 
@@ -220,12 +220,69 @@ public class StatusPanelTests
         Play(1);
 
         var size = Sheet.localScale.x;
-        var rows = Texts.Select(t => t.transform.localPosition.y).Distinct().OrderDescending().ToList();
-        Assert.That(rows, Has.Count.EqualTo(13));
+        var rows = Texts.Where(t => t.text.Length > 0).Select(t => t.transform.localPosition.y).Distinct().OrderDescending().ToList();
+        Assert.That(rows, Has.Count.EqualTo(12), "the message has no text and takes no space");
         Assert.That(rows.Zip(rows.Skip(1), (above, below) => above - below), Is.All.InRange(1.2f, 1.6f), "font sizes");
         Assert.That(Texts.Select(t => t.transform.localPosition.x).Distinct().Count(), Is.EqualTo(3));
         Assert.That(size, Is.EqualTo(Sheet.lossyScale.x).Within(1e-6));
-        Assert.That(Texts.Average(t => t.transform.position.y), Is.EqualTo(0).Within(0.05), "about the panel's place");
+    }
+
+    [Test]
+    public void LateUpdate_MessageComes_StandsOnTopAndTheRowsStayWhereTheyAre()
+    {
+        _panel.With("_ground", new Material((Shader)null));
+        Play(1);
+        var before = (Place("Pose 0"), Place("Base 0"), GroundBounds.min.y, GroundBounds.max.y);
+
+        _session.Settings = null;
+        _session.gameObject.SetActive(false);
+        _session.gameObject.SetActive(true);
+        Run(1);
+
+        Assert.That(Text("Message 0"), Is.Not.Empty);
+        Assert.That(Place("Pose 0"), Is.EqualTo(before.Item1).Within(1e-5));
+        Assert.That(Place("Base 0"), Is.EqualTo(before.Item2).Within(1e-5));
+        Assert.That(GroundBounds.min.y, Is.EqualTo(before.Item3).Within(1e-5), "a bar below stays in the hand");
+        Assert.That(GroundBounds.max.y, Is.GreaterThan(before.Item4 + 0.01));
+        Assert.That(Place("Message 0"), Is.GreaterThan(Place("Pose 0")));
+    }
+
+    float Place(string cell) => Sheet.Find(cell).position.y;
+
+    Bounds GroundBounds => Sheet.Find("Ground").GetComponent<MeshRenderer>().bounds;
+
+    [TestCase(1, 1)]
+    [TestCase(4, 1)]
+    [TestCase(2, 0.5f)]
+    [TestCase(2, 3)]
+    public void LateUpdate_Bar_IsAtTheLowerEdgeInTheScaleOfTheLetters(float metres, float scale)
+    {
+        var bar = new GameObject("Bar").transform;
+        bar.SetParent(_panel.transform, false);
+        _panel.With("_ground", new Material((Shader)null)).With("_bar", bar);
+        _panel.transform.position = new Vector3(0, 0, metres);
+        _session.transform.localScale = new Vector3(7, 7, 7);
+        _panel.transform.localScale = Vector3.one * scale;
+
+        Play(1);
+
+        Assert.That(bar.position.y, Is.EqualTo(GroundBounds.min.y).Within(1e-4));
+        Assert.That(bar.lossyScale.x, Is.EqualTo(Sheet.lossyScale.x).Within(1e-6));
+        Assert.That(Sheet.lossyScale.x, Is.EqualTo(scale * LetterSize.At(_panel.LegibleMetres.Value)).Within(1e-5), "as the user scaled it");
+    }
+
+    [Test]
+    public void LateUpdate_UserScalesIt_TheBarStaysAtTheLowerEdge()
+    {
+        var bar = new GameObject("Bar").transform;
+        bar.SetParent(_panel.transform, false);
+        _panel.With("_ground", new Material((Shader)null)).With("_bar", bar);
+        Play(1);
+
+        _panel.transform.localScale = Vector3.one * 2;
+
+        Assert.That(bar.position.y, Is.EqualTo(GroundBounds.min.y).Within(1e-4), "in the same frame");
+        Assert.That(bar.lossyScale.x, Is.EqualTo(Sheet.lossyScale.x).Within(1e-6));
     }
 
     [Test]

@@ -25,8 +25,8 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("The button that declines; its event calls Refuse.")]
         StatefulInteractable _refuse = null;
 
-        /// <summary>Letters of a line, so that the question is no wider than its buttons.</summary>
-        const int LineLetters = 44;
+        /// <summary>Maximum width of a line as a multiple of the font size, so that the question fits its ground.</summary>
+        const float LineWidth = 30;
 
         /// <summary>Nobody reads a question faster: what is pressed before was meant for something else.</summary>
         const float ReadingSeconds = 0.5f;
@@ -67,7 +67,7 @@ namespace Nowpose.Mrtk3
         {
             _shown = question;
             _shownAt = Time.unscaledTime;
-            if (_question != null) _question.text = question == null ? "" : WrappedText.Of(question, LineLetters);
+            if (_question != null) _question.text = question == null ? "" : WrappedText.Of(question, LineWidth);
             if (_content != null) _content.SetActive(question != null);
         }
     }

@@ -10,5 +10,8 @@ using System.Runtime.CompilerServices;
 // Its components log and look for their session as those of this assembly do.
 [assembly: InternalsVisibleTo("Nowpose.MRTK3")]
 
+// Prefabs are built to the panel's measures.
+[assembly: InternalsVisibleTo("Nowpose.Prefabs")]
+
 // What a panel says is decided in plain classes; their tests need no scene.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]

@@ -17,8 +17,8 @@ namespace Nowpose.Unity
         [SerializeField, Range(0.5f, 5), Tooltip("Metres from the head. 1.3: a headset's picture is sharp at an arm's length and more.")]
         float _distanceMetres = 1.3f;
 
-        [SerializeField, Range(-30, 45), Tooltip("Degrees below the height of the eyes. 12: the robot stays in view above it.")]
-        float _degreesBelow = 12;
+        [SerializeField, Range(-30, 45), Tooltip("Degrees below the height of the eyes. 6: the whole status panel is in a HoloLens 2's view.")]
+        float _degreesBelow = 6;
 
         [SerializeField, Range(5, 90), Tooltip("Degrees that the head may turn to either side before it follows. 35: looking to and fro along a "
             + "robot does not move it.")]

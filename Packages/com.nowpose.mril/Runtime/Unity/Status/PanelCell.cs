@@ -20,5 +20,13 @@ namespace Nowpose.Unity
             _mesh.text = text;
             _shown = text;
         }
+
+        /// <param name="top">Upper edge in the parent's units.</param>
+        public void MoveTo(float top)
+        {
+            if (_mesh == null) return;
+            var place = _mesh.transform;
+            place.localPosition = new Vector3(place.localPosition.x, top, 0);
+        }
     }
 }

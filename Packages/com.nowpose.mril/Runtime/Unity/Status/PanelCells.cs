@@ -2,18 +2,30 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>The texts of a status panel in their places. One unit is the font's size.</summary>
+    /// <summary>Texts and ground of a status panel. One unit is the font's size; the origin is the panel's place.</summary>
+    /// <remarks>
+    /// The lower edge stays where it is. Rows stand on it in their order, the message above them; the ground ends above what is shown.
+    /// </remarks>
     sealed class PanelCells
     {
+        /// <summary>
+        /// Lower edge of the ground below the panel's place. With a bar of 3 units below it, the rows are centred about that place.
+        /// When the place is 6° below the horizon, the bar ends at 13.8°.
+        /// </summary>
+        public const float LowerEdge = -7;
+
         const string Name = "Cells";
 
-        const float RowHeight = 1.35f;
+        /// <summary>Distance of two rows, and of two lines of the message: the font's own line spacing.</summary>
+        const float RowHeight = 1.25f, LineHeight = 1.15f;
+
+        const float GapBelowMessage = 0.4f;
 
         /// <summary>Of the ground: beyond the outermost letters, and behind all of them.</summary>
-        const float Margin = 1, Behind = 0.5f;
+        const float Margin = 0.75f, Behind = 0.5f;
 
         /// <summary>Left edges of labels, values and notes, and the right edge of all.</summary>
-        static readonly float[] Columns = { 0, 8, 17, 29 };
+        static readonly float[] Columns = { 0, 7.4f, 17, 30 };
 
         readonly Transform _sheet;
         readonly TextMesh _model;
@@ -41,6 +53,12 @@ namespace Nowpose.Unity
             _values[(int)StatusRow.Message] = Copy(StatusRow.Message, 0);
         }
 
+        /// <summary>Maximum width of a line of the message.</summary>
+        public static float MessageWidth => Columns[Columns.Length - 1];
+
+        /// <summary>Maximum width of a note.</summary>
+        public static float NoteWidth => Columns[3] - Columns[2];
+
         /// <summary>Takes away those that another has made there.</summary>
         public static void RemoveFrom(Transform panel)
         {
@@ -55,7 +73,8 @@ namespace Nowpose.Unity
         public void Show(StatusTexts texts)
         {
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++)
-                Show(row, StatusTexts.LabelOf(row), texts.ValueOf(row), texts.NoteOf(row));
+                Show(row, texts.IsShown(row) ? StatusTexts.LabelOf(row) : "", texts.ValueOf(row), texts.NoteOf(row));
+            Arrange(texts);
             if (_ground != null) _ground.enabled = true;
         }
 
@@ -71,14 +90,41 @@ namespace Nowpose.Unity
             if (_sheet != null) Object.Destroy(_sheet.gameObject);
         }
 
-        /// <param name="size">Of the font, metres.</param>
-        public void Resize(float size) => ReadingDistance.Scale(_sheet, size);
+        /// <param name="size">Size of the font in units of the panel's own scale.</param>
+        public void Resize(float size) => _sheet.localScale = Vector3.one * size;
 
         void Show(StatusRow row, string label, string value, string note)
         {
             _labels[(int)row].Show(label);
             _values[(int)row].Show(value);
             _notes[(int)row].Show(note);
+        }
+
+        // From below, for only the upper edge moves when a row or a line of the message comes or goes.
+        void Arrange(StatusTexts texts)
+        {
+            var top = LowerEdge + Margin;
+            for (var row = StatusRow.Message - 1; row >= StatusRow.Pose; row--)
+            {
+                if (!texts.IsShown(row)) continue;
+                top += RowHeight;
+                _labels[(int)row].MoveTo(top);
+                _values[(int)row].MoveTo(top);
+                _notes[(int)row].MoveTo(top);
+            }
+            if (texts.IsShown(StatusRow.Message))
+            {
+                top += GapBelowMessage + texts.MessageLines * LineHeight;
+                _values[(int)StatusRow.Message].MoveTo(top);
+            }
+            if (_ground != null) Cover(top + Margin);
+        }
+
+        void Cover(float upperEdge)
+        {
+            var ground = _ground.transform;
+            ground.localPosition = new Vector3(0, (LowerEdge + upperEdge) / 2, Behind);
+            ground.localScale = new Vector3(Columns[Columns.Length - 1] + 2 * Margin, upperEdge - LowerEdge, 1);
         }
 
         MeshRenderer Lay(Material material)
@@ -88,9 +134,6 @@ namespace Nowpose.Unity
             var renderer = ground.AddComponent<MeshRenderer>();
             renderer.sharedMaterial = material;
             ground.transform.SetParent(_sheet, worldPositionStays: false);
-            ground.transform.localPosition = new Vector3(0, 0, Behind);
-            ground.transform.localScale = new Vector3(
-                Columns[Columns.Length - 1] + 2 * Margin, StatusTexts.Rows * RowHeight + 2 * Margin, 1);
             return renderer;
         }
 
@@ -102,9 +145,7 @@ namespace Nowpose.Unity
             copy.alignment = TextAlignment.Left;
             copy.richText = false;
             copy.text = "";
-            copy.transform.PlaceLocally(
-                new Vector3(Columns[column] - Columns[Columns.Length - 1] / 2, (StatusTexts.Rows / 2f - (int)row) * RowHeight, 0),
-                Quaternion.identity);
+            copy.transform.PlaceLocally(new Vector3(Columns[column] - Columns[Columns.Length - 1] / 2, 0, 0), Quaternion.identity);
             copy.transform.localScale = Vector3.one / LetterSize.Of(_model);
             copy.gameObject.SetActive(true);
             return new PanelCell(copy);

@@ -4,9 +4,9 @@ namespace Nowpose.Unity
 {
     /// <summary>Tells in the scene how a session does: clock, latencies, render time, connection, and how much of the error is removed.</summary>
     /// <remarks>
-    /// Copies its <c>Cell</c>, a text, into rows of label, value and note, centred about this object and as large as it takes
-    /// to read them from where the viewer is. Stands wherever its transform is put; <see cref="BodyFollow"/> beside it keeps
-    /// it with the viewer.
+    /// Copies its <c>Cell</c>, a text, into rows of label, value and note. Capital letters are at least 0.5° high from where the
+    /// viewer is, times the scale of this object. The lower edge is 7 font sizes below this object; the message stands on top.
+    /// Stands wherever its transform is put; <see cref="BodyFollow"/> beside it keeps it with the viewer.
     /// </remarks>
     [AddComponentMenu("Nowpose/Status Panel")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
@@ -22,10 +22,15 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Of the ground behind the text, drawn before it. Empty: none.")]
         Material _ground = null;
 
+        [SerializeField, Tooltip("An object that stays below the lower edge, such as a bar to grab it by. One unit of it becomes one font size. "
+            + "A child of this object. Empty: none.")]
+        Transform _bar = null;
+
         [SerializeField, Range(0.1f, 2), Tooltip("From one look at the session to the next, seconds. 0.25: numbers that change faster cannot be read.")]
         float _refreshSeconds = 0.25f;
 
-        [SerializeField, Tooltip("Say below, how much of each joint's error is removed, % over 10 s. Off: the tool's is what the wearer sees.")]
+        [SerializeField, Tooltip("Say on top, while nothing went wrong, how much of each joint's error is removed, % over 10 s. Off: the tool's "
+            + "is what the wearer sees.")]
         bool _showJoints = false;
 
         readonly StatusTexts _texts = new StatusTexts();
@@ -66,8 +71,20 @@ namespace Nowpose.Unity
             else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing);
             _cells.Show(_texts);
             var viewer = Viewer.Head;
-            if (viewer != null && _distance.Update(Vector3.Distance(transform.position, viewer.position)))
-                _cells.Resize(LetterSize.At(_distance.Metres));
+            if (viewer == null) return;
+            _distance.Update(Vector3.Distance(transform.position, viewer.position));
+            Resize(LetterSize.At(_distance.Metres));
+        }
+
+        // What is above it does not change its size; its own scale, which a user sets, does.
+        void Resize(float size)
+        {
+            var above = transform.parent != null ? Mathf.Abs(transform.parent.lossyScale.x) : 1;
+            if (above > 0) size /= above;
+            _cells.Resize(size);
+            if (_bar == null) return;
+            _bar.localScale = Vector3.one * size;
+            _bar.localPosition = new Vector3(0, PanelCells.LowerEdge * size, 0);
         }
 
         // Not while objects are being enabled: none may be added then. And not once only: scripts that are compiled anew while

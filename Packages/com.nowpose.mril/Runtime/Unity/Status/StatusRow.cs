@@ -1,6 +1,6 @@
 namespace Nowpose.Unity
 {
-    /// <summary>Rows of the status panel, from the top.</summary>
+    /// <summary>Rows of the status panel, from the top; the message stands above them.</summary>
     enum StatusRow
     {
         Pose,
@@ -16,7 +16,7 @@ namespace Nowpose.Unity
         Robot,
         Base,
 
-        /// <summary>What went wrong, in words, over the whole width.</summary>
+        /// <summary>Describes what went wrong. Takes the whole width above the other rows, and no space without a text.</summary>
         Message,
     }
 }

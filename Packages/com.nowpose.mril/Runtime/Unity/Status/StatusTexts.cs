@@ -10,8 +10,8 @@ namespace Nowpose.Unity
     {
         public const int Rows = (int)StatusRow.Message + 1;
 
-        /// <summary>Letters in a line of the message.</summary>
-        const int MessageWidth = 52;
+        /// <summary>Maximum number of lines of the message. The whole text is in the log.</summary>
+        public const int MaxMessageLines = 8;
 
         const string Unknown = NumberTexts.Unknown;
 
@@ -39,7 +39,10 @@ namespace Nowpose.Unity
         readonly LatencyOrigin _origin = new LatencyOrigin();
         readonly BaseTexts _base = new BaseTexts();
         bool _isLocal;
-        string _message;
+        string _message, _robot, _robotNote;
+
+        /// <summary>Lines of the message; 0 without one.</summary>
+        public int MessageLines { get; private set; }
 
         public StatusTexts() => Update(null, null, null, null);
 
@@ -51,6 +54,10 @@ namespace Nowpose.Unity
         public string ValueOf(StatusRow row) => _values[(int)row];
 
         public string NoteOf(StatusRow row) => _notes[(int)row];
+
+        /// <summary>Whether a row has anything to show. A row without value and note takes no space.</summary>
+        public bool IsShown(StatusRow row) =>
+            !string.IsNullOrEmpty(_values[(int)row]) || !string.IsNullOrEmpty(_notes[(int)row]);
 
         /// <param name="statistics">Null while there is no session.</param>
         /// <param name="settings">Null when they are not known.</param>
@@ -69,7 +76,7 @@ namespace Nowpose.Unity
                 UpdateLatencies(statistics);
                 Follow(settings);
                 Set(StatusRow.Connection, ConnectionOf(statistics), SecurityOf(statistics.Security));
-                Set(StatusRow.Robot, RobotOf(statistics), robot ?? "");
+                Set(StatusRow.Robot, RobotOf(statistics), NoteOf(robot));
             }
             if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
             var isPairing = pairing != null;
@@ -108,6 +115,14 @@ namespace Nowpose.Unity
             Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : "");
         }
 
+        // A name may be of any length.
+        string NoteOf(string robot)
+        {
+            if (robot != _robot) _robotNote = WrappedText.Of(robot ?? "", PanelCells.NoteWidth, lines: 1);
+            _robot = robot;
+            return _robotNote ?? "";
+        }
+
         // Reading an address costs garbage.
         void Follow(SessionSettings settings)
         {
@@ -126,7 +141,9 @@ namespace Nowpose.Unity
         {
             if (message == _message && _values[(int)StatusRow.Message] != null) return;
             _message = message;
-            Set(StatusRow.Message, message == null ? "" : WrappedText.Of(mark + message, MessageWidth), "");
+            var text = string.IsNullOrEmpty(message) ? "" : WrappedText.Of(mark + message, PanelCells.MessageWidth, MaxMessageLines);
+            MessageLines = text.Length == 0 ? 0 : text.Split('\n').Length;
+            Set(StatusRow.Message, text, "");
         }
 
         static string PoseOf(SessionStatistics statistics) =>

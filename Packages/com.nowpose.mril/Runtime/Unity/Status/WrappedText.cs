@@ -2,20 +2,23 @@ using System.Text;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Breaks a line between words, for the engine's texts do not; a word that is longer than a line goes on in the next.</summary>
+    /// <summary>Breaks a line between words, which a TextMesh does not do. A word that is wider than a line is broken.</summary>
     static class WrappedText
     {
-        /// <param name="width">Letters in a line, 1 or more.</param>
-        public static string Of(string line, int width)
+        const char Ellipsis = '…';
+
+        /// <param name="width">Maximum width of a line, as a multiple of the font size: 2 or more.</param>
+        /// <param name="lines">Maximum number of lines. A longer text ends with "…".</param>
+        public static string Of(string line, float width, int lines = int.MaxValue)
         {
             var wrapped = new StringBuilder(line.Length + 8);
-            var used = 0;
+            float used = 0, space = LetterWidths.Of(' ');
             foreach (var word in line.Split(' '))
             {
-                if (used > 0 && used + 1 + word.Length <= width)
+                if (used > 0 && used + space + LetterWidths.Of(word) <= width)
                 {
                     wrapped.Append(' ');
-                    used++;
+                    used += space;
                 }
                 else if (used > 0)
                 {
@@ -24,22 +27,45 @@ namespace Nowpose.Unity
                 }
                 used = Append(word, wrapped, used, width);
             }
+            Shorten(wrapped, width, lines);
             return wrapped.ToString();
         }
 
-        static int Append(string word, StringBuilder into, int used, int width)
+        static float Append(string word, StringBuilder into, float used, float width)
         {
             foreach (var letter in word)
             {
-                if (used == width)
+                var letterWidth = LetterWidths.Of(letter);
+                if (used + letterWidth > width)
                 {
                     into.Append('\n');
                     used = 0;
                 }
                 into.Append(letter);
-                used++;
+                used += letterWidth;
             }
             return used;
+        }
+
+        static void Shorten(StringBuilder text, float width, int lines)
+        {
+            var used = 0f;
+            for (var i = 0; i < text.Length; i++)
+            {
+                if (text[i] != '\n')
+                {
+                    used += LetterWidths.Of(text[i]);
+                    continue;
+                }
+                if (--lines > 0)
+                {
+                    used = 0;
+                    continue;
+                }
+                for (; used + LetterWidths.Of(Ellipsis) > width; i--) used -= LetterWidths.Of(text[i - 1]);
+                text.Length = i;
+                text.Append(Ellipsis);
+            }
         }
     }
 }

@@ -22,8 +22,8 @@ namespace Nowpose.Tests
             {
                 metres = Math.Min(8, Math.Max(0.3, metres + 0.02 * (random.NextDouble() - 0.5)));
                 if (distance.Update((float)metres)) changes++;
-                // An x is 0.519 of the font's size.
-                var height = 0.519 * LetterSize.At(distance.Metres);
+                // A capital letter of Liberation Sans is 1409/2048 of the font's size.
+                var height = 1409 / 2048.0 * LetterSize.At(distance.Metres);
 
                 Assert.That(2 * Math.Atan(height / 2 / metres) * 180 / Math.PI, Is.InRange(0.4999, 0.5 * 1.51), "seed 3, step " + i);
             }
@@ -34,7 +34,7 @@ namespace Nowpose.Tests
         [Test]
         public void At_OneMetre_IsTheSizeThatHalfADegreeNeeds()
         {
-            Assert.That(LetterSize.At(1) * 0.519, Is.EqualTo(0.008727).Within(1e-5));
+            Assert.That(LetterSize.At(1) * 1409 / 2048, Is.EqualTo(0.008727).Within(1e-5));
         }
 
         [TestCase(64, 1, 6.4f)]

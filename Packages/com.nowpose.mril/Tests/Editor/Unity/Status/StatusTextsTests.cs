@@ -262,7 +262,8 @@ namespace Nowpose.Tests
             texts.Update(null, null, null, null);
 
             Assert.That(lines.Length, Is.GreaterThan(1));
-            Assert.That(lines.Max(l => l.Length), Is.LessThanOrEqualTo(52));
+            Assert.That(lines.Max(l => LetterWidths.Of(l)), Is.LessThanOrEqualTo(PanelCells.MessageWidth));
+            Assert.That(texts.MessageLines, Is.Zero);
             Assert.That(texts.ValueOf(StatusRow.Message), Is.Empty);
         }
 
@@ -286,9 +287,8 @@ namespace Nowpose.Tests
                         }
                     }
 
-            // Half the font's size is the mean width of a letter; columns are 9 and 12 sizes wide.
-            Assert.That(values.Max(v => v.Length), Is.LessThanOrEqualTo(18));
-            Assert.That(notes.Max(n => n.Length), Is.LessThanOrEqualTo(24));
+            Assert.That(values.Max(v => LetterWidths.Of(v)), Is.LessThanOrEqualTo(9.3f), "the column is 9.6 font sizes wide");
+            Assert.That(notes.Max(n => LetterWidths.Of(n)), Is.LessThanOrEqualTo(PanelCells.NoteWidth));
         }
     }
 }

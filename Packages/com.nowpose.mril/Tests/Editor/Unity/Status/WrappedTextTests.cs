@@ -6,26 +6,37 @@ namespace Nowpose.Tests
 {
     public class WrappedTextTests
     {
+        // A digit is 0.556 of the font size wide, a space 0.278, a W 0.944.
         [TestCase("", "")]
-        [TestCase("short", "short")]
-        [TestCase("exactly ten", "exactly\nten")]
-        [TestCase("ten in all", "ten in all")]
-        [TestCase("a word and another", "a word and\nanother")]
-        [TestCase("averyverylongword here", "averyveryl\nongword\nhere")]
-        [TestCase("so averyverylongword", "so\naveryveryl\nongword")]
-        public void Of_Line_IsBrokenBetweenWords(string line, string expected)
+        [TestCase("000", "000")]
+        [TestCase("000 000", "000 000")]
+        [TestCase("000 0000", "000\n0000")]
+        [TestCase("000 000 000", "000 000\n000")]
+        [TestCase("WWWW iiii", "WWWW\niiii")]
+        [TestCase("00000000 00", "0000000\n0 00")]
+        [TestCase("00 00000000", "00\n0000000\n0")]
+        public void Of_Line_IsBrokenBetweenWordsByTheirWidth(string line, string expected)
         {
-            Assert.That(WrappedText.Of(line, 10), Is.EqualTo(expected));
+            Assert.That(WrappedText.Of(line, 4), Is.EqualTo(expected));
+        }
+
+        [TestCase("000 000 000", 2, "000 000\n000")]
+        [TestCase("000 000 000", 1, "000 0…")]
+        [TestCase("00 0000 000 000 0", 2, "00 0000\n000 0…")]
+        [TestCase("000 000", 1, "000 000")]
+        public void Of_TextOfTooManyLines_EndsWithAnEllipsisInTheLastLine(string line, int lines, string expected)
+        {
+            Assert.That(WrappedText.Of(line, 4, lines), Is.EqualTo(expected));
         }
 
         [Test]
-        public void Of_AnyWidth_LosesNothingAndNeverExceedsIt([Range(1, 30)] int width)
+        public void Of_AnyWidth_LosesNothingAndNeverExceedsIt([Range(2, 30)] int width)
         {
             const string line = "sync: no connection could be made because 192.168.0.20:47010 actively refused it, trying again";
 
             var wrapped = WrappedText.Of(line, width);
 
-            Assert.That(wrapped.Split('\n').Max(l => l.Length), Is.LessThanOrEqualTo(width));
+            Assert.That(wrapped.Split('\n').Max(l => LetterWidths.Of(l)), Is.LessThanOrEqualTo(width));
             Assert.That(wrapped.Replace("\n", "").Replace(" ", ""), Is.EqualTo(line.Replace(" ", "")));
         }
     }

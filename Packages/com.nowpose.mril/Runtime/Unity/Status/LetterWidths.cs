@@ -1,0 +1,44 @@
+namespace Nowpose.Unity
+{
+    /// <summary>Widths of letters in Unity's built-in font, as part of the font size.</summary>
+    /// <remarks>
+    /// Advance widths of Liberation Sans, which are those of Arial. Letters that are not listed count as the widest ones. No kerning.
+    /// </remarks>
+    static class LetterWidths
+    {
+        const float Widest = 1.02f;
+
+        static readonly (float Width, string Letters)[] Classes =
+        {
+            (0.223f, "'ijl‘’"), (0.278f, " !,./:;I[\\]ft|"), (0.334f, "()-`r{}“”"), (0.4f, "\"*°"), (0.5f, "Jcksvxyz^"),
+            (0.557f, "#$0123456789?L_abdeghnopqu±≤≥–äöüé"), (0.585f, "+<=>~×−µ"), (0.611f, "FTZß"), (0.668f, "&ABEKPSVXYÄ"),
+            (0.723f, "CDHNRUwÜ"), (0.778f, "GOQÖ"), (0.834f, "Mm"), (0.89f, "%"), (0.944f, "W"), (1, "…—→"),
+        };
+
+        static readonly float[] Ascii = TableOf(128);
+
+        public static float Of(char letter) => letter < Ascii.Length ? Ascii[letter] : Find(letter);
+
+        /// <summary>Width of a line, as a multiple of the font size.</summary>
+        public static float Of(string line)
+        {
+            var width = 0f;
+            foreach (var letter in line) width += Of(letter);
+            return width;
+        }
+
+        static float[] TableOf(int count)
+        {
+            var widths = new float[count];
+            for (var i = 0; i < count; i++) widths[i] = Find((char)i);
+            return widths;
+        }
+
+        static float Find(char letter)
+        {
+            foreach (var (width, letters) in Classes)
+                if (letters.Contains(letter)) return width;
+            return Widest;
+        }
+    }
+}
