@@ -11,8 +11,8 @@ static class AnyHeadsetScene
 
     const float NudgeMs = 1, OpacityStep = 0.1f;
 
-    /// <summary>Where the base is before anybody has carried it: in front of the viewer, at the height of a table when he stands.</summary>
-    static readonly Vector3 BasePlace = new(0, -0.6f, 1.2f);
+    /// <summary>Initial place of the base: in front of the viewer, at the height of a table when the viewer stands.</summary>
+    internal static readonly Vector3 BasePlace = new(0, -0.6f, 1.2f);
 
     public static string Make(Workshop workshop)
     {
@@ -25,7 +25,7 @@ static class AnyHeadsetScene
         camera.AddComponent<HeadTracking>();
         AddHandle(workshop, cell.transform, rig.transform);
         AddButtons(workshop, session);
-        return workshop.Scene(rig, Props.Light(), cell);
+        return workshop.Scene(rig, Props.Light(hasShadows: false), cell);
     }
 
     /// <summary>Its place is the robot's base frame: six centimetres that a hand can see, with a nose along the robot's x.</summary>

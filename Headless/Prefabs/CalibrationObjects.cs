@@ -9,13 +9,13 @@ static class CalibrationObjects
     /// <summary>In front of the viewer: the code is an eighth as high as a headset camera's picture from here.</summary>
     const float DistanceMetres = 1;
 
-    /// <summary>Above the status panel.</summary>
-    const float DegreesBelow = -4;
+    /// <summary>Above the status panel, with room above it for three lines of words.</summary>
+    const float DegreesBelow = -6;
 
     /// <summary>Behind the status panel, so that it hides nothing.</summary>
     const float LoadBehindMetres = 0.5f;
 
-    const float WordsBelowMetres = 0.11f;
+    const float WordsAboveMetres = 0.06f;
 
     public static void Add(Workshop workshop, MrilSession session)
     {
@@ -41,8 +41,8 @@ static class CalibrationObjects
     {
         var load = Child("Load", calibration.transform, new Vector3(0, 0, LoadBehindMetres)).AddComponent<LoadGenerator>();
         Fields.Set(load, "_material", workshop.Load<Material>(PackagePaths.Panel));
-        var words = Texts.Add(workshop, "Words", calibration.transform, TextAnchor.UpperCenter, TextAlignment.Center);
-        words.transform.localPosition = Vector3.down * WordsBelowMetres;
+        var words = Texts.Add(workshop, "Words", calibration.transform, TextAnchor.LowerCenter, TextAlignment.Center);
+        words.transform.localPosition = Vector3.up * WordsAboveMetres;
         var sweep = calibration.AddComponent<LoadSweep>();
         Fields.Set(sweep, "_session", session);
         Fields.Set(sweep, "_load", load);

@@ -43,12 +43,19 @@ static class Scenes
         return Save(workshop, control.gameObject, real.gameObject, cell);
     }
 
-    /// <summary>At eye height above the robot, which is not what is looked at here.</summary>
+    /// <summary>For a headset, and for the editor without one: there the camera stays at the origin, and everything is in front of it.</summary>
     public static string DisplayCalibration(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.CalibrationSettings);
+        cell.transform.Find("Base Anchor").localPosition = AnyHeadsetScene.BasePlace;
+        // The lower edge of the panel stays in view, and its upper edge below the code.
+        Fields.Set(cell.GetComponentInChildren<StatusPanel>(includeInactive: true).GetComponent<BodyFollow>(), "_degreesBelow", 8f);
         CalibrationObjects.Add(workshop, cell.GetComponent<MrilSession>());
-        return workshop.Scene(Props.Camera(new Vector3(0, 1.5f, -1.5f), Vector3.zero), Props.Light(), Props.Ground(workshop), cell);
+        var rig = new GameObject("Tracking Origin");
+        var camera = Props.HeadsetCamera();
+        camera.transform.SetParent(rig.transform, worldPositionStays: false);
+        camera.AddComponent<TrackedCamera>();
+        return workshop.Scene(rig, Props.Light(hasShadows: false), cell);
     }
 
     /// <param name="settingsPath">Its own, for those of an installed package cannot be changed.</param>

@@ -11,12 +11,10 @@ namespace Nowpose.Prefabs;
 /// <summary>A robot cell for a HoloLens 2 with MRTK3: markers and pairing, a hand menu, a panel and a marker that are grasped.</summary>
 static class HoloLensScene
 {
-    /// <summary>Where the base is before anything says so: in front of the viewer, at the height of a table when he stands.</summary>
-    static readonly Vector3 BasePlace = new(0, -0.6f, 1.2f);
-
     public static string Make(Workshop workshop)
     {
         var rig = workshop.Instantiate(ForeignPaths.Rig, null);
+        Props.SetNearClip(rig.GetComponentInChildren<Camera>(includeInactive: true));
         var simulator = workshop.Instantiate(ForeignPaths.Simulator, null);
         var ar = new GameObject("AR Session");
         ar.AddComponent<ARSession>();
@@ -26,7 +24,7 @@ static class HoloLensScene
         var menu = Menu(workshop, session, panel);
         var consent = workshop.Instantiate(PackagePaths.HoloLensConsent, null);
         Fields.Set(consent.GetComponent<ConsentPrompt>(), "_pairing", cell.GetComponent<CellPairing>());
-        return workshop.Scene(rig, simulator, ar, Props.Light(), cell, panel.gameObject, menu, consent);
+        return workshop.Scene(rig, simulator, ar, Props.Light(hasShadows: false), cell, panel.gameObject, menu, consent);
     }
 
     static GameObject Cell(Workshop workshop, XROrigin origin)
@@ -35,7 +33,7 @@ static class HoloLensScene
         var session = cell.GetComponent<MrilSession>();
         // The menu connects, or the pairing once it knows where to.
         Fields.Set(session, "_connectOnEnable", false);
-        cell.transform.Find("Base Anchor").localPosition = BasePlace;
+        cell.transform.Find("Base Anchor").localPosition = AnyHeadsetScene.BasePlace;
         cell.transform.Find("Status Panel").gameObject.SetActive(false);
         var codes = cell.AddComponent<QrMarkers>();
         Fields.Set(codes, "_session", session);
@@ -47,7 +45,7 @@ static class HoloLensScene
         Fields.Set(pairing, "_session", session);
         Fields.Set(pairing, "_anchor", cell.GetComponentInChildren<BaseAnchor>(includeInactive: true));
         var marker = workshop.Instantiate(PackagePaths.HoloLensMarker, cell.transform);
-        marker.transform.localPosition = BasePlace;
+        marker.transform.localPosition = AnyHeadsetScene.BasePlace;
         return cell;
     }
 
