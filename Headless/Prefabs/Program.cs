@@ -1,11 +1,13 @@
 using Nowpose.Metas;
 using Nowpose.Prefabs;
+using Nowpose.Prefabs.Pictures;
 
 const string Help = """
     Writes the prefabs, materials, robot descriptions, settings and scenes of the Unity project that the current folder lies in.
 
       (no option)  write those that differ, and their .meta where it is missing
       --check      write nothing, only list what differs
+      --pictures   draw the manual's pictures of the prefabs: Documentation~/images/pose-appearance.svg and status-panel.svg
 
     Exit status: 0 nothing differs, 1 something did, 2 wrong use.
     """;
@@ -15,11 +17,16 @@ if (args.Contains("--help"))
     Console.WriteLine(Help);
     return 0;
 }
-var unknown = args.FirstOrDefault(a => a != "--check");
-if (unknown != null) return Refuse($"unknown option {unknown}; --check and --help are known");
+var unknown = args.FirstOrDefault(a => a is not ("--check" or "--pictures"));
+if (unknown != null) return Refuse($"unknown option {unknown}; --check, --pictures and --help are known");
 var root = ProjectRoot.Find(Directory.GetCurrentDirectory());
 if (root == null) return Refuse($"no Unity project at or above {Directory.GetCurrentDirectory()}");
 
+if (args.Contains("--pictures"))
+{
+    foreach (var path in ManualPictures.Write(root)) Console.WriteLine($"wrote {path}");
+    return 0;
+}
 var isCheck = args.Contains("--check");
 var differing = isCheck ? AssetPlan.Differing(root) : AssetPlan.Write(root);
 foreach (var path in differing) Console.WriteLine(isCheck ? $"{path}: differs from what is built; run this tool without --check" : $"wrote {path}");

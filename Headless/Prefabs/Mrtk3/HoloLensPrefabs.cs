@@ -66,18 +66,18 @@ static class HoloLensPrefabs
         Canvases.AddGround(workshop, canvas, new Vector3(0, 0, 4), new Vector2(BarWidth / BarUnit, BarHeight / BarUnit));
         var buttons = new Buttons(workshop, canvas);
         pin = buttons.Toggle("Pin", "", new Vector2(-170, 0));
-        AddWord("Stay", canvas, new Vector3(-120, 0, 0));
+        AddWord(workshop, "Stay", canvas, new Vector3(-120, 0, 0));
         close = buttons.Button("Close", "×", new Vector2(170, 0));
-        AddWord("Close", canvas, new Vector3(115, 0, 0));
+        AddWord(workshop, "Close", canvas, new Vector3(115, 0, 0));
         // Between the two words, so that pressing a button does not move the panel.
         handle = Graspable.Make(content, panel, new Vector3(12, BarHeight, 0.6f));
         return bar;
     }
 
     /// <summary>Beside a button: its own letters are too small from where a panel is read.</summary>
-    static void AddWord(string word, Transform canvas, Vector3 place)
+    static void AddWord(Workshop workshop, string word, Transform canvas, Vector3 place)
     {
-        var text = Canvases.AddText(word + " Word", canvas, place);
+        var text = Canvases.AddText(workshop, word + " Word", canvas, place);
         text.text = word;
         text.transform.localScale = Vector3.one / (LetterSize.Of(text) * BarUnit);
     }

@@ -1,0 +1,107 @@
+using System.Globalization;
+using System.Reflection;
+using MixedReality.Toolkit.UX;
+using Nowpose.Unity;
+using UnityEngine;
+
+namespace Nowpose.Prefabs.Pictures;
+
+/// <summary>The pictures of the manual that show the package's prefabs as a wearer sees them.</summary>
+static class ManualPictures
+{
+    const string Folder = "Packages/com.nowpose.mril/Documentation~/images/";
+
+    /// <summary>HoloLens 2, degrees.</summary>
+    const double FieldWidth = 43, FieldHeight = 29;
+
+    const int PanelWidth = 900, PartWidth = 320, PartHeight = 320, Caption = 28;
+
+    /// <summary>Between the displayed gripper and the ghost, so that both are seen.</summary>
+    const float GapMetres = 0.05f;
+
+    /// <returns>Paths of the files.</returns>
+    public static IEnumerable<string> Write(string root)
+    {
+        foreach (var (name, svg) in new[] { ("pose-appearance.svg", Appearance(root)), ("status-panel.svg", Panel(root)) })
+        {
+            File.WriteAllText(Path.Combine(root, Folder + name), svg);
+            yield return Folder + name;
+        }
+    }
+
+    /// <summary>The gripper at the arm's end: current, current beside the ghost, and held.</summary>
+    public static string Appearance(string root)
+    {
+        using var cell = new PlayedCell(root);
+        cell.Run(12);
+        while (Vector3.Distance(cell.Displayed.Tool.position, cell.Ghost.GetComponent<RobotRig>().Tool.position) < GapMetres) cell.Run(1 / 60.0);
+        var eye = Before(cell);
+        var current = new SceneDrawing(eye).Draw([cell.Real, cell.Displayed.gameObject]);
+        var compared = new SceneDrawing(eye).Draw([cell.Real, cell.Ghost, cell.Displayed.gameObject]);
+        cell.CutOff();
+        cell.Run(2);
+        eye = Before(cell);
+        // The words turn to the camera, and are as large as it takes to read them from there.
+        cell.Head.SetPositionAndRotation(eye.Place.position, eye.Place.rotation);
+        cell.Run(0.1);
+        var held = new SceneDrawing(eye).Draw([cell.Real, cell.Displayed.gameObject]);
+        return Parts(("current", current), ("current, and the ghost", compared), ("held: no sample for 2 s", held));
+    }
+
+    /// <summary>In front of the gripper, from where no part of the arm hides it, with the place of its words at the left.</summary>
+    static Eye Before(PlayedCell cell)
+    {
+        var gripper = cell.Displayed.GetComponentInChildren<VirtualGripper>().transform;
+        var left = GripperPrefab.WordsOf(gripper.gameObject).transform.position - gripper.position;
+        left.y = 0;
+        var ahead = Vector3.Cross(Vector3.up, left.normalized);
+        var middle = (gripper.position + cell.Displayed.Tool.position) / 2 + left / 3;
+        var place = middle - 0.6f * ahead + 0.15f * Vector3.up;
+        return new Eye(new Pose(place, Quaternion.LookRotation(middle - place, Vector3.up)), 24, PartWidth, PartHeight);
+    }
+
+    /// <summary>All that a HoloLens 2 shows to a head that looks level: the panel without a message, and with one.</summary>
+    public static string Panel(string root)
+    {
+        using var cell = new PlayedCell(root);
+        cell.Head.SetPositionAndRotation(new Vector3(0, 1.6f, -2), Quaternion.identity);
+        cell.Run(12);
+        var height = (int)Math.Round(PanelWidth * Math.Tan(FieldHeight / 2 * Math.PI / 180) / Math.Tan(FieldWidth / 2 * Math.PI / 180));
+        var eye = new Eye(new Pose(cell.Head.position, cell.Head.rotation), FieldWidth, PanelWidth, height);
+        var texts = new StatusTexts();
+        texts.Update(cell.Session.Statistics, cell.Session.Settings, cell.Session.Robot.Name,
+            "joint positions: no connection to 192.168.0.20:47011 (connection refused); start the gateway there, or correct Host in the session "
+            + "settings; trying again in 4 s");
+        Cells(cell.Panel).Show(texts);
+        var drawing = new SceneDrawing(eye).Draw([cell.Panel.gameObject]) + Buttons(cell.Panel, eye);
+        return Svg(PanelWidth, height,
+            $"""<line x1="0" x2="{PanelWidth}" y1="{height / 2}" y2="{height / 2}" stroke="#55616f" stroke-dasharray="2 6"/>""" + "\n"
+            + $"""<text x="8" y="{height / 2 - 6}" font-size="13" fill="#8b98a7">level</text>""" + "\n" + drawing,
+            "The status panel with a message on top, in a HoloLens 2's field of view of 43 by 29 degrees");
+    }
+
+    static PanelCells Cells(StatusPanel panel) =>
+        (PanelCells)typeof(StatusPanel).GetField("_cells", BindingFlags.Instance | BindingFlags.NonPublic).GetValue(panel);
+
+    /// <summary>Outlines of MRTK3's buttons, whose meshes are not here.</summary>
+    static string Buttons(StatusPanel panel, Eye eye) => string.Concat(panel.GetComponentsInChildren<PressableButton>().Select(button =>
+    {
+        var rect = (RectTransform)button.transform;
+        var corners = new[] { (-1, -1), (1, -1), (1, 1), (-1, 1) }.Select(c => eye.Project(rect.parent.TransformPoint(
+            new Vector3(rect._anchoredPosition.x + c.Item1 * rect._sizeDelta.x / 2, rect._anchoredPosition.y + c.Item2 * rect._sizeDelta.y / 2, 0))));
+        var points = string.Join(" ", corners.Select(c => string.Create(CultureInfo.InvariantCulture, $"{c.X:0.0},{c.Y:0.0}")));
+        return $"""<polygon points="{points}" fill="#2a3a52" stroke="#8b98a7"/>""" + "\n";
+    }));
+
+    static string Parts(params (string Words, string Drawing)[] parts) => Svg(
+        parts.Length * PartWidth, PartHeight + Caption, string.Concat(parts.Select((part, i) =>
+        $"""<svg x="{i * PartWidth}" y="0" width="{PartWidth - 4}" height="{PartHeight}" viewBox="0 0 {PartWidth} {PartHeight}">""" + "\n"
+        + part.Drawing + "</svg>\n"
+        + $"""<text x="{(i + 0.5) * PartWidth}" y="{PartHeight + 20}" font-size="15" text-anchor="middle">{part.Words}</text>""" + "\n")),
+        "The virtual gripper at the arm's end: current; current beside the ghost; held, with stripes and words");
+
+    static string Svg(int width, int height, string content, string label) =>
+        $"""<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" aria-label="{label}" """
+        + """font-family="Liberation Sans, Arial, Helvetica, sans-serif" fill="#f2f6fa">""" + "\n"
+        + $"""<rect width="{width}" height="{height}" fill="#1b222b"/>""" + "\n" + content + "</svg>\n";
+}
