@@ -51,6 +51,7 @@ namespace Nowpose.Session
         RosbridgeClient _rosbridgeClient;
         readonly string[] _jointNames;
         ControlTime _told;
+        ReprojectionMode _reprojection;
         bool _wasKnown;
         int _steps;
         long _samples;
@@ -175,6 +176,16 @@ namespace Nowpose.Session
         public bool IsLightPredicted
         {
             get { lock (_gate) return _light.IsPredicted; }
+        }
+
+        /// <summary>
+        /// How the display corrects frames for head motion, as whatever controls the display reports it; it does not change what a frame
+        /// shows. Any thread.
+        /// </summary>
+        public ReprojectionMode Reprojection
+        {
+            get { lock (_gate) return _reprojection; }
+            set { lock (_gate) _reprojection = value; }
         }
 
         /// <summary>Δt_render as <see cref="Rendered"/> was told it last; null while nothing measures.</summary>
@@ -341,6 +352,7 @@ namespace Nowpose.Session
                 into.Dropped = Drops.Total + SyncFaults.Total;
                 into.SyncLink = SyncLink;
                 into.SampleLink = SampleLink;
+                into.Reprojection = _reprojection;
                 into.Security = _settings.Connection.Security;
             }
         }

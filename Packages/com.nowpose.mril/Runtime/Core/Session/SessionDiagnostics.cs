@@ -31,6 +31,7 @@ namespace Nowpose.Session
             AddMs("l_app_ms", statistics.ApplicationLatency);
             AddMs("l_visu_ms", statistics.VisualisationLatency);
             AddMs("display_time_difference_ms", statistics.DisplayTimeDifference);
+            if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", ReprojectionModeNames.NameOf(statistics.Reprojection));
             AddMs("horizon_ms", statistics.Horizon);
             AddMs("render_ms", statistics.RenderTime);
             if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());

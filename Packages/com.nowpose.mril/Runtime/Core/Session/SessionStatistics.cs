@@ -45,6 +45,9 @@ namespace Nowpose.Session
         /// <summary>Whether that difference lasts and is too large for both to be right, see <see cref="DisplayTimeCheck"/>.</summary>
         public bool IsDisplayTimeDoubted { get; internal set; }
 
+        /// <summary>How the display corrects frames for head motion; unknown while nothing reports it.</summary>
+        public ReprojectionMode Reprojection { get; internal set; }
+
         /// <summary>L of Eq. (1), with the median of L_app.</summary>
         public TimeSpan? EndToEndLatency { get; internal set; }
 

@@ -63,6 +63,7 @@ namespace Nowpose.Unity
         IHeadsetClock _nextClock = new StopwatchHeadsetClock();
         IHeadsetClock _clock;
         IDisplayTimeSource _displayTimes;
+        ReprojectionMode _reprojection;
         ApplicationPresence _presence;
         DescriptionWatch _description;
         bool _isRunning, _isWanted, _isFilled;
@@ -150,6 +151,19 @@ namespace Nowpose.Unity
             {
                 _displayTimes = value;
                 if (Session != null) Session.DisplayTimeSource = value;
+            }
+        }
+
+        /// <summary>
+        /// How the display corrects frames for head motion. Set by whatever controls or observes the display; kept for every later session.
+        /// </summary>
+        public ReprojectionMode Reprojection
+        {
+            get => _reprojection;
+            set
+            {
+                _reprojection = value;
+                if (Session != null) Session.Reprojection = value;
             }
         }
 
@@ -269,6 +283,7 @@ namespace Nowpose.Unity
             Session = new CompensationSession(_used, robot ?? NoRobot, _clock, Transport.Create)
             {
                 DisplayTimeSource = _displayTimes,
+                Reprojection = _reprojection,
             };
             if (_isWanted) Session.Connect();
             if (robot == Robot) return;
