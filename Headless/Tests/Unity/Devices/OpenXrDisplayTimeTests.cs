@@ -50,6 +50,7 @@ public sealed class OpenXrDisplayTimeTests
         _session = _cell.NewSession(robot: null, Settings(isRewritten));
         _session.RobotAsset = RobotDescriptionAsset.Create("gantry", Gantry);
         _component = _session.gameObject.AddComponent<OpenXrDisplayTime>();
+        _runtime.Equip(_component);
         _session.gameObject.SetActive(true);
     }
 
@@ -127,7 +128,7 @@ public sealed class OpenXrDisplayTimeTests
 
         Assert.That(_session.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(CalibratedMs));
         Assert.That(_session.Statistics.IsLightPredicted, Is.False);
-        Assert.That(_cell.Messages, Has.None.Contains("display time"));
+        Assert.That(_cell.Messages.Any(m => m.Contains("implausible")), Is.EqualTo(aheadMs.HasValue), "no answer is no fault");
     }
 
     [Test]
@@ -141,16 +142,77 @@ public sealed class OpenXrDisplayTimeTests
         Assert.That(_session.Statistics.IsLightPredicted, Is.False);
     }
 
-    [Test]
-    public void LightOf_CountsOfAnotherRateAndEpoch_IsExactToTheTickOfTheClock()
+    [TestCase(10_000_000)]
+    [TestCase(19_200_000)]
+    [TestCase(24_000_000)]
+    [TestCase(1_015_592)]
+    public void LightOf_CounterOfAnyFrequency_IsExactToOneCount(long countsPerSecond)
     {
+        _runtime.Dispose();
+        _runtime = new PlayedRuntime(_cell.Clock, countsPerSecond);
         Play();
         _runtime.LightOf = _ => _session.Session == null ? null : _cell.Clock.Read + TimeSpan.FromMilliseconds(47);
 
-        Run(1);
+        Run(2);
 
-        // A count of this counter is 0.28 µs.
-        Assert.That(_session.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(47).Within(5e-4));
+        Assert.That(_session.Statistics.IsLightPredicted);
+        Assert.That(_session.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(47).Within(2 * (1000.0 / countsPerSecond + 1e-4)));
+        Assert.That(_session.Statistics.IsDisplayTimeImplausible, Is.False);
+        Assert.That(_cell.Messages.Count(m => m.Contains($"performance counter {countsPerSecond} Hz, stopwatch 10000000 Hz")), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void LightOf_PlatformWithoutKernel32_UsesTheCalibrationAndWarnsOnce()
+    {
+        Play();
+        _component.OpenCounter = () => throw new DllNotFoundException("kernel32.dll");
+        _runtime.LightOf = _ => _cell.Clock.Read + TimeSpan.FromMilliseconds(47);
+
+        Run(8);
+
+        Assert.That(_session.Statistics.IsLightPredicted, Is.False);
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        var warnings = _cell.Messages.Where(m => m.Contains("has no performance counter of Windows (kernel32.dll); light appears as calibrated"));
+        Assert.That(warnings.Count(), Is.EqualTo(1));
+    }
+
+    [TestCase(0.9, false)]
+    [TestCase(1.05, true)]
+    public void LightOf_ImplausibleForASecond_IsReportedInPanelLogAndDiagnosticsAndItsRecoveryOnce(double seconds, bool isSaid)
+    {
+        Play();
+        var texts = new StatusTexts();
+        string Panel()
+        {
+            texts.Update(_session.Statistics, _session.Settings, null, null);
+            return texts.ValueOf(StatusRow.VisualisationLatency) + "|" + texts.NoteOf(StatusRow.VisualisationLatency);
+        }
+        string Diagnostic() => _session.Session.Diagnostics().Values.SingleOrDefault(v => v.Key == "display_time").Value;
+        int Lines(string of) => _cell.Messages.Count(m => m.Contains(of));
+        HeadsetTime Right(FrameTime _) => _cell.Clock.Read + TimeSpan.FromMilliseconds(40);
+        // Counts of 24 MHz taken for 10 MHz: a device that has run for a while is far ahead.
+        HeadsetTime Wrong(FrameTime _) => new(_cell.Clock.Read.SinceEpoch * 2.4);
+
+        _runtime.LightOf = t => Right(t);
+        Run(2);
+        _runtime.LightOf = t => Wrong(t);
+        Run(seconds);
+        var (panel, diagnostic) = (Panel(), Diagnostic());
+        texts.Update(_session.Statistics, _session.Settings, null, null);
+        var message = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
+        var lines = Lines("implausible");
+        Run(isSaid ? 3 : 0);
+        _runtime.LightOf = t => Right(t);
+        Run(3);
+
+        Assert.That(panel, Is.EqualTo(isSaid ? "! 40.0 ms|runtime's are implausible" : "40.0 ms|as set"));
+        Assert.That(message.Contains("display times of the runtime are implausible"), Is.EqualTo(isSaid));
+        Assert.That(diagnostic, Is.EqualTo(isSaid ? "implausible" : null));
+        Assert.That(lines, Is.EqualTo(isSaid ? 1 : 0));
+        Assert.That(Lines("implausible"), Is.EqualTo(isSaid ? 1 : 0), "once, however long it lasts");
+        Assert.That(Lines("plausible again"), Is.EqualTo(isSaid ? 1 : 0));
+        Assert.That(Panel(), Is.EqualTo("40.0 ms|predicted by the runtime"));
+        Assert.That(Diagnostic(), Is.EqualTo("predicted"));
     }
 
     [Test]
@@ -185,7 +247,7 @@ public sealed class OpenXrDisplayTimeTests
         _session = _cell.NewSession(robot: null, Settings(isRewritten: false));
         var own = new OtherClock(_cell.Clock);
         _session.HeadsetClock = own;
-        _session.gameObject.AddComponent<OpenXrDisplayTime>();
+        _runtime.Equip(_session.gameObject.AddComponent<OpenXrDisplayTime>());
         _session.gameObject.SetActive(true);
         _runtime.LightOf = _ => _cell.Clock.Read + TimeSpan.FromMilliseconds(47);
 

@@ -11,10 +11,17 @@ namespace Nowpose.Editor
             yield return ("Round trip", LiveText.Ms(session.RoundTripTime));
             yield return ("Clock steps", session.ClockSteps.ToString());
             yield return ("End to end", LiveText.Ms(session.EndToEndLatency));
+            yield return ("Display time", DisplayTimeOf(session));
             yield return ("Error, uncompensated", LiveText.Mm(session.ErrorMm) + ", " + LiveText.Mm(session.HoldErrorMm));
             yield return ("Samples, dropped", session.Samples + ", " + session.Dropped);
             yield return ("Clock sync", session.SyncLink.Detail);
             yield return ("Joint positions", session.SampleLink.Detail);
+        }
+
+        static string DisplayTimeOf(SessionStatistics session)
+        {
+            if (session.IsDisplayTimeImplausible) return "implausible, " + LiveText.Ms(session.DisplayTimeAhead) + " ahead";
+            return session.IsLightPredicted ? "predicted by the runtime" : "as calibrated";
         }
     }
 }

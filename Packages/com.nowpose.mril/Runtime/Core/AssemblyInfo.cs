@@ -3,6 +3,9 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket")]
 [assembly: InternalsVisibleTo("Nowpose.Cli")]
 
+// It converts the runtime's times and reports what the display does.
+[assembly: InternalsVisibleTo("Nowpose.OpenXR")]
+
 // It writes session files by the same classes.
 [assembly: InternalsVisibleTo("Nowpose.Gateway")]
 

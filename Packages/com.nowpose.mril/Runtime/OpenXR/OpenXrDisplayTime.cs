@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Latency;
 using Nowpose.Unity;
@@ -11,8 +12,10 @@ namespace Nowpose.OpenXR
     /// OpenXR plugin.
     /// </summary>
     /// <remarks>
-    /// The calibrated L_visu counts wherever the runtime tells nothing: in the Editor, before its session runs, and when the session's
-    /// clock is not the device's performance counter, on which alone the runtime's times mean anything.
+    /// The runtime's times are counts of the performance counter of Windows, at that counter's own frequency. They are converted to
+    /// <see cref="System.Diagnostics.Stopwatch"/>, which Unity scales to 10 MHz, and so to the session's clock. The calibrated L_visu counts
+    /// wherever the runtime tells nothing (in the Editor, before its session runs), where the platform has no such counter, and when the
+    /// session's clock does not run with the stopwatch.
     /// </remarks>
     [AddComponentMenu("Nowpose/Display Time")]
     [DisallowMultipleComponent]
@@ -22,7 +25,14 @@ namespace Nowpose.OpenXR
         MrilSession _session = null;
 
         MrilSession _target;
+        CounterPairing _pairing;
         bool _isUnusable, _isMissing;
+
+        /// <summary>Opens the counter that the runtime's times are counts of; tests replace it.</summary>
+        internal Func<ICounter> OpenCounter { get; set; } = () => new WindowsPerformanceCounter();
+
+        /// <summary>The counter that the session's clock runs with; tests replace it.</summary>
+        internal ICounter Stopwatch { get; set; } = new StopwatchCounter();
 
         /// <summary>
         /// As the runtime predicts it: for the first computation of a frame from the frame before, right before rendering for
@@ -35,13 +45,12 @@ namespace Nowpose.OpenXR
             try
             {
                 var count = PredictedCount(_target.IsBeforeRender ? FrameTime.OnBeforeRender : FrameTime.OnUpdate);
-                return count > 0 ? clock.At(count) : (HeadsetTime?)null;
+                return count > 0 && IsPaired() ? clock.At(_pairing.ToTarget(count)) : (HeadsetTime?)null;
             }
             catch (TypeLoadException fault)
             {
                 // A build may lack the plugin's native library; the frame must not.
-                _isMissing = true;
-                ConsoleLog.Warn(this, "display time '" + name + "': " + fault.Message + "; light appears as calibrated");
+                GiveUp(fault.Message);
                 return null;
             }
         }
@@ -51,6 +60,25 @@ namespace Nowpose.OpenXR
         {
             var predicted = OpenXRTime.Current.GetPredictedDisplayTimeInXrTime(tick);
             return predicted > 0 ? OpenXRTime.Current.ConvertXrTimeToQpcTime(predicted) : 0;
+        }
+
+        // Once: both counters run on one oscillator.
+        bool IsPaired()
+        {
+            if (_pairing != null) return true;
+            if (CounterPairing.TryMeasure(OpenCounter, Stopwatch, out _pairing, out var fault))
+                ConsoleLog.Say(this, string.Format(
+                    CultureInfo.InvariantCulture,
+                    "display time '{0}': performance counter {1} Hz, stopwatch {2} Hz, paired within {3:0.0} µs",
+                    name, _pairing.Frequency, Stopwatch.Frequency, _pairing.Uncertainty.TotalMilliseconds * 1000));
+            else GiveUp(fault);
+            return _pairing != null;
+        }
+
+        void GiveUp(string fault)
+        {
+            _isMissing = true;
+            ConsoleLog.Warn(this, "display time '" + name + "': " + fault + "; light appears as calibrated");
         }
 
         void OnEnable()

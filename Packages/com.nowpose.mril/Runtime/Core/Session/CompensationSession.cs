@@ -179,6 +179,14 @@ namespace Nowpose.Session
         }
 
         /// <summary>
+        /// Newest answer of <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null while there is none. Any thread.
+        /// </summary>
+        public TimeSpan? DisplayTimeAhead
+        {
+            get { lock (_gate) return _light.Ahead; }
+        }
+
+        /// <summary>
         /// How the display corrects frames for head motion, as whatever controls the display reports it; it does not change what a frame
         /// shows. Any thread.
         /// </summary>
@@ -248,6 +256,7 @@ namespace Nowpose.Session
                 while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
                 var seen = _light.LightOf(start, isComparable: isLast && _monitor.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
+                _frame.IsDisplayTimeImplausible = _light.IsImplausible;
                 _frame.Update(start, light, _settings.Clock.Trusts(clock), _monitor.State, _light.IsDoubted);
                 _hindcast.Shown(_frame, clock.ErrorBound);
                 Ticked?.Invoke(_frame);

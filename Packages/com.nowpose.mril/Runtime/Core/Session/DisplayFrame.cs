@@ -48,6 +48,9 @@ namespace Nowpose.Session
         /// <summary>Whether the runtime's display times and the calibration contradict each other, see <see cref="DisplayTimeCheck"/>.</summary>
         public bool IsDisplayTimeDoubted { get; private set; }
 
+        /// <summary>Whether the runtime's display times have been implausible for a second, see <see cref="SessionChange"/>.</summary>
+        public bool IsDisplayTimeImplausible { get; internal set; }
+
         /// <summary>Displayed joint positions, one per moving joint of the robot in its order, rad or m, mimic joints completed.</summary>
         public ReadOnlySpan<double> Joints => _tracks.Positions;
 

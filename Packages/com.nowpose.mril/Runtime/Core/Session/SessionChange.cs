@@ -37,5 +37,14 @@ namespace Nowpose.Session
         /// cease to: one of them is wrong. The next time only after they agreed again.
         /// </summary>
         DisplayTimeDoubted = 32,
+
+        /// <summary>
+        /// The display times of the headset's runtime have been implausible for a second: in the past, or more than 500 ms ahead. L_visu is as
+        /// calibrated wherever they are.
+        /// </summary>
+        DisplayTimeImplausible = 64,
+
+        /// <summary>They have been plausible again for a second, after <see cref="DisplayTimeImplausible"/>.</summary>
+        DisplayTimePlausible = 128,
     }
 }

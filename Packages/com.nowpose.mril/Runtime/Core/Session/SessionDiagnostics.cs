@@ -30,6 +30,12 @@ namespace Nowpose.Session
             AddMs("rtt_ms", statistics.RoundTripTime);
             AddMs("l_app_ms", statistics.ApplicationLatency);
             AddMs("l_visu_ms", statistics.VisualisationLatency);
+            if (statistics.IsDisplayTimeImplausible)
+            {
+                Add("display_time", "implausible");
+                AddMs("display_time_ahead_ms", statistics.DisplayTimeAhead);
+            }
+            else if (statistics.IsLightPredicted) Add("display_time", "predicted");
             AddMs("display_time_difference_ms", statistics.DisplayTimeDifference);
             if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", ReprojectionModeNames.NameOf(statistics.Reprojection));
             AddMs("horizon_ms", statistics.Horizon);

@@ -58,6 +58,8 @@ namespace Nowpose.Session
             into.IsLightPredicted = _light.IsPredicted;
             into.DisplayTimeDifference = _light.Difference;
             into.IsDisplayTimeDoubted = _light.IsDoubted;
+            into.DisplayTimeAhead = _light.Ahead;
+            into.IsDisplayTimeImplausible = _light.IsImplausible;
             into.Horizon = _frame.Horizon;
             into.RenderTime = _monitor.RenderTime;
             into.RenderTimeSource = _monitor.Source;

@@ -45,6 +45,14 @@ namespace Nowpose.Session
         /// <summary>Whether that difference lasts and is too large for both to be right, see <see cref="DisplayTimeCheck"/>.</summary>
         public bool IsDisplayTimeDoubted { get; internal set; }
 
+        /// <summary>Newest answer of the display time source minus its frame's start, used or not; null while there is none.</summary>
+        public TimeSpan? DisplayTimeAhead { get; internal set; }
+
+        /// <summary>
+        /// Whether the answers have been implausible for a second and not yet plausible for another: in the past, or more than 500 ms ahead.
+        /// </summary>
+        public bool IsDisplayTimeImplausible { get; internal set; }
+
         /// <summary>How the display corrects frames for head motion; unknown while nothing reports it.</summary>
         public ReprojectionMode Reprojection { get; internal set; }
 

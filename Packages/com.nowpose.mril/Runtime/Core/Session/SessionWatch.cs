@@ -14,19 +14,23 @@ namespace Nowpose.Session
         static readonly TimeSpan Settle = TimeSpan.FromMilliseconds(500);
 
         SettledFlag _isSynchronised, _isInRange, _isFresh;
-        bool _isDisplayTimeDoubted;
+        bool _isDisplayTimeDoubted, _isDisplayTimeImplausible;
 
         public SessionWatch() => Forget();
 
         /// <summary>What has changed with a frame.</summary>
         public SessionChange Changed(DisplayFrame frame) =>
-            Changed(frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeDoubted);
+            Changed(
+                frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeDoubted, frame.IsDisplayTimeImplausible);
 
         /// <summary>What has changed with a frame, told by its properties.</summary>
         /// <param name="at">Not earlier than the frame before.</param>
         /// <param name="isTimeTrusted">As <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
         /// <param name="isDisplayTimeDoubted">Settled already, as <see cref="DisplayFrame.IsDisplayTimeDoubted"/> is.</param>
-        public SessionChange Changed(HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted = false)
+        /// <param name="isDisplayTimeImplausible">Settled already, as <see cref="DisplayFrame.IsDisplayTimeImplausible"/> is.</param>
+        public SessionChange Changed(
+            HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted = false,
+            bool isDisplayTimeImplausible = false)
         {
             var changes = SessionChange.None;
             if (_isSynchronised.Update(at, isTimeTrusted, Settle)) changes |= isTimeTrusted ? SessionChange.Synchronised : SessionChange.Lost;
@@ -39,6 +43,9 @@ namespace Nowpose.Session
                 changes |= SessionChange.Stale;
             if (isDisplayTimeDoubted && !_isDisplayTimeDoubted) changes |= SessionChange.DisplayTimeDoubted;
             _isDisplayTimeDoubted = isDisplayTimeDoubted;
+            if (isDisplayTimeImplausible != _isDisplayTimeImplausible)
+                changes |= isDisplayTimeImplausible ? SessionChange.DisplayTimeImplausible : SessionChange.DisplayTimePlausible;
+            _isDisplayTimeImplausible = isDisplayTimeImplausible;
             return changes;
         }
 
@@ -57,6 +64,7 @@ namespace Nowpose.Session
             _isInRange = new SettledFlag(null);
             _isFresh = new SettledFlag(false);
             _isDisplayTimeDoubted = false;
+            _isDisplayTimeImplausible = false;
         }
     }
 }

@@ -1,12 +1,13 @@
 namespace Nowpose
 {
-    /// <summary>A headset clock that is the device's performance counter: times that others read off that counter can be brought to it.</summary>
+    /// <summary>A headset clock that runs with <see cref="System.Diagnostics.Stopwatch"/>: its readings can be converted to headset time.</summary>
     public interface IPerformanceCounterClock : IHeadsetClock
     {
-        /// <summary>
-        /// The headset time of a count of the counter that <see cref="System.Diagnostics.Stopwatch.GetTimestamp"/> reads (on
-        /// Windows: QPC).
-        /// </summary>
+        /// <summary>Converts a reading of <see cref="System.Diagnostics.Stopwatch.GetTimestamp"/> to headset time.</summary>
+        /// <param name="count">
+        /// At <see cref="System.Diagnostics.Stopwatch.Frequency"/>. Under Mono and IL2CPP that is 10 MHz on every device:
+        /// counts of QueryPerformanceCounter have another frequency.
+        /// </param>
         HeadsetTime At(long count);
     }
 }

@@ -29,8 +29,9 @@ namespace Nowpose.Unity
             for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
         }
 
-        /// <summary>Allocates nothing: the texts are constants.</summary>
-        public void Say(SessionChange change)
+        /// <summary>Allocates only for the display times of the runtime: the other texts are constants.</summary>
+        /// <param name="session">Null when it has ended.</param>
+        public void Say(SessionChange change, CompensationSession session)
         {
             if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + "clock synchronised", _context);
             if ((change & SessionChange.Lost) != 0)
@@ -41,6 +42,9 @@ namespace Nowpose.Unity
                 Debug.LogWarning(ConsoleLog.Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
             if ((change & SessionChange.DisplayTimeDoubted) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate anew", _context);
+            if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayWords.ImplausibleTimes(session?.DisplayTimeAhead));
+            if ((change & SessionChange.DisplayTimePlausible) != 0)
+                Debug.Log(ConsoleLog.Prefix + "display times of the runtime are plausible again, and used", _context);
             if ((change & SessionChange.Stale) != 0) Debug.LogWarning(ConsoleLog.Prefix + "joint positions are stale; the pose is held", _context);
         }
 

@@ -12,6 +12,7 @@ namespace Nowpose.Unity
 
         public string Of(SessionStatistics statistics)
         {
+            if (statistics.IsDisplayTimeImplausible) return "runtime's are implausible";
             if (statistics.IsDisplayTimeDoubted) return "runtime and calibration differ";
             if (statistics.IsLightPredicted) return "predicted by the runtime";
             if (statistics.Profile == null) return "as set";

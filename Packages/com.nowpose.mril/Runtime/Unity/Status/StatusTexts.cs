@@ -84,7 +84,7 @@ namespace Nowpose.Unity
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
-                ?? statistics?.BeyondLimits?.Words;
+                ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics);
             if (guidance != null) Say(guidance, "");
             else if (fault != null) Say(fault, "! ");
             else Say(TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null, "");
@@ -101,7 +101,7 @@ namespace Nowpose.Unity
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var visualisation = statistics.IsDisplayTimeDoubted ? DoubtedMilliseconds : Milliseconds;
+            var visualisation = statistics.IsDisplayTimeDoubted || statistics.IsDisplayTimeImplausible ? DoubtedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), DoubtOf(statistics.RangeDoubt));

@@ -6,10 +6,8 @@ namespace Nowpose.Latency
     /// <remarks>Allocates nothing; not thread-safe.</remarks>
     sealed class MomentOfLight
     {
-        /// <summary>What lies further ahead, or behind, is not the light of this frame.</summary>
-        static readonly TimeSpan Furthest = ClockTicks.Span(LatencyProfile.GreatestVisuMs / 1000);
-
         readonly DisplayTimeCheck _check = new DisplayTimeCheck();
+        readonly DisplayTimePlausibility _plausibility = new DisplayTimePlausibility();
         VisualisationLatency _calibrated;
         IDisplayTimeSource _source;
 
@@ -40,6 +38,7 @@ namespace Nowpose.Latency
                 IsPredicted = false;
                 Used = _calibrated.Length;
                 _check.Reset();
+                _plausibility.Reset();
             }
         }
 
@@ -55,6 +54,12 @@ namespace Nowpose.Latency
         /// <inheritdoc cref="Difference"/>
         public bool IsDoubted => _check.IsDoubted;
 
+        /// <summary>As of <see cref="DisplayTimePlausibility"/>.</summary>
+        public TimeSpan? Ahead => _plausibility.Ahead;
+
+        /// <inheritdoc cref="Ahead"/>
+        public bool IsImplausible => _plausibility.IsImplausible;
+
         /// <param name="isComparable">
         /// False where the render time says that L_visu is not the calibrated one, or where the frame is computed once more: nothing to
         /// compare with.
@@ -62,7 +67,7 @@ namespace Nowpose.Latency
         public HeadsetTime LightOf(HeadsetTime frameStart, bool isComparable)
         {
             var ahead = _source?.LightOf(frameStart) - frameStart;
-            IsPredicted = ahead >= TimeSpan.Zero && ahead <= Furthest;
+            IsPredicted = ahead.HasValue && _plausibility.Add(frameStart, ahead.Value);
             Used = IsPredicted ? ahead.Value : _calibrated.Length;
             if (IsPredicted && isComparable) _check.Add(frameStart, ahead.Value - _calibrated.Length);
             return frameStart + Used;

@@ -20,6 +20,21 @@ namespace Nowpose.Tests
             Assert.That(rows["Clock sync"], Is.EqualTo("not connected"));
         }
 
+        [TestCase(false, false, "as calibrated")]
+        [TestCase(true, false, "predicted by the runtime")]
+        [TestCase(false, true, "implausible, 8123.40 ms ahead")]
+        public void Rows_DisplayTime_SayWhereItComesFrom(bool isPredicted, bool isImplausible, string expected)
+        {
+            var statistics = new SessionStatistics
+            {
+                IsLightPredicted = isPredicted, IsDisplayTimeImplausible = isImplausible, DisplayTimeAhead = Lengths.Ms(8123.4),
+            };
+
+            var rows = SessionRows.Of(statistics).ToDictionary(row => row.Label, row => row.Value);
+
+            Assert.That(rows["Display time"], Is.EqualTo(expected));
+        }
+
         [Test]
         public void Rows_OfARunningSession_HaveValuesWithUnits()
         {

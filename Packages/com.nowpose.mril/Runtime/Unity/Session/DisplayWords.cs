@@ -1,0 +1,31 @@
+using System;
+using System.Globalization;
+using Nowpose.Session;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Words for what is wrong between the finished frame and the display, and what to do about it.</summary>
+    static class DisplayWords
+    {
+        const string Implausible = "display times of the runtime are implausible";
+
+        const string WhatToDo =
+            "L_visu is as calibrated. Restart the application; if it happens again, disable Display Time and report the line of the "
+            + "performance counter in the log";
+
+        const string Said = Implausible + "; " + WhatToDo;
+
+        /// <summary>Tells the newest value, too; allocates.</summary>
+        /// <param name="ahead">Display time minus the frame's start; null when it is not known any more.</param>
+        public static string ImplausibleTimes(TimeSpan? ahead) => ahead.HasValue
+            ? Implausible + ": " + ahead.Value.TotalMilliseconds.ToString("0.#", CultureInfo.InvariantCulture)
+                + " ms after the start of the frame; 0 to 500 ms are possible. " + WhatToDo
+            : Said;
+
+        /// <summary>Allocates nothing.</summary>
+        /// <param name="statistics">Null without a session.</param>
+        /// <returns>Null when nothing is wrong.</returns>
+        public static string ProblemOf(SessionStatistics statistics) =>
+            statistics != null && statistics.IsDisplayTimeImplausible ? Said : null;
+    }
+}
