@@ -41,6 +41,7 @@ static class HoloLensScene
         Fields.Set(cell.AddComponent<ArSpatialAnchors>(), "_origin", origin);
         cell.AddComponent<OpenXrAnchorStore>();
         Fields.Set(cell.AddComponent<OpenXrDisplayTime>(), "_session", session);
+        Fields.Set(cell.AddComponent<ReprojectionCheck>(), "_session", session);
         var pairing = cell.AddComponent<CellPairing>();
         Fields.Set(pairing, "_session", session);
         Fields.Set(pairing, "_anchor", cell.GetComponentInChildren<BaseAnchor>(includeInactive: true));

@@ -17,6 +17,7 @@ public sealed class OptionalAssembliesTests
         ["com.endel.nativewebsocket"] = ["colyseus.nativewebsocket"],
         ["com.unity.xr.core-utils"] = ["Unity.XR.CoreUtils"],
         ["com.unity.xr.arfoundation"] = ["Unity.XR.ARFoundation", "Unity.XR.ARSubsystems"],
+        ["com.unity.xr.openxr"] = ["Unity.XR.OpenXR"],
         ["com.microsoft.mixedreality.openxr"] = ["Microsoft.MixedReality.OpenXR"],
         ["com.unity.xr.interaction.toolkit"] = ["Unity.XR.Interaction.Toolkit"],
         ["org.mixedrealitytoolkit.core"] = ["MixedReality.Toolkit.Core"],
@@ -28,6 +29,7 @@ public sealed class OptionalAssembliesTests
     static readonly (string Package, string Dependency)[] Dependencies =
     [
         ("com.unity.xr.arfoundation", "com.unity.xr.core-utils"),
+        ("com.microsoft.mixedreality.openxr", "com.unity.xr.openxr"),
         ("com.unity.xr.interaction.toolkit", "com.unity.xr.core-utils"),
     ];
 

@@ -13,6 +13,7 @@ namespace Nowpose.Headless.Tests.Engine.Api;
 [TestFixture("Unity.XR.CoreUtils", "UnityEngine/Api/core-utils-api-used.txt")]
 [TestFixture("Unity.XR.ARSubsystems", "UnityEngine/Api/ar-subsystems-api-used.txt")]
 [TestFixture("Unity.XR.ARFoundation", "UnityEngine/Api/ar-foundation-api-used.txt")]
+[TestFixture("Unity.XR.OpenXR", "UnityEngine/Api/openxr-api-used.txt")]
 [TestFixture("Microsoft.MixedReality.OpenXR", "UnityEngine/Api/mixed-reality-openxr-api-used.txt")]
 public sealed class UnityApiTests(string assembly, string list)
 {

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Nowpose.Latency;
 using Nowpose.Session;
 
 namespace Nowpose.Editor
@@ -12,11 +13,15 @@ namespace Nowpose.Editor
             yield return ("Clock steps", session.ClockSteps.ToString());
             yield return ("End to end", LiveText.Ms(session.EndToEndLatency));
             yield return ("Display time", DisplayTimeOf(session));
+            yield return ("Reprojection, depth", Words(ReprojectionModeNames.NameOf(session.Reprojection)) + ", "
+                + Words(DepthSubmissionWords.NameOf(session.DepthSubmission)));
             yield return ("Error, uncompensated", LiveText.Mm(session.ErrorMm) + ", " + LiveText.Mm(session.HoldErrorMm));
             yield return ("Samples, dropped", session.Samples + ", " + session.Dropped);
             yield return ("Clock sync", session.SyncLink.Detail);
             yield return ("Joint positions", session.SampleLink.Detail);
         }
+
+        static string Words(string name) => name.Replace('_', ' ');
 
         static string DisplayTimeOf(SessionStatistics session)
         {

@@ -52,6 +52,7 @@ namespace Nowpose.Session
         readonly string[] _jointNames;
         ControlTime _told;
         ReprojectionMode _reprojection;
+        DepthSubmission _depth;
         bool _wasKnown;
         int _steps;
         long _samples;
@@ -187,13 +188,20 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// How the display corrects frames for head motion, as whatever controls the display reports it; it does not change what a frame
+        /// How the display corrects frames for head motion, as reported from outside; it does not change what a frame
         /// shows. Any thread.
         /// </summary>
         public ReprojectionMode Reprojection
         {
             get { lock (_gate) return _reprojection; }
             set { lock (_gate) _reprojection = value; }
+        }
+
+        /// <summary>Whether the depth buffer reaches the display, as reported from outside. Any thread.</summary>
+        public DepthSubmission DepthSubmission
+        {
+            get { lock (_gate) return _depth; }
+            set { lock (_gate) _depth = value; }
         }
 
         /// <summary>Δt_render as <see cref="Rendered"/> was told it last; null while nothing measures.</summary>
@@ -362,6 +370,7 @@ namespace Nowpose.Session
                 into.SyncLink = SyncLink;
                 into.SampleLink = SampleLink;
                 into.Reprojection = _reprojection;
+                into.DepthSubmission = _depth;
                 into.Security = _settings.Connection.Security;
             }
         }

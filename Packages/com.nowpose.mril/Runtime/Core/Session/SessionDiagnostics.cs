@@ -38,6 +38,8 @@ namespace Nowpose.Session
             else if (statistics.IsLightPredicted) Add("display_time", "predicted");
             AddMs("display_time_difference_ms", statistics.DisplayTimeDifference);
             if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", ReprojectionModeNames.NameOf(statistics.Reprojection));
+            if (statistics.DepthSubmission != DepthSubmission.Unknown)
+                Add("depth_submission", DepthSubmissionWords.NameOf(statistics.DepthSubmission));
             AddMs("horizon_ms", statistics.Horizon);
             AddMs("render_ms", statistics.RenderTime);
             if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());

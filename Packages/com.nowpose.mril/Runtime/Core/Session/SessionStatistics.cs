@@ -56,6 +56,9 @@ namespace Nowpose.Session
         /// <summary>How the display corrects frames for head motion; unknown while nothing reports it.</summary>
         public ReprojectionMode Reprojection { get; internal set; }
 
+        /// <summary>Whether the depth buffer reaches the display; unknown while nothing reports it.</summary>
+        public DepthSubmission DepthSubmission { get; internal set; }
+
         /// <summary>L of Eq. (1), with the median of L_app.</summary>
         public TimeSpan? EndToEndLatency { get; internal set; }
 

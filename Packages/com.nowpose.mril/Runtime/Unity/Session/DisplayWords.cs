@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Nowpose.Latency;
 using Nowpose.Session;
 
 namespace Nowpose.Unity
@@ -25,7 +26,10 @@ namespace Nowpose.Unity
         /// <summary>Allocates nothing.</summary>
         /// <param name="statistics">Null without a session.</param>
         /// <returns>Null when nothing is wrong.</returns>
-        public static string ProblemOf(SessionStatistics statistics) =>
-            statistics != null && statistics.IsDisplayTimeImplausible ? Said : null;
+        public static string ProblemOf(SessionStatistics statistics)
+        {
+            if (statistics == null) return null;
+            return statistics.IsDisplayTimeImplausible ? Said : DepthSubmissionWords.ProblemOf(statistics.DepthSubmission);
+        }
     }
 }

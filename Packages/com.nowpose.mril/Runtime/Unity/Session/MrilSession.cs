@@ -64,6 +64,7 @@ namespace Nowpose.Unity
         IHeadsetClock _clock;
         IDisplayTimeSource _displayTimes;
         ReprojectionMode _reprojection;
+        DepthSubmission _depth;
         ApplicationPresence _presence;
         DescriptionWatch _description;
         bool _isRunning, _isWanted, _isFilled;
@@ -155,7 +156,7 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// How the display corrects frames for head motion. Set by whatever controls or observes the display; kept for every later session.
+        /// How the display corrects frames for head motion. Set by components that control or observe the display; kept for every later session.
         /// </summary>
         public ReprojectionMode Reprojection
         {
@@ -164,6 +165,17 @@ namespace Nowpose.Unity
             {
                 _reprojection = value;
                 if (Session != null) Session.Reprojection = value;
+            }
+        }
+
+        /// <summary>Whether the depth buffer reaches the display. Set by a component that observes the display; kept for every later session.</summary>
+        public DepthSubmission DepthSubmission
+        {
+            get => _depth;
+            set
+            {
+                _depth = value;
+                if (Session != null) Session.DepthSubmission = value;
             }
         }
 
@@ -284,6 +296,7 @@ namespace Nowpose.Unity
             {
                 DisplayTimeSource = _displayTimes,
                 Reprojection = _reprojection,
+                DepthSubmission = _depth,
             };
             if (_isWanted) Session.Connect();
             if (robot == Robot) return;

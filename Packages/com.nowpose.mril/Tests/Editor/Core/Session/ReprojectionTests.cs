@@ -33,5 +33,18 @@ namespace Nowpose.Tests
             Assert.That(session.Statistics(default).Reprojection, Is.EqualTo(ReprojectionMode.PlanarManual));
             Assert.That(DiagnosticOf(session, "reprojection"), Is.EqualTo("planar_manual"));
         }
+
+        [TestCase(DepthSubmission.Unknown, null)]
+        [TestCase(DepthSubmission.Active, "active")]
+        [TestCase(DepthSubmission.NoMainCamera, "no_main_camera")]
+        public void DepthSubmission_Reported_IsInStatisticsAndDiagnostics(DepthSubmission depth, string expected)
+        {
+            var session = NewSession();
+
+            session.DepthSubmission = depth;
+
+            Assert.That(session.Statistics(default).DepthSubmission, Is.EqualTo(depth));
+            Assert.That(DiagnosticOf(session, "depth_submission"), Is.EqualTo(expected));
+        }
     }
 }

@@ -1,6 +1,7 @@
 using System.Linq;
 using System.Text.RegularExpressions;
 using Nowpose.Editor;
+using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using NUnit.Framework;
@@ -33,6 +34,16 @@ namespace Nowpose.Tests
             var rows = SessionRows.Of(statistics).ToDictionary(row => row.Label, row => row.Value);
 
             Assert.That(rows["Display time"], Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void Rows_Reprojection_SayModeAndDepth()
+        {
+            var statistics = new SessionStatistics { Reprojection = ReprojectionMode.PlanarManual, DepthSubmission = DepthSubmission.TurnedOff };
+
+            var rows = SessionRows.Of(statistics).ToDictionary(row => row.Label, row => row.Value);
+
+            Assert.That(rows["Reprojection, depth"], Is.EqualTo("planar manual, turned off"));
         }
 
         [Test]

@@ -1,0 +1,159 @@
+using System;
+using System.Collections.Generic;
+using Microsoft.MixedReality.OpenXR;
+using Nowpose.Latency;
+using Nowpose.Unity;
+using UnityEngine;
+using UnityEngine.XR;
+using UnityEngine.XR.OpenXR;
+using PluginMode = Microsoft.MixedReality.OpenXR.ReprojectionMode;
+using ReprojectionMode = Nowpose.Latency.ReprojectionMode;
+
+namespace Nowpose.OpenXR
+{
+    /// <summary>
+    /// Reports how the display corrects finished frames for head motion, and whether the depth buffer that it needs is really submitted;
+    /// needs Microsoft's Mixed Reality OpenXR plugin.
+    /// </summary>
+    /// <remarks>No runtime tells the mode in use. It is concluded from what was asked for, and is unknown where that does not suffice.</remarks>
+    [AddComponentMenu("Nowpose/Reprojection Check")]
+    [DisallowMultipleComponent]
+    public sealed class ReprojectionCheck : MonoBehaviour
+    {
+        const string DepthExtension = "XR_KHR_composition_layer_depth";
+
+        /// <summary>Reading the runtime's name costs a string.</summary>
+        static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(250);
+
+        [SerializeField, Tooltip("The session that reports the result. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
+        readonly DepthSubmissionWatch _watch = new DepthSubmissionWatch();
+        MrilSession _target;
+        ReprojectionMode? _imposed;
+        HeadsetTime? _looked;
+        bool _isRunning, _isMissing, _isLacking;
+
+        /// <summary>Whether depth is submitted; a change counts once it has lasted a second.</summary>
+        public DepthSubmission Depth => _watch.State;
+
+        /// <summary>How the display corrects frames.</summary>
+        public ReprojectionMode Mode { get; private set; }
+
+        /// <summary>The mode that another component asks the runtime for, frame by frame; null for none.</summary>
+        internal ReprojectionMode? Imposed
+        {
+            get => _imposed;
+            set
+            {
+                if (_imposed == value) return;
+                _imposed = value;
+                Report();
+            }
+        }
+
+        void OnEnable()
+        {
+            _isRunning = true;
+            _target = this.SessionOr(_session);
+            if (_target == null) ConsoleLog.Warn(this, "reprojection check '" + name + "' has no session above it to report to; assign one");
+        }
+
+        void OnDisable()
+        {
+            _watch.Reset();
+            (_isRunning, _looked, _isMissing, _isLacking) = (false, null, false, false);
+            Report();
+            _target = null;
+        }
+
+        void Update()
+        {
+            var now = _target.ClockOrDevices().Now;
+            if (_isMissing || now - _looked < Interval) return;
+            _looked = now;
+            try
+            {
+                if (_watch.Follow(now, Observe().Judge())) Say();
+                Report();
+            }
+            catch (TypeLoadException fault)
+            {
+                // A build may lack a plugin's native library; the frame must not.
+                _isMissing = true;
+                _watch.Reset();
+                Report();
+                ConsoleLog.Warn(this, "reprojection check '" + name + "': " + fault.Message + "; whether depth is submitted is not known");
+            }
+        }
+
+        DepthObservation Observe()
+        {
+            var display = RunningDisplay();
+            if (display == null || OpenXRRuntime.name.Length == 0) return default;
+            var settings = OpenXRSettings.Instance;
+            return new DepthObservation(
+                isRunning: true,
+                isTurnedOn: settings != null && settings.depthSubmissionMode != OpenXRSettings.DepthSubmissionMode.None,
+                isSupported: OpenXRRuntime.IsExtensionEnabled(DepthExtension),
+                hasMainCamera: Camera.main != null,
+                isRequested: AsksForDepth(display));
+        }
+
+        XRDisplaySubsystem RunningDisplay()
+        {
+            if (_displays.Count == 0 || !_displays[0].running) SubsystemManager.GetSubsystems(_displays);
+            return _displays.Count > 0 && _displays[0].running ? _displays[0] : null;
+        }
+
+        static bool? AsksForDepth(XRDisplaySubsystem display)
+        {
+            var count = display.GetRenderPassCount();
+            if (count == 0) return null;
+            for (var i = 0; i < count; i++)
+            {
+                display.GetRenderPass(i, out var pass);
+                if (pass.shouldFillOutDepth) return true;
+            }
+            return false;
+        }
+
+        void Report()
+        {
+            Mode = _isRunning ? _imposed ?? ModeByDefault() : ReprojectionMode.Unknown;
+            if (_target == null) return;
+            _target.Reprojection = Mode;
+            _target.DepthSubmission = Depth;
+        }
+
+        ReprojectionMode ModeByDefault()
+        {
+            var display = _isMissing ? null : RunningDisplay();
+            if (display == null) return ReprojectionMode.Unknown;
+            switch (display.reprojectionMode)
+            {
+                case XRDisplaySubsystem.ReprojectionMode.None: return ReprojectionMode.None;
+                case XRDisplaySubsystem.ReprojectionMode.OrientationOnly: return ReprojectionMode.OrientationOnly;
+            }
+            return Depth == DepthSubmission.Active && Supports(PluginMode.Depth) ? ReprojectionMode.Depth : ReprojectionMode.Unknown;
+        }
+
+        /// <returns>False where the runtime's session has not begun. Allocates nothing.</returns>
+        internal static bool Supports(PluginMode mode)
+        {
+            var modes = ViewConfiguration.Primary?.SupportedReprojectionModes;
+            for (var i = 0; i < (modes?.Count ?? 0); i++)
+                if (modes[i] == mode) return true;
+            return false;
+        }
+
+        void Say()
+        {
+            var problem = DepthSubmissionWords.ProblemOf(Depth);
+            if (problem != null) ConsoleLog.Warn(this, problem);
+            else if (Depth == DepthSubmission.Active) ConsoleLog.Say(this, _isLacking ? "depth is submitted again" : "depth is submitted");
+            _isLacking = problem != null;
+        }
+    }
+}
