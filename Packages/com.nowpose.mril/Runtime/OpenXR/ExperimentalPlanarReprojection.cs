@@ -1,0 +1,124 @@
+using System;
+using Microsoft.MixedReality.OpenXR;
+using Nowpose.Kinematics;
+using Nowpose.Session;
+using Nowpose.Unity;
+using UnityEngine;
+using PluginMode = Microsoft.MixedReality.OpenXR.ReprojectionMode;
+using ReprojectionMode = Nowpose.Latency.ReprojectionMode;
+
+namespace Nowpose.OpenXR
+{
+    /// <summary>
+    /// An experiment: asks the display to correct frames for one plane, through the tool of a rig and facing the viewer, that moves with the
+    /// predicted tool.
+    /// </summary>
+    /// <remarks>
+    /// The request holds for one frame, so it is made for each. Disabled, it is made no more, and the runtime goes back to its earlier mode.
+    /// The velocity may count motion twice: the pose is predicted to the display time already.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Experimental Planar Reprojection")]
+    [DisallowMultipleComponent]
+    [RequireComponent(typeof(ReprojectionCheck))]
+    public sealed class ExperimentalPlanarReprojection : MonoBehaviour
+    {
+        [SerializeField, Tooltip("Experiment. The rig whose tool the plane goes through. Empty: the one on this object or below.")]
+        RobotRig _rig = null;
+
+        [SerializeField, Tooltip("Experiment. Also sends the velocity of the predicted tool. Off: the plane stands still while the frame is shown. "
+            + "On may count motion twice, for the pose is predicted to the display time already.")]
+        bool _sendVelocity = true;
+
+        readonly ToolVelocity _velocity = new ToolVelocity();
+        ReprojectionCheck _check;
+        RobotRig _source;
+        CompensationSession _session;
+        bool _isMissing;
+
+        /// <summary>Why the plane is not in use, in one line; null when it is, or the runtime's session has not begun.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>Also sends the velocity of the predicted tool.</summary>
+        public bool SendVelocity
+        {
+            get => _sendVelocity;
+            set => _sendVelocity = value;
+        }
+
+        void OnEnable()
+        {
+            _check = GetComponent<ReprojectionCheck>();
+            _source = _rig != null ? _rig : GetComponentInChildren<RobotRig>();
+            if (_source == null)
+            {
+                Refuse("has no rig on its object or below; assign one");
+                return;
+            }
+            _source.Posed += Ask;
+        }
+
+        void OnDisable()
+        {
+            if (_source is object) _source.Posed -= Ask;
+            _velocity.Reset();
+            _check.Imposed = null;
+            _source = null;
+            _isMissing = false;
+            Problem = null;
+        }
+
+        // Each time the pose was computed: a second time right before rendering, where the session does that.
+        void Ask()
+        {
+            if (_isMissing) return;
+            FollowVelocity();
+            try
+            {
+                var view = ViewConfiguration.Primary;
+                if (view == null || !view.IsActive || _source.Tool == null) _check.Imposed = null;
+                else if (!ReprojectionCheck.Supports(PluginMode.PlanarManual))
+                    Refuse("is refused: the runtime does not support PlanarManual; its own mode stays in use");
+                else Impose(view);
+            }
+            catch (TypeLoadException fault)
+            {
+                // A build may lack the plugin's native library; the frame must not.
+                _isMissing = true;
+                Refuse("is refused: " + fault.Message);
+            }
+        }
+
+        void Impose(ViewConfiguration view)
+        {
+            var camera = Camera.main;
+            var tool = _source.Tool.position;
+            var settings = new ReprojectionSettings
+            {
+                ReprojectionMode = PluginMode.PlanarManual,
+                ReprojectionPlaneOverridePosition = tool,
+            };
+            if (camera != null) settings.ReprojectionPlaneOverrideNormal = -camera.transform.forward;
+            if (_sendVelocity && _velocity.Value is { } velocity)
+                settings.ReprojectionPlaneOverrideVelocity = _source.transform.TransformDirection(UnityFrame.DirectionToUnity(velocity).Vector());
+            view.SetReprojectionSettings(settings);
+            Problem = null;
+            _check.Imposed = ReprojectionMode.PlanarManual;
+        }
+
+        // A rig that a script moves, or one that shows the newest samples, has no predicted velocity.
+        void FollowVelocity()
+        {
+            var session = _source.IsFollowing && _source.Shows == RigPose.Displayed ? _source.Session.Session : null;
+            if (session != _session) _velocity.Reset();
+            _session = session;
+            if (session != null) _velocity.Follow(_source.Session.Frame);
+        }
+
+        void Refuse(string why)
+        {
+            if (_check != null) _check.Imposed = null;
+            if (Problem == null) ConsoleLog.Warn(this, "planar reprojection '" + name + "' (experiment) " + why);
+            Problem = "planar reprojection " + why;
+        }
+    }
+}
