@@ -14,6 +14,7 @@ public sealed class EditorGUILayout
     public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options)
     {
         GuiRecorder.Properties.Add(property.propertyPath);
+        property.Drawer?.OnGUI(GetControlRect(true, 18), property, new GUIContent(property.propertyPath));
         return false;
     }
 

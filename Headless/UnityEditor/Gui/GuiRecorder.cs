@@ -21,13 +21,21 @@ static class GuiRecorder
     /// <summary>The text of the button that is clicked when it is drawn next.</summary>
     internal static string Click { get; set; }
 
+    /// <summary>The entries of each drop-down.</summary>
+    internal static List<string[]> Choices { get; } = new List<string[]>();
+
+    /// <summary>The entry that is chosen in the next drop-down that has it.</summary>
+    internal static string Choose { get; set; }
+
     internal static void Clear()
     {
         Texts.Clear();
         Buttons.Clear();
         Lines.Clear();
         Properties.Clear();
+        Choices.Clear();
         Click = null;
+        Choose = null;
     }
 
     internal static void Text(string text) => Texts.Add(text);

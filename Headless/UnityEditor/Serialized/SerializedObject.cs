@@ -26,7 +26,7 @@ public class SerializedObject : IDisposable
     {
         var field = SerializedFields.Of(targetObject.GetType()).FirstOrDefault(f => f.Name == propertyPath);
         return field == null ? null : new SerializedProperty(
-            this, propertyPath, field.FieldType, o => field.GetValue(o), (o, value) => field.SetValue(o, value));
+            this, propertyPath, field.FieldType, o => field.GetValue(o), (o, value) => field.SetValue(o, value)) { Drawer = PropertyDrawer.For(field) };
     }
 
     public void Update() => _changes.Clear();

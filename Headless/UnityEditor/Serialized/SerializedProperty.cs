@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Linq;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
@@ -21,6 +22,11 @@ public class SerializedProperty : IDisposable
 
     public SerializedObject serializedObject { get; }
     public string propertyPath { get; }
+
+    public bool hasMultipleDifferentValues => serializedObject.targetObjects.Any(o => !Equals(_get(o), Value));
+
+    /// <summary>What draws it instead of the plain field; null for none.</summary>
+    internal PropertyDrawer Drawer { get; set; }
 
     public int arraySize
     {

@@ -66,7 +66,7 @@ namespace Nowpose.Unity
         bool _rewriteBeforeRender = false;
 
         [Header("Prediction")]
-        [SerializeField, Tooltip("adaptive, hold, linear, quadratic, cubic, quadratic-h3 or quadratic-h4. Adaptive learns from the motion which of "
+        [SerializeField, PredictorName, Tooltip("adaptive, hold, linear, quadratic, cubic, quadratic-h3 or quadratic-h4. Adaptive learns from the motion which of "
             + "them is right, and bears samples' times that are off; quadratic is the paper's.")]
         string _predictor = Predictors.Default;
 
@@ -103,7 +103,7 @@ namespace Nowpose.Unity
             + "gateway, by its service /rosapi/get_time; nothing uses the Sync Port then, and the time is less exact.")]
         ControlClockSource _clockSource = ControlClockSource.ClockSync;
 
-        [SerializeField, Tooltip("default or ransac: how the offset of the headset's clock is found. ransac is the paper's; default is 5 to 15 "
+        [SerializeField, ClockEstimatorName, Tooltip("default or ransac: how the offset of the headset's clock is found. ransac is the paper's; default is 5 to 15 "
             + "times closer over WiFi and follows clocks that step.")]
         string _clockEstimator = ClockEstimators.Default;
 
