@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -6,4 +7,6 @@ namespace MixedReality.Toolkit.Subsystems;
 public interface IKeywordRecognitionSubsystem : ISubsystem
 {
     UnityEvent CreateOrGetEventForKeyword(string keyword);
+    IReadOnlyDictionary<string, UnityEvent> GetAllKeywords();
+    void RemoveKeyword(string keyword);
 }

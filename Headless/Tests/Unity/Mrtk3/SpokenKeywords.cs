@@ -16,7 +16,21 @@ sealed class SpokenKeywords : IKeywordRecognitionSubsystem
         return happened;
     }
 
-    /// <returns>Whether anybody ever asked for it.</returns>
+    /// <summary>False on a platform for which the recognition was not made.</summary>
+    public bool IsSupported { get; set; } = true;
+
+    public int Calls { get; private set; }
+
+    public IReadOnlyDictionary<string, UnityEvent> GetAllKeywords()
+    {
+        Calls++;
+        return IsSupported ? _events : null;
+    }
+
+
+    public void RemoveKeyword(string keyword) => _events.Remove(keyword);
+
+    /// <returns>Whether the keyword is registered.</returns>
     public bool Say(string keyword)
     {
         if (!running || !_events.TryGetValue(keyword, out var happened)) return false;

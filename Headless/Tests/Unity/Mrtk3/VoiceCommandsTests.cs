@@ -73,17 +73,58 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_Disabled_IsNotHeardAndAnothersListenerStays()
+    public void Keyword_Disabled_IsUnregistered()
     {
         XRSubsystemHelpers.Provide(_speech);
         Run(0.1);
+        Assert.That(_speech.GetAllKeywords().Keys, Is.EqualTo(new[] { "overlay ghost" }));
+
+        _voice.enabled = false;
+
+        Assert.That(_speech.GetAllKeywords(), Is.Empty);
+    }
+
+    [Test]
+    public void Keyword_DisabledAndRegisteredBeforeByAnother_StaysWithTheOthersListener()
+    {
         var others = 0;
         _speech.CreateOrGetEventForKeyword("overlay ghost").AddListener(() => others++);
+        XRSubsystemHelpers.Provide(_speech);
+        Run(0.1);
 
         _voice.enabled = false;
         _speech.Say("overlay ghost");
 
         Assert.That((_heard, others), Is.EqualTo((0, 1)));
+    }
+
+    [Test]
+    public void Keyword_UnregisteredByAnother_IsRegisteredAgain()
+    {
+        XRSubsystemHelpers.Provide(_speech);
+        Run(0.1);
+
+        _speech.RemoveKeyword("overlay ghost");
+        Run(0.1);
+        _speech.Say("overlay ghost");
+
+        Assert.That(_heard, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Keyword_UnsupportedPlatform_IsLoggedOnce()
+    {
+        _speech.IsSupported = false;
+        XRSubsystemHelpers.Provide(_speech);
+
+        Run(30);
+
+        Assert.That(_voice.IsListening, Is.False);
+        Assert.That(_speech.Calls, Is.EqualTo(1));
+        Assert.That(_player.Logs.Select(l => l.Message), Is.EqualTo(new[]
+        {
+            "[Nowpose] voice commands 'Voice': keyword recognition is not supported on this platform; the menu does the same",
+        }));
     }
 
     [Test]

@@ -3,12 +3,14 @@ using MixedReality.Toolkit;
 using MixedReality.Toolkit.Subsystems;
 using Nowpose.Unity;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Nowpose.Mrtk3
 {
     /// <summary>Does by voice what a menu does by hand, also while the menu is hidden, wherever the wearer looks.</summary>
     /// <remarks>
-    /// Asks MRTK3's keyword recognition as soon as it runs. The keyword of a button is heard only while the button is there:
+    /// Registers its keywords with MRTK3's keyword recognition as soon as that runs, and unregisters them when it is disabled. A keyword
+    /// that something else had registered before stays registered. The keyword of a button is heard only while the button is there:
     /// those of a hand menu would need the hand.
     /// </remarks>
     [AddComponentMenu("Nowpose/Voice Commands")]
@@ -21,9 +23,12 @@ namespace Nowpose.Mrtk3
         /// <summary>Speech starts some seconds after the scene, or never: without microphone, or where its package is missing.</summary>
         const float PatienceSeconds = 10;
 
+        // The event that each keyword was registered with, and the keywords that nobody had registered before.
+        readonly Dictionary<string, UnityEvent> _registered = new Dictionary<string, UnityEvent>();
+        readonly HashSet<string> _own = new HashSet<string>();
         IKeywordRecognitionSubsystem _recognition;
         float _since;
-        bool _isTold;
+        bool _isTold, _isUnsupported;
 
         public IReadOnlyList<VoiceCommand> Commands => _commands;
 
@@ -34,36 +39,65 @@ namespace Nowpose.Mrtk3
         {
             _since = Time.unscaledTime;
             _isTold = false;
+            _isUnsupported = false;
         }
 
         void Update()
         {
-            if (IsListening) return;
-            Leave();
-            var running = XRSubsystemHelpers.KeywordRecognitionSubsystem;
-            if (running != null) Listen(running);
-            else if (!_isTold && Time.unscaledTime - _since > PatienceSeconds)
+            if (_isUnsupported) return;
+            if (!IsListening) Find();
+            if (IsListening) Register();
+        }
+
+        void OnDisable() => Unregister();
+
+        void Find()
+        {
+            Unregister();
+            _recognition = XRSubsystemHelpers.KeywordRecognitionSubsystem;
+            if (_recognition != null || _isTold || Time.unscaledTime - _since <= PatienceSeconds) return;
+            _isTold = true;
+            ConsoleLog.Say(this, "voice commands '" + name + "': no keyword recognition runs; the menu does the same");
+        }
+
+        // Checked in each frame: another component that unregisters the same keyword takes the listeners of all away.
+        void Register()
+        {
+            var known = _recognition.GetAllKeywords();
+            if (known == null)
             {
-                _isTold = true;
-                ConsoleLog.Say(this, "voice commands '" + name + "': no keyword recognition runs; the menu does the same");
+                // MRTK3's recognition for Windows on another platform: it logs an error for each call.
+                ConsoleLog.Warn(this, "voice commands '" + name + "': keyword recognition is not supported on this platform; the menu does the same");
+                _recognition = null;
+                _isUnsupported = true;
+                return;
+            }
+            foreach (var command in _commands)
+            {
+                var keyword = command.Keyword;
+                if (keyword.Length == 0) continue;
+                var isKnown = known.TryGetValue(keyword, out var current);
+                if (isKnown && _registered.TryGetValue(keyword, out var registered) && registered == current) continue;
+                if (!isKnown) _own.Add(keyword);
+                Register(keyword);
             }
         }
 
-        void OnDisable() => Leave();
-
-        void Listen(IKeywordRecognitionSubsystem recognition)
+        void Register(string keyword)
         {
-            _recognition = recognition;
+            var heard = _recognition.CreateOrGetEventForKeyword(keyword);
+            _registered[keyword] = heard;
             foreach (var command in _commands)
-                if (command.Keyword.Length > 0) recognition.CreateOrGetEventForKeyword(command.Keyword).AddListener(command.OnHeard.Invoke);
+                if (command.Keyword == keyword) heard.AddListener(command.OnHeard.Invoke);
         }
 
-        // Only what is its own: somebody else may listen for the same word.
-        void Leave()
+        void Unregister()
         {
-            if (_recognition == null) return;
             foreach (var command in _commands)
-                if (command.Keyword.Length > 0) _recognition.CreateOrGetEventForKeyword(command.Keyword).RemoveListener(command.OnHeard.Invoke);
+                if (_registered.TryGetValue(command.Keyword, out var heard)) heard.RemoveListener(command.OnHeard.Invoke);
+            foreach (var keyword in _own) _recognition.RemoveKeyword(keyword);
+            _registered.Clear();
+            _own.Clear();
             _recognition = null;
         }
     }
