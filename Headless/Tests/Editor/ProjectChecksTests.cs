@@ -121,7 +121,7 @@ public sealed class ProjectChecksTests : EditorFixture
 
         var found = _review.Results[IndexOf("AR Foundation")];
         Assert.That(found.State, Is.EqualTo(CheckState.Advice));
-        Assert.That(found.Found, Is.EqualTo("com.unity.xr.arfoundation 4.1.7 is too old; allowed is 5.0.0 or newer"));
+        Assert.That(found.Found, Is.EqualTo("com.unity.xr.arfoundation 4.1.7 is too old; allowed is 5.0.0 or newer, but older than 7.0.0"));
         Assert.That(_review.Results[IndexOf("Mixed Reality OpenXR")].State, Is.EqualTo(CheckState.Good));
     }
 
@@ -155,7 +155,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [TestCase(null, "com.microsoft.mixedreality.openxr could not be added: Could not find file")]
-    [TestCase("nothing", "com.microsoft.mixedreality.openxr could not be added: Packages/manifest.json:0: not a JSON object")]
+    [TestCase("nothing", "com.microsoft.mixedreality.openxr could not be added: Packages/manifest.json:1: not a JSON object")]
     public void Package_ManifestUnusable_SaysWhyAndChangesNothing(string manifest, string trouble)
     {
         using var folder = new ProjectFolder();
@@ -212,7 +212,7 @@ public sealed class ProjectChecksTests : EditorFixture
         _review.LookAgain();
         Assert.That(
             _review.Results[IndexOf("MRTK3 (optional)")].Found,
-            Is.EqualTo("org.mixedrealitytoolkit.uxcomponents 3.2.9 is too old; allowed is 3.3.0 or newer"));
+            Is.EqualTo("org.mixedrealitytoolkit.uxcomponents 3.2.9 is too old; allowed is 3.3.0 or newer, but older than 4.0.0"));
     }
 
     [Test]
@@ -268,6 +268,26 @@ public sealed class ProjectChecksTests : EditorFixture
 
         Assert.That(EditorApplication.MenuItems, Is.EqualTo(new[] { "Edit/Project Settings..." }));
         Assert.That(_review.Advice[check], Does.Contain("Universal Windows Platform: tick OpenXR"));
+    }
+
+    [Test]
+    public void Package_OfMicrosoft_KeepsTheManifestsBytesAndACopy()
+    {
+        using var folder = new ProjectFolder();
+        const string before = "{\r\n\t\"dependencies\": {\r\n\t}\r\n}\r\n";
+        folder.Write("Packages/manifest.json", [0xEF, 0xBB, 0xBF, .. System.Text.Encoding.UTF8.GetBytes(before)]);
+        Project.Open(folder.Root);
+
+        Project.InRoot(() =>
+        {
+            _review.Fix(IndexOf("Mixed Reality OpenXR"));
+            return true;
+        });
+
+        var after = File.ReadAllBytes(Path.Combine(folder.Root, "Packages/manifest.json"));
+        Assert.That(after.Take(3), Is.EqualTo(new byte[] { 0xEF, 0xBB, 0xBF }));
+        Assert.That(System.Text.Encoding.UTF8.GetString(after), Does.Contain("{\r\n\t\t\"com.microsoft.mixedreality.openxr\": \"1.11.2\"\r\n\t}"));
+        Assert.That(folder.Read("Packages/manifest.json.backup"), Is.EqualTo(before));
     }
 
     int IndexOf(string title) => IndexIn(_review, title);

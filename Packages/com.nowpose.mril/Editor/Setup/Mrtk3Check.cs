@@ -1,4 +1,4 @@
-using System;
+using System.Collections.Generic;
 using System.Linq;
 
 namespace Nowpose.Editor
@@ -6,35 +6,28 @@ namespace Nowpose.Editor
     /// <summary>The packages of MRTK3 that the sample for it uses. Nothing else needs them.</summary>
     sealed class Mrtk3Check : ProjectCheck
     {
-        const string UxComponents = "org.mixedrealitytoolkit.uxcomponents";
-
-        /// <summary>The first that has the button with a checkbox, of which the menu is made.</summary>
-        static readonly Version LeastUxComponents = new Version(3, 3, 0);
-
-        static readonly string[] Packages =
-        {
-            "org.mixedrealitytoolkit.core", "org.mixedrealitytoolkit.uxcore", "org.mixedrealitytoolkit.standardassets",
-            "org.mixedrealitytoolkit.spatialmanipulation", UxComponents, "org.mixedrealitytoolkit.input",
-            "org.mixedrealitytoolkit.windowsspeech",
-        };
-
         public Mrtk3Check()
             : base("MRTK3 (optional)", "Hand menu, voice and grabbing of the sample HoloLens 2 (MRTK3); the package works without.", null) { }
 
         public override CheckResult Look(IProjectSettings project)
         {
-            var missing = Packages.Where(name => project.VersionOf(name) == null).ToList();
-            var components = project.VersionOf(UxComponents);
-            if (missing.Count == 0 && !PackageVersion.IsAtLeast(components, LeastUxComponents))
-                return new CheckResult(CheckState.Advice, UxComponents + " " + components + " is too old; allowed is " + LeastUxComponents + " or newer");
-            return missing.Count == 0
-                ? Good("MRTK3 " + project.VersionOf(Packages[0]))
+            var packages = ProjectNeeds.Mrtk3;
+            var missing = packages.Where(package => project.VersionOf(package.Name) == null).Select(package => package.Name).ToList();
+            if (missing.Count > 0) return new CheckResult(CheckState.Advice, WhatToDo(missing));
+            var wrong = packages.FirstOrDefault(package => package.Serves(project.VersionOf(package.Name)) != true);
+            return wrong == null
+                ? Good("MRTK3 " + project.VersionOf(packages[0].Name))
                 : new CheckResult(
                     CheckState.Advice,
-                    string.Join(", ", missing) + (missing.Count == 1 ? " is" : " are")
-                    + " not installed; get the tarballs from the releases of github.com/MixedRealityToolkit/MixedRealityToolkit-Unity");
+                    wrong.Name + " " + project.VersionOf(wrong.Name) + (wrong.IsTooNew(project.VersionOf(wrong.Name)) ? " is too new" : " is too old")
+                    + "; allowed is " + wrong.Bounds);
         }
 
         public override string Fix(IProjectSettings project) => null;
+
+        static string WhatToDo(List<string> missing) =>
+            string.Join(", ", missing) + (missing.Count == 1 ? " is" : " are")
+            + " not installed; close Unity and run `nowpose unity PATH --mrtk3`, or get the tarballs from the releases of "
+            + "github.com/MixedRealityToolkit/MixedRealityToolkit-Unity";
     }
 }

@@ -1,38 +1,31 @@
-using System;
-
 namespace Nowpose.Editor
 {
+    /// <summary>Whether a package is installed, in a version that serves.</summary>
     sealed class PackageCheck : ProjectCheck
     {
-        readonly string _name;
-        readonly PackageOrigin _source;
+        readonly PackageOrigin _package;
         readonly CheckState _without;
-        readonly Version _least;
 
-        /// <param name="source">Where it comes from.</param>
-        /// <param name="without">How a project stands that has not got it.</param>
-        /// <param name="least">The oldest version that serves; null for any.</param>
-        public PackageCheck(
-            string title, string why, string name, PackageOrigin source, CheckState without = CheckState.Missing, string least = null)
-            : base(title, why, "Add " + name)
+        /// <param name="without">The state of a project without the package.</param>
+        public PackageCheck(string title, string why, PackageOrigin package, CheckState without = CheckState.Missing)
+            : base(title, why, "Add " + package.Name)
         {
-            _name = name;
-            _source = source;
+            _package = package;
             _without = without;
-            _least = least == null ? null : Version.Parse(least);
         }
 
         public override CheckResult Look(IProjectSettings project)
         {
-            var version = project.VersionOf(_name);
-            if (version != null && (_least == null || PackageVersion.IsAtLeast(version, _least))) return Good(_name + " " + version);
-            if (version != null) return new CheckResult(_without, _name + " " + version + " is too old; allowed is " + _least + " or newer");
-            return new CheckResult(_without, _name + " is not installed");
+            var version = project.VersionOf(_package.Name);
+            if (version == null) return new CheckResult(_without, _package.Name + " is not installed");
+            if (_package.Serves(version) == true) return Good(_package.Name + " " + version);
+            return new CheckResult(
+                _without, _package.Name + " " + version + (_package.IsTooNew(version) ? " is too new" : " is too old") + "; allowed is " + _package.Bounds);
         }
 
         public override string Fix(IProjectSettings project)
         {
-            project.Add(_source);
+            project.Add(_package);
             return null;
         }
     }

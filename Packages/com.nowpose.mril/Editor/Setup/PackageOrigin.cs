@@ -1,30 +1,67 @@
+using System;
+
 namespace Nowpose.Editor
 {
-    /// <summary>Where a package comes from.</summary>
+    /// <summary>A package that a project needs: where it comes from, and which versions serve.</summary>
     sealed class PackageOrigin
     {
-        PackageOrigin(string name, string identifier, string version, ScopedRegistry registry)
+        readonly Version _least, _below;
+
+        PackageOrigin(string name, string identifier, string reference, ScopedRegistry registry, string least, string below)
         {
             Name = name;
             Identifier = identifier;
-            Version = version;
+            Reference = reference;
             Registry = registry;
+            _least = least == null ? null : Version.Parse(least);
+            _below = below == null ? null : Version.Parse(below);
         }
 
         public string Name { get; }
 
-        /// <summary>A name or git URL that the Package Manager takes as it is; null where a registry has to be added for it.</summary>
+        /// <summary>A name or git address that the Package Manager takes as it is; null where a registry has to be added for it.</summary>
         public string Identifier { get; }
 
-        public string Version { get; }
+        /// <summary>What stands behind the name in a manifest: a version, or an address.</summary>
+        public string Reference { get; }
+
+        /// <summary>Null for Unity's own, and for what comes by an address.</summary>
         public ScopedRegistry Registry { get; }
 
-        /// <param name="version">Null for the one that Unity recommends for this editor.</param>
-        public static PackageOrigin OfUnity(string name, string version = null) =>
-            new PackageOrigin(name, version == null ? name : name + "@" + version, version, null);
+        /// <summary>The versions that serve, in words; null where every version does.</summary>
+        public string Bounds
+        {
+            get
+            {
+                if (_least == null) return _below == null ? null : "older than " + _below;
+                return _least + (_below == null ? " or newer" : " or newer, but older than " + _below);
+            }
+        }
 
-        public static PackageOrigin OfGit(string name, string url) => new PackageOrigin(name, url, null, null);
+        /// <param name="version">The version for a manifest.</param>
+        /// <param name="isEditorsChoice">Whether the set-up window leaves the version to the editor, which recommends one.</param>
+        public static PackageOrigin OfUnity(
+            string name, string version, string least = null, string below = null, bool isEditorsChoice = false) =>
+            new PackageOrigin(name, isEditorsChoice ? name : name + "@" + version, version, null, least, below);
 
-        public static PackageOrigin Of(ScopedRegistry registry, string name, string version) => new PackageOrigin(name, null, version, registry);
+        /// <param name="address">What the Package Manager takes: a git address, or file: and a path.</param>
+        public static PackageOrigin At(string name, string address, string least = null, string below = null) =>
+            new PackageOrigin(name, address, address, null, least, below);
+
+        public static PackageOrigin Of(ScopedRegistry registry, string name, string version, string least = null, string below = null) =>
+            new PackageOrigin(name, null, version, registry, least, below);
+
+        /// <param name="version">As the Package Manager or a manifest says it.</param>
+        /// <returns>Null where the version cannot be told from the text.</returns>
+        public bool? Serves(string version)
+        {
+            if (version == Reference || (_least == null && _below == null)) return true;
+            var parsed = PackageVersion.Read(version);
+            if (parsed == null) return null;
+            return (_least == null || parsed >= _least) && (_below == null || parsed < _below);
+        }
+
+        /// <summary>Whether a version is of a newer generation than the package was written for.</summary>
+        public bool IsTooNew(string version) => _below != null && PackageVersion.Read(version) is Version parsed && parsed >= _below;
     }
 }

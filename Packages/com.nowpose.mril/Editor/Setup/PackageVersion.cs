@@ -1,10 +1,27 @@
 using System;
+using System.Text.RegularExpressions;
 
 namespace Nowpose.Editor
 {
     /// <summary>Compares versions of packages; a preview counts as its release.</summary>
     static class PackageVersion
     {
+        static readonly Regex Plain = new Regex(@"^\d+\.\d+\.\d+(-[\w.-]+)?$", RegexOptions.CultureInvariant);
+
+        // A tag such as #core-v3.3.0 at the end of a git address, or the name of a tarball such as org.example.core-3.3.0.tgz.
+        static readonly Regex InAddress = new Regex(
+            @"(?:#(?:[^#]*[-/])?v?(\d+\.\d+\.\d+)(?:-[\w.-]+)?$)|(?:-(\d+\.\d+\.\d+)(?:-[\w.]+)?\.tgz$)", RegexOptions.CultureInvariant);
+
         public static bool IsAtLeast(string version, Version least) => Version.TryParse(version.Split('-')[0], out var parsed) && parsed >= least;
+
+        /// <summary>Reads the version that a manifest asks for: a version, a git address with a tag, or a tarball.</summary>
+        /// <returns>Null where it cannot be told, as with a folder or a commit.</returns>
+        public static Version Read(string reference)
+        {
+            if (Plain.IsMatch(reference)) return Version.TryParse(reference.Split('-')[0], out var plain) ? plain : null;
+            var match = InAddress.Match(reference);
+            if (!match.Success) return null;
+            return Version.TryParse(match.Groups[1].Success ? match.Groups[1].Value : match.Groups[2].Value, out var parsed) ? parsed : null;
+        }
     }
 }

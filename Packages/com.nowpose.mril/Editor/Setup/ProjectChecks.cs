@@ -21,11 +21,10 @@ namespace Nowpose.Editor
             OpenXr,
             new PackageCheck(
                 "Mixed Reality OpenXR", "What a HoloLens has beyond OpenXR: anchors, markers, the time at which a frame is displayed.",
-                "com.microsoft.mixedreality.openxr",
-                PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2"), least: "1.11.1"),
+                ProjectNeeds.MixedRealityOpenXr),
             new PackageCheck(
                 "AR Foundation", "Markers and anchors of Microsoft's plug-in are made of it; without it the robot's base is placed by hand only.",
-                "com.unity.xr.arfoundation", PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5"), CheckState.Advice, "5.0.0"),
+                ProjectNeeds.ArFoundation, CheckState.Advice),
             new OpenXrLoaderCheck(HeadsetPlatform.HoloLens2),
             new OpenXrFeatureCheck(
                 "Mixed Reality Features", "Markers, anchors and the predicted display time come by it.", "com.microsoft.openxr.feature.hololens"),
@@ -63,8 +62,7 @@ namespace Nowpose.Editor
             new ApiLevelCheck(),
             OpenXr,
             new PackageCheck(
-                "Input System", "OpenXR gives the poses of head and controllers through it.", "com.unity.inputsystem",
-                PackageOrigin.OfUnity("com.unity.inputsystem")),
+                "Input System", "OpenXR gives the poses of head and controllers through it.", ProjectNeeds.InputSystem),
             new OpenXrLoaderCheck(HeadsetPlatform.AndroidHeadset),
             RenderMode,
             new InternetAccessCheck(),
@@ -74,7 +72,7 @@ namespace Nowpose.Editor
         };
 
         static ProjectCheck OpenXr => new PackageCheck(
-            "OpenXR", "Unity's way to the headset.", "com.unity.xr.openxr", PackageOrigin.OfUnity("com.unity.xr.openxr"));
+            "OpenXR", "Unity's way to the headset.", ProjectNeeds.OpenXr);
 
         static ProjectCheck RenderMode => new OpenXrOptionCheck(
             "Render Mode", "The package's shaders are written for it, and it draws both eyes in one go.", "m_renderMode", RenderModes, 1);
@@ -84,7 +82,7 @@ namespace Nowpose.Editor
         static ProjectCheck RunInBackground => new RunInBackgroundCheck();
 
         static ProjectCheck NativeWebSocket => new PackageCheck(
-            "NativeWebSocket (optional)", "Another way to speak WebSocket; the package has one of its own.", "com.endel.nativewebsocket",
-            PackageOrigin.OfGit("com.endel.nativewebsocket", "https://github.com/endel/NativeWebSocket.git#upm-2"), without: CheckState.Advice);
+            "NativeWebSocket (optional)", "Another WebSocket client; the package has one of its own.", ProjectNeeds.NativeWebSocket,
+            CheckState.Advice);
     }
 }

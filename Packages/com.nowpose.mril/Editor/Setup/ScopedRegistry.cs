@@ -1,22 +1,28 @@
+using System.Collections.Generic;
+
 namespace Nowpose.Editor
 {
-    /// <summary>A registry beside Unity's own, and the beginning of the names it is asked for.</summary>
+    /// <summary>A registry beside Unity's own, and the beginnings of the package names that it serves.</summary>
     sealed class ScopedRegistry
     {
+        public static readonly ScopedRegistry UnityNuGet = new ScopedRegistry("UnityNuGet", "https://unitynuget-registry.openupm.com", "org.nuget");
+
         public static readonly ScopedRegistry Microsoft = new ScopedRegistry(
             "Microsoft Mixed Reality",
             "https://pkgs.dev.azure.com/aipmr/MixedReality-Unity-Packages/_packaging/Unity-packages/npm/registry/",
-            "com.microsoft.mixedreality");
+            "com.microsoft.mixedreality", "com.microsoft.mrtk");
 
-        ScopedRegistry(string name, string url, string scope)
+        ScopedRegistry(string name, string url, params string[] scopes)
         {
             Name = name;
             Url = url;
-            Scope = scope;
+            Scopes = scopes;
         }
 
         public string Name { get; }
         public string Url { get; }
-        public string Scope { get; }
+        public IReadOnlyList<string> Scopes { get; }
+
+        public bool Is(string url) => url != null && url.TrimEnd('/') == Url.TrimEnd('/');
     }
 }

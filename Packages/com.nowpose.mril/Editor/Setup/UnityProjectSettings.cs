@@ -104,7 +104,11 @@ namespace Nowpose.Editor
         {
             try
             {
-                File.WriteAllText(Manifest, ManifestEdit.Add(File.ReadAllText(Manifest), package));
+                var file = ManifestFile.Read(Manifest);
+                var merge = new ManifestMerge(file.Text, Manifest, ConflictRule.Replace);
+                merge.Need(package);
+                if (merge.Conflicts.Count > 0) throw new InputException(string.Join("; ", merge.Conflicts));
+                if (merge.Changes.Count > 0) file.Write(merge.Text);
                 Client.Resolve();
             }
             catch (Exception e) when (e is InputException || e is IOException || e is UnauthorizedAccessException)

@@ -1,0 +1,125 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Finds every value of a JSON text.</summary>
+    /// <remarks>Strict as Unity's reader is: no comments, no trailing commas. Newtonsoft.Json accepts both and gives no positions.</remarks>
+    sealed class JsonOutlineReader
+    {
+        const int DeepestNesting = 64;
+
+        static readonly Regex Scalar = new Regex(@"\G(?:-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?|true|false|null)", RegexOptions.CultureInvariant);
+        static readonly Regex String = new Regex("\\G\"(?:[^\"\\\\\\x00-\\x1f]|\\\\(?:[\"\\\\/bfnrt]|u[0-9a-fA-F]{4}))*\"", RegexOptions.CultureInvariant);
+
+        readonly string _text, _file;
+        int _at, _depth;
+
+        JsonOutlineReader(string text, string file)
+        {
+            _text = text;
+            _file = file;
+        }
+
+        /// <param name="file">The name of the file, for messages.</param>
+        /// <exception cref="InputException">The text is no JSON object.</exception>
+        public static JsonOutline Read(string text, string file)
+        {
+            var reader = new JsonOutlineReader(text, file);
+            reader.SkipBlanks();
+            if (reader.Next != '{') throw reader.Wrong("{ is expected");
+            var root = reader.Value();
+            reader.SkipBlanks();
+            return reader._at == text.Length ? root : throw reader.Wrong("nothing is expected after the object");
+        }
+
+        /// <summary>The line of a character, counted from 1.</summary>
+        public static int LineOf(string text, int index) => 1 + text.Take(index).Count(c => c == '\n');
+
+        char Next => _at < _text.Length ? _text[_at] : '\0';
+
+        JsonOutline Value()
+        {
+            var value = new JsonOutline { ItemStart = _at, Start = _at };
+            if (Next == '{' || Next == '[') ReadItems(value);
+            else if (Next == '"') value.Text = ReadString();
+            else Skip(Scalar, "a value is expected");
+            value.End = _at;
+            return value;
+        }
+
+        void ReadItems(JsonOutline value)
+        {
+            if (++_depth > DeepestNesting) throw Wrong("nested more than " + DeepestNesting.ToString(CultureInfo.InvariantCulture) + " deep");
+            value.IsObject = Next == '{';
+            value.Items = new List<JsonOutline>();
+            var end = value.IsObject ? '}' : ']';
+            _at++;
+            SkipBlanks();
+            while (Next != end)
+            {
+                if (value.Items.Count > 0) Take(',');
+                var item = value.IsObject ? Member() : Value();
+                if (item.Name != null && value[item.Name] != null) throw Wrong("\"" + item.Name + "\" stands there twice");
+                value.Items.Add(item);
+                SkipBlanks();
+            }
+            _at++;
+            _depth--;
+        }
+
+        JsonOutline Member()
+        {
+            var start = _at;
+            if (Next != '"') throw Wrong("a name in double quotes is expected");
+            var name = ReadString();
+            SkipBlanks();
+            Take(':');
+            var value = Value();
+            value.Name = name;
+            value.ItemStart = start;
+            return value;
+        }
+
+        void Take(char expected)
+        {
+            if (Next != expected) throw Wrong(expected + " is expected");
+            _at++;
+            SkipBlanks();
+        }
+
+        string ReadString()
+        {
+            var start = _at;
+            Skip(String, "the string does not end, or has a character that must be escaped");
+            using (var reader = new JsonTextReader(new System.IO.StringReader(_text.Substring(start, _at - start))))
+            {
+                reader.DateParseHandling = DateParseHandling.None;
+                return (string)JToken.ReadFrom(reader);
+            }
+        }
+
+        void Skip(Regex pattern, string otherwise)
+        {
+            var match = pattern.Match(_text, _at);
+            if (!match.Success) throw Wrong(otherwise);
+            _at += match.Length;
+        }
+
+        void SkipBlanks()
+        {
+            while (Next == ' ' || Next == '\t' || Next == '\r' || Next == '\n') _at++;
+        }
+
+        InputException Wrong(string what)
+        {
+            var line = LineOf(_text, _at).ToString(CultureInfo.InvariantCulture);
+            var comment = Next == '/' ? " (JSON has no comments)" : "";
+            return new InputException(_file + ":" + line + ": not a JSON object: " + what + comment);
+        }
+    }
+}

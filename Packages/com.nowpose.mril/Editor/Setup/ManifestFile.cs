@@ -1,0 +1,93 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+
+namespace Nowpose.Editor
+{
+    /// <summary>A manifest on disk. Writing keeps a copy of what was there, and is done whole or not at all.</summary>
+    sealed class ManifestFile
+    {
+        const int LargestSize = 1 << 20;
+        const string BackupEnding = ".backup", NewEnding = ".nowpose-new";
+
+        static readonly byte[] Bom = { 0xEF, 0xBB, 0xBF };
+        static readonly UTF8Encoding Utf8 = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false, throwOnInvalidBytes: true);
+
+        readonly string _path;
+        readonly byte[] _content;
+
+        ManifestFile(string path, byte[] content)
+        {
+            _path = path;
+            _content = content;
+            Text = Decode();
+        }
+
+        /// <summary>Without the byte order mark, if the file has one.</summary>
+        public string Text { get; }
+
+        bool HasBom => _content.Take(Bom.Length).SequenceEqual(Bom);
+
+        /// <exception cref="InputException">The file is too large or is not UTF-8.</exception>
+        /// <exception cref="IOException">The file cannot be read.</exception>
+        /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
+        public static ManifestFile Read(string path)
+        {
+            var size = new FileInfo(path).Length;
+            if (size <= LargestSize) return new ManifestFile(path, File.ReadAllBytes(path));
+            throw new InputException(path + ": the file has " + size.ToString(CultureInfo.InvariantCulture) + " bytes; the limit is 1 MiB");
+        }
+
+        /// <returns>The path of the copy of what was there.</returns>
+        /// <exception cref="InputException">The file is read-only, or somebody else changed it since it was read.</exception>
+        /// <exception cref="IOException">The file cannot be written.</exception>
+        /// <exception cref="UnauthorizedAccessException">The file must not be written.</exception>
+        public string Write(string text)
+        {
+            if ((File.GetAttributes(_path) & FileAttributes.ReadOnly) != 0)
+                throw new InputException(_path + ": the file is read-only; make it writable, or check it out of version control, and try again");
+            if (!File.ReadAllBytes(_path).SequenceEqual(_content))
+                throw new InputException(_path + ": the file was changed by another program meanwhile; try again");
+
+            var backup = Backup();
+            var written = Utf8.GetBytes(text);
+            var next = _path + NewEnding;
+            // A copy first: the new file has the permissions of the old one.
+            File.Copy(_path, next, overwrite: true);
+            using (var stream = new FileStream(next, FileMode.Create, FileAccess.Write))
+            {
+                if (HasBom) stream.Write(Bom, 0, Bom.Length);
+                stream.Write(written, 0, written.Length);
+                stream.Flush(flushToDisk: true);
+            }
+            File.Replace(next, _path, null);
+            return backup;
+        }
+
+        // A copy of the same content serves again; any other is kept.
+        string Backup()
+        {
+            for (var number = 1; ; number++)
+            {
+                var copy = _path + BackupEnding + (number == 1 ? "" : "-" + number.ToString(CultureInfo.InvariantCulture));
+                if (!File.Exists(copy)) File.Copy(_path, copy);
+                if (File.ReadAllBytes(copy).SequenceEqual(_content)) return copy;
+            }
+        }
+
+        string Decode()
+        {
+            try
+            {
+                var skipped = HasBom ? Bom.Length : 0;
+                return Utf8.GetString(_content, skipped, _content.Length - skipped);
+            }
+            catch (DecoderFallbackException e)
+            {
+                throw new InputException(_path + ": the file is not UTF-8; save it as UTF-8", e);
+            }
+        }
+    }
+}

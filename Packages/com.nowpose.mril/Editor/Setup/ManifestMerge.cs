@@ -1,0 +1,173 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Newtonsoft.Json.Linq;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Merges what a project needs into the text of its Packages/manifest.json. What serves already stays, as does the formatting.</summary>
+    sealed class ManifestMerge
+    {
+        const string Dependencies = "dependencies", Registries = "scopedRegistries", Testables = "testables";
+
+        readonly ManifestText _manifest;
+        readonly ConflictRule _rule;
+        readonly List<string> _changes = new List<string>();
+        readonly List<string> _conflicts = new List<string>();
+        readonly List<string> _notes = new List<string>();
+
+        /// <param name="file">The name of the file, for messages.</param>
+        /// <exception cref="InputException">The text is no manifest.</exception>
+        public ManifestMerge(string text, string file, ConflictRule rule)
+        {
+            _manifest = new ManifestText(text, file);
+            _rule = rule;
+        }
+
+        public string Text => _manifest.Text;
+
+        /// <summary>What was added or replaced, in words.</summary>
+        public IReadOnlyList<string> Changes => _changes;
+
+        /// <summary>What does not serve and was not replaced, with its line. With <see cref="ConflictRule.Refuse"/> the text must not be used.</summary>
+        public IReadOnlyList<string> Conflicts => _conflicts;
+
+        /// <summary>What stays although it cannot be judged.</summary>
+        public IReadOnlyList<string> Notes => _notes;
+
+        /// <summary>The value of a dependency; null where there is none.</summary>
+        /// <exception cref="InputException">The text is no manifest.</exception>
+        public string VersionOf(string package)
+        {
+            var entry = _manifest.Find(Dependencies, isObject: true)?[package];
+            return entry == null ? null : StringOf(entry, package);
+        }
+
+        /// <param name="isExact">Whether every other version or address is a conflict.</param>
+        /// <exception cref="InputException">The text is no manifest.</exception>
+        public void Need(PackageOrigin package, bool isExact = false)
+        {
+            if (package.Registry != null && !NeedRegistry(package)) return;
+            var entry = _manifest.Find(Dependencies, isObject: true)?[package.Name];
+            if (entry == null) AddDependency(package);
+            else Judge(package, entry, StringOf(entry, package.Name), isExact);
+        }
+
+        /// <summary>Shows the tests of a package in the Test Runner.</summary>
+        /// <exception cref="InputException">The text is no manifest.</exception>
+        public void NeedTestable(string package)
+        {
+            var all = _manifest.Find(Testables, isObject: false);
+            if (all != null && all.Items.Any(item => item.Text == package)) return;
+            if (all == null) _manifest.Add(Testables, new JArray(package));
+            else _manifest.Add(all, null, package);
+            _changes.Add(Testables + ": " + package);
+        }
+
+        void AddDependency(PackageOrigin package)
+        {
+            var all = _manifest.Find(Dependencies, isObject: true);
+            if (all == null) _manifest.Add(Dependencies, new JObject { [package.Name] = package.Reference });
+            else _manifest.Add(all, package.Name, package.Reference);
+            _changes.Add(Dependencies + ": " + package.Name + " " + package.Reference);
+        }
+
+        void Judge(PackageOrigin package, JsonOutline entry, string version, bool isExact)
+        {
+            if (version == package.Reference) return;
+            var serves = isExact ? false : package.Serves(version);
+            if (serves == true) return;
+            if (serves == null)
+            {
+                _notes.Add(package.Name + " stays " + version + ": its version cannot be read there; " + package.Bounds + " is needed");
+                return;
+            }
+            var needed = isExact ? package.Reference : package.Bounds;
+            var conflict = _manifest.PlaceOf(entry) + ": " + package.Name + " is " + version + "; " + needed + " is needed";
+            if (_rule != ConflictRule.Replace)
+            {
+                _conflicts.Add(conflict);
+                return;
+            }
+            _manifest.Replace(entry, package.Reference);
+            _changes.Add(Dependencies + ": " + package.Name + " " + package.Reference + " in place of " + version);
+        }
+
+        // False where another registry serves the package and has to stay.
+        bool NeedRegistry(PackageOrigin package)
+        {
+            var registry = package.Registry;
+            var other = RegistryOf(package.Name);
+            if (other != null && !registry.Is(UrlOf(other))) return TakeOver(package, other);
+            if (other == null) other = Items(Registries).FirstOrDefault(item => registry.Is(UrlOf(item)));
+            if (other == null) AddRegistry(registry);
+            else AddScopes(registry, other);
+            return true;
+        }
+
+        bool TakeOver(PackageOrigin package, JsonOutline other)
+        {
+            var url = UrlOf(other);
+            var scopes = ScopesOf(other).ToList();
+            var isReplaceable = scopes.All(scope => package.Registry.Scopes.Contains(scope));
+            if (_rule == ConflictRule.Replace && isReplaceable && other["url"]?.Text != null)
+            {
+                _manifest.Replace(other["url"], package.Registry.Url);
+                _changes.Add(Registries + ": " + package.Registry.Url + " in place of " + url);
+                return true;
+            }
+            _conflicts.Add(
+                _manifest.PlaceOf(other) + ": " + package.Name + " comes from the registry " + url + "; " + package.Registry.Url + " is needed"
+                + (isReplaceable ? "" : "; the registry has other scopes too, so change it by hand"));
+            return _rule == ConflictRule.Keep;
+        }
+
+        void AddRegistry(ScopedRegistry registry)
+        {
+            var entry = new JObject { ["name"] = registry.Name, ["url"] = registry.Url, ["scopes"] = new JArray(registry.Scopes) };
+            var all = _manifest.Find(Registries, isObject: false);
+            if (all == null) _manifest.Add(Registries, new JArray(entry));
+            else _manifest.Add(all, null, entry);
+            _changes.Add(Registries + ": " + registry.Url + " for " + string.Join(", ", registry.Scopes));
+        }
+
+        void AddScopes(ScopedRegistry registry, JsonOutline entry)
+        {
+            var start = entry.Start;
+            foreach (var scope in registry.Scopes)
+            {
+                // An insertion moves only what stands behind it.
+                var now = Items(Registries).First(item => item.Start == start);
+                if (ScopesOf(now).Contains(scope)) continue;
+                if (now["scopes"] == null) _manifest.Add(now, "scopes", new JArray(scope));
+                else _manifest.Add(now["scopes"], null, scope);
+                _changes.Add(Registries + ": " + registry.Url + " for " + scope);
+            }
+        }
+
+        // As Unity chooses: the registry with the longest scope that the name begins with.
+        JsonOutline RegistryOf(string package)
+        {
+            return Items(Registries)
+                .SelectMany(registry => ScopesOf(registry).Select(scope => (Registry: registry, Scope: scope)))
+                .Where(pair => package == pair.Scope || package.StartsWith(pair.Scope + ".", StringComparison.Ordinal))
+                .OrderByDescending(pair => pair.Scope.Length).Select(pair => pair.Registry).FirstOrDefault();
+        }
+
+        IEnumerable<JsonOutline> Items(string name) =>
+            _manifest.Find(name, isObject: false)?.Items ?? Enumerable.Empty<JsonOutline>();
+
+        static string UrlOf(JsonOutline registry) => registry["url"]?.Text;
+
+        IEnumerable<string> ScopesOf(JsonOutline registry)
+        {
+            var scopes = registry["scopes"];
+            if (scopes == null) return Enumerable.Empty<string>();
+            if (!scopes.IsArray) throw new InputException(_manifest.PlaceOf(scopes) + ": scopes must be an array");
+            return scopes.Items.Select(item => item.Text).Where(text => text != null);
+        }
+
+        string StringOf(JsonOutline entry, string name) =>
+            entry.Text ?? throw new InputException(_manifest.PlaceOf(entry) + ": " + name + " must be a string: a version or an address");
+    }
+}

@@ -1,0 +1,69 @@
+using System.Globalization;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
+namespace Nowpose.Editor
+{
+    /// <summary>The text of a manifest. Inserts and replaces values, and leaves every other character as it is.</summary>
+    sealed class ManifestText
+    {
+        readonly string _file;
+
+        /// <param name="file">The name of the file, for messages.</param>
+        /// <exception cref="InputException">The text is no JSON object.</exception>
+        public ManifestText(string text, string file)
+        {
+            _file = file;
+            Set(text);
+        }
+
+        public string Text { get; private set; }
+        public JsonOutline Root { get; private set; }
+
+        /// <summary>The file and the line of a value, as messages begin.</summary>
+        public string PlaceOf(JsonOutline value) =>
+            _file + ":" + JsonOutlineReader.LineOf(Text, value.ItemStart).ToString(CultureInfo.InvariantCulture);
+
+        /// <summary>Adds a member behind the last one of the root object.</summary>
+        public void Add(string name, JToken value) => Add(Root, name, value);
+
+        /// <summary>Adds behind the last item. Outlines that were read before are of no use afterwards.</summary>
+        /// <param name="container">An object or an array of this text.</param>
+        /// <param name="name">Null for an array.</param>
+        public void Add(JsonOutline container, string name, JToken value)
+        {
+            var style = new JsonStyle(Text, Root);
+            if (container.Items.Count == 0)
+            {
+                var outer = style.IndentAt(container.Start);
+                var inside = style.Padded(outer, style.Item(name, value, outer + style.Indent));
+                Set(Text.Substring(0, container.Start + 1) + inside + Text.Substring(container.End - 1));
+                return;
+            }
+            var last = container.Items[container.Items.Count - 1];
+            var gap = style.GapBefore(container, last);
+            var indent = gap.Substring(gap.LastIndexOf('\n') + 1);
+            Set(Text.Insert(last.End, "," + gap + style.Item(name, value, gap.Contains('\n') ? indent : style.IndentAt(last.Start))));
+        }
+
+        /// <summary>Replaces a string by another one.</summary>
+        public void Replace(JsonOutline value, string text) =>
+            Set(Text.Substring(0, value.Start) + JsonConvert.ToString(text) + Text.Substring(value.End));
+
+        /// <summary>The object or array of that name in the root; null where there is none.</summary>
+        /// <exception cref="InputException">The value is of another kind.</exception>
+        public JsonOutline Find(string name, bool isObject)
+        {
+            var found = Root[name];
+            if (found == null) return null;
+            if (isObject ? found.IsObject : found.IsArray) return found;
+            throw new InputException(PlaceOf(found) + ": " + name + " must be " + (isObject ? "an object" : "an array"));
+        }
+
+        void Set(string text)
+        {
+            Root = JsonOutlineReader.Read(text, _file);
+            Text = text;
+        }
+    }
+}

@@ -1,0 +1,61 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Nowpose.Editor
+{
+    /// <summary>The packages that a project needs, with the versions that the package was written for. The only such table.</summary>
+    static class ProjectNeeds
+    {
+        /// <summary>The name of this package.</summary>
+        public const string Package = "com.nowpose.mril";
+
+        public static readonly PackageOrigin OpenXr = PackageOrigin.OfUnity("com.unity.xr.openxr", "1.13.0", isEditorsChoice: true);
+
+        public static readonly PackageOrigin MixedRealityOpenXr =
+            PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2", least: "1.11.1");
+
+        public static readonly PackageOrigin ArFoundation =
+            PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5", least: "5.0.0", below: "7.0.0");
+
+        public static readonly PackageOrigin InputSystem =
+            PackageOrigin.OfUnity("com.unity.inputsystem", "1.7.0", isEditorsChoice: true);
+
+        /// <summary>Its version 3 moved the types that MRTK3 is made of.</summary>
+        public static readonly PackageOrigin XrInteraction =
+            PackageOrigin.OfUnity("com.unity.xr.interaction.toolkit", "2.6.3", least: "2.3.0", below: "3.0.0");
+
+        // Version 2.0.4, as its branch upm-2 stands: the tags hold the sources, which Unity cannot import.
+        public static readonly PackageOrigin NativeWebSocket = PackageOrigin.At(
+            "com.endel.nativewebsocket", "https://github.com/endel/NativeWebSocket.git#522f0c3f5c2ef7273737707effaa840c65e20e98", least: "2.0.3");
+
+        /// <summary>What the package does not resolve without, and what its tests need.</summary>
+        public static readonly IReadOnlyList<PackageOrigin> Always = new[]
+        {
+            PackageOrigin.OfUnity("com.unity.nuget.newtonsoft-json", "3.2.1", least: "3.2.1"),
+            PackageOrigin.Of(ScopedRegistry.UnityNuGet, "org.nuget.mathnet.numerics", "5.0.0", least: "5.0.0"),
+            PackageOrigin.OfUnity("com.unity.test-framework", "1.1.33"),
+        };
+
+        /// <summary>MRTK3's own packages, each at the tag of its newest release 3.x. No registry has them.</summary>
+        public static readonly IReadOnlyList<PackageOrigin> Mrtk3 = new[]
+        {
+            Mrtk("core", "3.3.0"), Mrtk("uxcore", "3.3.0"), Mrtk("standardassets", "3.2.1"), Mrtk("spatialmanipulation", "3.4.0"),
+            // The first with the button that has a checkbox, of which the menu is made.
+            Mrtk("uxcomponents", "3.4.0", "3.3.0"), Mrtk("input", "3.3.0"), Mrtk("windowsspeech", "3.0.4"),
+        };
+
+        /// <summary>All that a project with MRTK3 on a HoloLens 2 needs beside <see cref="Always"/>.</summary>
+        public static readonly IReadOnlyList<PackageOrigin> HoloLensWithMrtk3 = new[]
+        {
+            OpenXr, MixedRealityOpenXr, ArFoundation, InputSystem, XrInteraction,
+            PackageOrigin.At(
+                "com.microsoft.mrtk.graphicstools.unity",
+                "https://github.com/microsoft/MixedReality-GraphicsTools-Unity.git?path=/com.microsoft.mrtk.graphicstools.unity#v0.8.0", least: "0.8.0"),
+        }.Concat(Mrtk3).ToArray();
+
+        static PackageOrigin Mrtk(string part, string version, string least = "3.0.0") => PackageOrigin.At(
+            "org.mixedrealitytoolkit." + part,
+            "https://github.com/MixedRealityToolkit/MixedRealityToolkit-Unity.git?path=/org.mixedrealitytoolkit." + part + "#" + part + "-v" + version,
+            least, "4.0.0");
+    }
+}

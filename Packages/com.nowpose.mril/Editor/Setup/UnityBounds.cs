@@ -1,0 +1,60 @@
+using System;
+using System.Linq;
+
+namespace Nowpose.Editor
+{
+    /// <summary>The versions of Unity that the package was compiled against or is known to fail with.</summary>
+    static class UnityBounds
+    {
+        public const string Recommended = "use 2022.3 for a HoloLens 2";
+
+        const string PlugInFails =
+            "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3 (6000.3), and newer versions are not known; " + Recommended;
+
+        // By the oldest version that a row is about, up to the next row's.
+        static readonly Row[] Rows =
+        {
+            new Row("2021.3", CheckState.Advice, "compiled against 2021.3.26; " + Recommended),
+            new Row("2022.1", CheckState.Advice, "not compiled against this release; " + Recommended),
+            new Row("2022.3", CheckState.Good, "compiled against 2022.3.7; the release for a HoloLens 2"),
+            new Row("2023.1", CheckState.Advice, "not compiled against this release; " + Recommended),
+            new Row("6000.0", CheckState.Advice, "compiled against 6000.0.78, untried on a device; " + Recommended),
+            new Row("6000.1", CheckState.Advice, "not compiled against this release, untried on a device; " + Recommended),
+            new Row("6000.3", CheckState.Advice, "not compiled against this release, untried on a device", PlugInFails),
+        };
+
+        /// <summary>The oldest Unity that the package compiles with.</summary>
+        public static string Oldest => Rows[0].From.ToString();
+
+        /// <summary>The oldest patch of 2021.3 that the packages of MRTK3 accept.</summary>
+        public static Version OldestForMrtk3 { get; } = new Version(2021, 3, 26);
+
+        /// <param name="withMicrosoft">Whether the project uses Microsoft's Mixed Reality OpenXR, as every project for a HoloLens 2 does.</param>
+        public static CheckResult Judge(UnityVersion version, bool withMicrosoft)
+        {
+            var row = Rows.LastOrDefault(r => version.Number >= r.From);
+            if (row == null) return new CheckResult(CheckState.Missing, version + " is older than " + Oldest + ", the oldest that the package compiles with");
+            return withMicrosoft && row.Failure != null
+                ? new CheckResult(CheckState.Missing, version + ": " + row.Failure)
+                : new CheckResult(row.State, version + ": " + row.Words);
+        }
+
+        sealed class Row
+        {
+            public Row(string from, CheckState state, string words, string failure = null)
+            {
+                From = Version.Parse(from);
+                State = state;
+                Words = words;
+                Failure = failure;
+            }
+
+            public Version From { get; }
+            public CheckState State { get; }
+            public string Words { get; }
+
+            /// <summary>Why it cannot be used with Microsoft's plug-in; null where it can.</summary>
+            public string Failure { get; }
+        }
+    }
+}
