@@ -15,6 +15,7 @@ static class Props
         camera.transform.position = position;
         camera.transform.eulerAngles = eulerAngles;
         var settings = camera.AddComponent<Camera>();
+        settings.clearFlags = CameraClearFlags.SolidColor;
         settings.backgroundColor = new Color(0.1f, 0.11f, 0.13f, 0);
         settings.nearClipPlane = 0.05f;
         settings.farClipPlane = 100;
@@ -29,6 +30,7 @@ static class Props
     {
         var camera = new GameObject("Main Camera") { tag = "MainCamera" };
         var settings = camera.AddComponent<Camera>();
+        settings.clearFlags = CameraClearFlags.SolidColor;
         settings.backgroundColor = new Color(0, 0, 0, 0);
         SetNearClip(settings);
         settings.farClipPlane = 100;

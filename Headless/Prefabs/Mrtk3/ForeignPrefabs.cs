@@ -47,6 +47,7 @@ static class ForeignPrefabs
         var head = offset.Child<Transform>("Main Camera", 2351505566771328562, 2351505566771328526);
         head.GameObject.tag = "MainCamera";
         var camera = head.Add<Camera>(2351505566771328527);
+        camera.clearFlags = CameraClearFlags.SolidColor;
         camera.backgroundColor = new Color(0, 0, 0, 0);
         camera.nearClipPlane = 0.02f;
         camera.farClipPlane = 100;

@@ -25,6 +25,8 @@ public abstract class EditorFixture
         EditorApplication.delayCall = null;
         EditorUtility.Chosen = "";
         Undo.Clear();
+        PrefabUtility.Recorded.Clear();
+        QualitySettings.renderPipeline = null;
         Selection.activeObject = null;
         Project.Open(null);
     }

@@ -3,6 +3,8 @@ using Nowpose.Headless.Tests.Repository;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.PackageManager;
+using UnityEngine;
+using UnityEngine.Rendering;
 using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
 namespace Nowpose.Headless.Tests.Editor;
@@ -12,14 +14,20 @@ public sealed class ProjectChecksTests : EditorFixture
 {
     UnityProjectSettings _project;
     ProjectReview _review;
+    Camera _camera;
 
     static IEnumerable<string> SettingChecks => ProjectChecks.ForHoloLens()
-        .Where(c => c is not (PackageCheck or Mrtk3Check or OpenXrLoaderCheck)).Select(c => c.Title);
+        .Where(c => c.FixLabel != null && c is not (PackageCheck or OpenXrLoaderCheck or GraphicsJobsCheck)).Select(c => c.Title);
 
     [SetUp]
     public void SetUp()
     {
         OpenXrAssets.Put(Keep, BuildTargetGroup.WSA, BuildTargetGroup.Android);
+        var player = Keep(ScriptableObject.CreateInstance<PlayerAssetOfATest>());
+        player.activeInputHandler = 0;
+        Project.Put("ProjectSettings/ProjectSettings.asset", player);
+        _camera = Keep(new GameObject("Camera") { tag = "MainCamera" }).AddComponent<Camera>();
+        _camera.nearClipPlane = 0.02f;
         _project = new UnityProjectSettings(HeadsetPlatform.HoloLens2);
         _review = new ProjectReview(ProjectChecks.ForHoloLens(), _project);
     }
@@ -44,7 +52,8 @@ public sealed class ProjectChecksTests : EditorFixture
         _review.Fix(IndexOf(title));
 
         var changed = Enumerable.Range(0, before.Length).Where(i => before[i].State != _review.Results[i].State);
-        Assert.That(changed, Is.EqualTo(new[] { IndexOf(title) }));
+        // Unity tells of Graphics Jobs for the active build target only.
+        Assert.That(changed.Where(i => _review.Checks[i] is not GraphicsJobsCheck), Is.EqualTo(new[] { IndexOf(title) }));
     }
 
     [Test]
@@ -52,10 +61,13 @@ public sealed class ProjectChecksTests : EditorFixture
     {
         for (var i = 0; i < 3; i++) _review.LookAgain();
 
-        Assert.That(_review.MissingCount, Is.EqualTo(14));
+        Assert.That(_review.MissingCount, Is.EqualTo(18));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
         Assert.That(EditorUserBuildSettings.wsaArchitecture, Is.EqualTo("x64"));
         Assert.That(PlayerSettings.runInBackground | PlayerSettings.enableFrameTimingStats, Is.False);
+        Assert.That(PlayerSettings.GetUseDefaultGraphicsAPIs(BuildTarget.WSAPlayer) & PlayerSettings.graphicsJobs);
+        Assert.That(_camera.nearClipPlane, Is.EqualTo(0.02f));
+        Assert.That(Undo.Steps, Is.Empty);
         Assert.That(Client.Asked, Is.Empty);
         Assert.That(EditorApplication.MenuItems, Is.Empty);
     }
@@ -246,7 +258,8 @@ public sealed class ProjectChecksTests : EditorFixture
     {
         _project = new UnityProjectSettings(HeadsetPlatform.AndroidHeadset);
         _review = new ProjectReview(ProjectChecks.For(HeadsetPlatform.AndroidHeadset), _project);
-        foreach (var check in Enumerable.Range(0, _review.Checks.Count).Where(i => _review.Checks[i] is not (PackageCheck or OpenXrLoaderCheck)))
+        foreach (var check in Enumerable.Range(0, _review.Checks.Count).Where(i => _review.Checks[i].FixLabel != null
+            && _review.Checks[i] is not (PackageCheck or OpenXrLoaderCheck)))
         {
             Assert.That(_review.Results[check].State, Is.Not.EqualTo(CheckState.Good), _review.Checks[check].Title);
             _review.Fix(check);
@@ -268,6 +281,68 @@ public sealed class ProjectChecksTests : EditorFixture
 
         Assert.That(EditorApplication.MenuItems, Is.EqualTo(new[] { "Edit/Project Settings..." }));
         Assert.That(_review.Advice[check], Does.Contain("Universal Windows Platform: tick OpenXR"));
+    }
+
+    [Test]
+    public void GraphicsJobs_TargetSwitched_AreToldAndTurnedOff()
+    {
+        var check = IndexOf("Graphics Jobs are off");
+        Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Unknown));
+        _review.Fix(check);
+        Assert.That(PlayerSettings.graphicsJobs, "of another target");
+
+        _review.Fix(IndexOf("Build target is Universal Windows Platform"));
+        Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Advice));
+        _review.Fix(check);
+
+        Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Good));
+        Assert.That(PlayerSettings.graphicsJobs, Is.False);
+    }
+
+    [Test]
+    public void Camera_Fixed_CanBeUndoneAndIsSavedWithThePrefabsInstance()
+    {
+        _review.Fix(IndexOf("Main camera's near clip plane is at 0.1 m"));
+        _review.Fix(IndexOf("Main camera clears to black with alpha 0"));
+
+        Assert.That(_camera.nearClipPlane, Is.EqualTo(0.1f));
+        Assert.That((_camera.clearFlags, _camera.backgroundColor), Is.EqualTo((CameraClearFlags.SolidColor, Color.clear)));
+        Assert.That(Undo.Steps, Has.Count.EqualTo(2));
+        Assert.That(PrefabUtility.Recorded, Is.EqualTo(new[] { _camera, _camera }));
+    }
+
+    [Test]
+    public void Camera_BlackButOpaque_IsMissing()
+    {
+        _camera.clearFlags = CameraClearFlags.SolidColor;
+        _camera.backgroundColor = new Color(0, 0, 0, 1);
+
+        _review.LookAgain();
+
+        Assert.That(_review.Results[IndexOf("Main camera clears to black with alpha 0")].State, Is.EqualTo(CheckState.Missing));
+    }
+
+    [Test]
+    public void RenderPipeline_OfTheLevelOrTheDefault_IsNamed()
+    {
+        var check = IndexOf("Render pipeline is the built-in one or URP");
+        Assert.That(_review.Results[check].Found, Does.StartWith("built-in"));
+
+        var graphics = Keep(ScriptableObject.CreateInstance<GraphicsAssetOfATest>());
+        graphics.m_CustomRenderPipeline = Keep(ScriptableObject.CreateInstance<HDRenderPipelineAsset>());
+        Project.Put("ProjectSettings/GraphicsSettings.asset", graphics);
+        _review.LookAgain();
+        Assert.That(_review.Results[check].Found, Does.StartWith("HDRP"));
+
+        QualitySettings.renderPipeline = Keep(ScriptableObject.CreateInstance<UniversalRenderPipelineAsset>());
+        _review.LookAgain();
+        Assert.That(_review.Results[check].Found, Does.StartWith("URP"));
+    }
+
+    [Test]
+    public void UnityVersion_OfThisEditor_IsJudged()
+    {
+        Assert.That(_review.Results[IndexOf("Unity is a version that was tried")].Found, Does.StartWith("2022.3.62f1: compiled against 2022.3.7"));
     }
 
     [Test]
@@ -293,4 +368,23 @@ public sealed class ProjectChecksTests : EditorFixture
     int IndexOf(string title) => IndexIn(_review, title);
 
     static int IndexIn(ProjectReview review, string title) => review.Checks.Select(c => c.Title).ToList().IndexOf(title);
+
+    // The serialised fields of ProjectSettings.asset and GraphicsSettings.asset that are read.
+    sealed class PlayerAssetOfATest : ScriptableObject
+    {
+        public int activeInputHandler;
+    }
+
+    sealed class GraphicsAssetOfATest : ScriptableObject
+    {
+        public RenderPipelineAsset m_CustomRenderPipeline;
+    }
+
+    sealed class UniversalRenderPipelineAsset : RenderPipelineAsset
+    {
+    }
+
+    sealed class HDRenderPipelineAsset : RenderPipelineAsset
+    {
+    }
 }

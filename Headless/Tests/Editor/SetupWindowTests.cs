@@ -19,7 +19,7 @@ public sealed class SetupWindowTests : EditorFixture
     {
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("14 points are missing for a HoloLens 2."));
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("15 points are missing for a HoloLens 2."));
         Assert.That(GuiRecorder.Texts, Does.Contain("✗ Scripting backend is IL2CPP"));
         Assert.That(GuiRecorder.Texts, Does.Contain("missing: another backend is chosen"));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
@@ -36,7 +36,7 @@ public sealed class SetupWindowTests : EditorFixture
         GuiRecorder.Clear();
         Send("OnGUI");
 
-        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("13 points are missing for a HoloLens 2."));
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("14 points are missing for a HoloLens 2."));
         Assert.That(GuiRecorder.Texts, Does.Contain("✓ Capability WebCam"));
         Assert.That(GuiRecorder.Buttons, Does.Not.Contain("Declare WebCam"));
         Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam));

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor.Build;
+using UnityEngine.Rendering;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
@@ -9,7 +10,11 @@ public sealed class PlayerSettings : Object
     static readonly Dictionary<string, ScriptingImplementation> Backends = new Dictionary<string, ScriptingImplementation>();
     static readonly Dictionary<string, ApiCompatibilityLevel> ApiLevels = new Dictionary<string, ApiCompatibilityLevel>();
 
+    static readonly Dictionary<BuildTarget, GraphicsDeviceType[]> GraphicsApis = new Dictionary<BuildTarget, GraphicsDeviceType[]>();
+
     PlayerSettings() { }
+
+    public static bool graphicsJobs { get; set; } = true;
 
     public static bool enableFrameTimingStats { get; set; }
     public static bool runInBackground { get; set; }
@@ -24,11 +29,30 @@ public sealed class PlayerSettings : Object
 
     public static void SetApiCompatibilityLevel(NamedBuildTarget buildTarget, ApiCompatibilityLevel value) => ApiLevels[buildTarget.TargetName] = value;
 
+    /// <summary>What Unity 6 chooses by itself, where nobody chose.</summary>
+    public static GraphicsDeviceType[] GetGraphicsAPIs(BuildTarget platform) =>
+        GraphicsApis.TryGetValue(platform, out var apis) ? apis : new[] { GraphicsDeviceType.Direct3D12, GraphicsDeviceType.Direct3D11 };
+
+    public static bool GetUseDefaultGraphicsAPIs(BuildTarget platform) => !GraphicsApis.ContainsKey(platform);
+
+    public static void SetGraphicsAPIs(BuildTarget platform, GraphicsDeviceType[] apis)
+    {
+        if (GraphicsApis.ContainsKey(platform)) GraphicsApis[platform] = apis;
+    }
+
+    public static void SetUseDefaultGraphicsAPIs(BuildTarget platform, bool automatic)
+    {
+        if (automatic) GraphicsApis.Remove(platform);
+        else GraphicsApis[platform] = GetGraphicsAPIs(platform);
+    }
+
     /// <summary>As in a project in which nobody set anything.</summary>
     internal static void Reset()
     {
         Backends.Clear();
         ApiLevels.Clear();
+        GraphicsApis.Clear();
+        graphicsJobs = true;
         enableFrameTimingStats = runInBackground = false;
         WSA.Capabilities.Clear();
         Android.forceInternetPermission = false;

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using Object = UnityEngine.Object;
 
@@ -14,6 +15,11 @@ public sealed class PrefabUtility
         Sources.Add(instance, assetComponentOrGameObject);
         return instance;
     }
+
+    /// <summary>Objects whose changes would be saved with the scene, for those that come from a prefab.</summary>
+    internal static List<Object> Recorded { get; } = new List<Object>();
+
+    public static void RecordPrefabInstancePropertyModifications(Object targetObject) => Recorded.Add(targetObject);
 
     public static TObject GetCorrespondingObjectFromSource<TObject>(TObject componentOrGameObject) where TObject : Object =>
         Sources.TryGetValue(componentOrGameObject, out var source) ? (TObject)source : null;

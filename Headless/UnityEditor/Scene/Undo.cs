@@ -12,6 +12,8 @@ public class Undo
     /// <summary>Objects that the steps made.</summary>
     internal static List<Object> Created { get; } = new List<Object>();
 
+    public static void RecordObject(Object objectToUndo, string name) => Steps.Add(name);
+
     public static void RecordObjects(Object[] objectsToUndo, string name) => Steps.Add(name);
 
     public static void RegisterCreatedObjectUndo(Object objectToUndo, string name)

@@ -24,6 +24,7 @@ public struct Color : IEquatable<Color>, IFormattable
     public static Color red => new(1, 0, 0);
     public static Color green => new(0, 1, 0);
     public static Color blue => new(0, 0, 1);
+    public static Color clear => new(0, 0, 0, 0);
 
     public static Color operator +(Color a, Color b) => new(a.r + b.r, a.g + b.g, a.b + b.b, a.a + b.a);
     public static Color operator -(Color a, Color b) => new(a.r - b.r, a.g - b.g, a.b - b.b, a.a - b.a);

@@ -13,6 +13,7 @@ public sealed class Camera : Behaviour
     [SerializeField, SerializedName("orthographic")] bool _orthographic;
     [SerializeField, SerializedName("orthographic size")] float _orthographicSize = 5;
     [SerializeField, SerializedName("m_Depth")] float _depth;
+    [SerializeField, SerializedName("m_ClearFlags")] CameraClearFlags _clearFlags = CameraClearFlags.Skybox;
     [SerializeField, SerializedName("m_BackGroundColor")] Color _backgroundColor = new(0.19f, 0.3f, 0.47f, 0);
     [SerializeField, SerializedName("m_CullingMask")] int _cullingMask = -1;
 
@@ -44,6 +45,12 @@ public sealed class Camera : Behaviour
     {
         get => _depth;
         set => _depth = value;
+    }
+
+    public CameraClearFlags clearFlags
+    {
+        get => _clearFlags;
+        set => _clearFlags = value;
     }
 
     public Color backgroundColor

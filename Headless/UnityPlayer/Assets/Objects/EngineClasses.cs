@@ -16,7 +16,7 @@ static class EngineClasses
     {
         new ObjectClass(1, "GameObject", typeof(GameObject), Headers.Object.Concat(GameObjectSlots()).ToArray()),
         new ObjectClass(4, "Transform", typeof(Transform), Headers.Component.Concat(TransformSlots()).ToArray()),
-        Component<Camera>(20, "m_Enabled", ("serializedVersion", "2"), ("m_ClearFlags", "2"), "m_BackGroundColor", "near clip plane",
+        Component<Camera>(20, "m_Enabled", ("serializedVersion", "2"), "m_ClearFlags", "m_BackGroundColor", "near clip plane",
             "far clip plane", "field of view", "orthographic", "orthographic size", "m_Depth",
             Slot.Field(typeof(Camera), "m_CullingMask", new BitsFormat()), ("m_RenderingPath", "-1"),
             Slot.Constant("m_TargetTexture", AssetReference.None.Write()), ("m_TargetDisplay", "0")),

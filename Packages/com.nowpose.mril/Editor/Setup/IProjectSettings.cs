@@ -1,4 +1,6 @@
+using System.Collections.Generic;
 using UnityEditor;
+using UnityEngine.Rendering;
 
 namespace Nowpose.Editor
 {
@@ -14,6 +16,9 @@ namespace Nowpose.Editor
         /// <summary>The headset whose player is looked at.</summary>
         HeadsetPlatform Platform { get; }
 
+        /// <summary>The version of this editor, as Unity writes it.</summary>
+        string EditorVersion { get; }
+
         /// <summary>Whether the project is built for it, in words where it is not; null where it is.</summary>
         string OtherTarget { get; }
 
@@ -25,6 +30,27 @@ namespace Nowpose.Editor
         bool UsesNetStandard { get; set; }
         bool FrameTimingStats { get; set; }
         bool RunsInBackground { get; set; }
+
+        /// <summary>The graphics APIs that the player may use, the preferred one first; empty where the editor does not know the player.</summary>
+        IReadOnlyList<GraphicsDeviceType> GraphicsApis { get; }
+
+        /// <summary>Whether Unity chooses them.</summary>
+        bool IsGraphicsApiAutomatic { get; }
+
+        /// <summary>Null while another build target is active.</summary>
+        bool? UsesGraphicsJobs { get; }
+
+        /// <summary>0 for the old Input Manager, 1 for the Input System, 2 for both; null where the setting cannot be read.</summary>
+        int? InputHandling { get; }
+
+        /// <summary>Type name of the render pipeline's asset; null for the built-in pipeline.</summary>
+        string RenderPipeline { get; }
+
+        /// <summary>Of the main camera in the open scenes; null where they have none.</summary>
+        bool? ClearsToTransparentBlack { get; }
+
+        /// <summary>Of the main camera in the open scenes, metres; null where they have none.</summary>
+        float? NearClipMetres { get; set; }
 
         /// <summary>Whether the Android player asks for internet access.</summary>
         bool AsksForInternet { get; set; }
@@ -43,6 +69,14 @@ namespace Nowpose.Editor
 
         /// <returns>False where there are no such settings.</returns>
         bool ChooseOpenXrOption(string field, int value);
+
+        void UseGraphicsApi(GraphicsDeviceType api);
+        void TurnGraphicsJobsOff();
+
+        /// <returns>False where the setting cannot be written.</returns>
+        bool ChooseInputHandling(int value);
+
+        void ClearToTransparentBlack();
 
         /// <returns>False where the editor was installed without the platform.</returns>
         bool SwitchToPlatform();

@@ -14,7 +14,7 @@ namespace Nowpose.Editor
         const int DeepestNesting = 64;
 
         static readonly Regex Scalar = new Regex(@"\G(?:-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?|true|false|null)", RegexOptions.CultureInvariant);
-        static readonly Regex String = new Regex("\\G\"(?:[^\"\\\\\\x00-\\x1f]|\\\\(?:[\"\\\\/bfnrt]|u[0-9a-fA-F]{4}))*\"", RegexOptions.CultureInvariant);
+        static readonly Regex Quoted = new Regex("\\G\"(?:[^\"\\\\\\x00-\\x1f]|\\\\(?:[\"\\\\/bfnrt]|u[0-9a-fA-F]{4}))*\"", RegexOptions.CultureInvariant);
 
         readonly string _text, _file;
         int _at, _depth;
@@ -95,7 +95,7 @@ namespace Nowpose.Editor
         string ReadString()
         {
             var start = _at;
-            Skip(String, "the string does not end, or has a character that must be escaped");
+            Skip(Quoted, "the string does not end, or has a character that must be escaped");
             using (var reader = new JsonTextReader(new System.IO.StringReader(_text.Substring(start, _at - start))))
             {
                 reader.DateParseHandling = DateParseHandling.None;

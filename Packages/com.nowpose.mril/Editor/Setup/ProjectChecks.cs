@@ -14,10 +14,15 @@ namespace Nowpose.Editor
 
         public static IReadOnlyList<ProjectCheck> ForHoloLens() => new ProjectCheck[]
         {
+            new UnityVersionCheck(),
             new BuildTargetCheck(HeadsetPlatform.HoloLens2),
             new ScriptingBackendCheck(HeadsetPlatform.HoloLens2),
             new ArchitectureCheck(),
             new ApiLevelCheck(),
+            new GraphicsApiCheck(),
+            new GraphicsJobsCheck(),
+            new RenderPipelineCheck(),
+            new InputHandlingCheck(),
             OpenXr,
             new PackageCheck(
                 "Mixed Reality OpenXR", "What a HoloLens has beyond OpenXR: anchors, markers, the time at which a frame is displayed.",
@@ -51,15 +56,21 @@ namespace Nowpose.Editor
             new CapabilityCheck(PlayerSettings.WSACapability.Microphone, "To call the hand menu's commands by voice.", CheckState.Advice),
             FrameTiming,
             RunInBackground,
+            new CameraBackgroundCheck(),
+            new NearClipCheck(),
+            new MrtkGenerationCheck(),
             new Mrtk3Check(),
             NativeWebSocket,
         };
 
         public static IReadOnlyList<ProjectCheck> ForAndroid() => new ProjectCheck[]
         {
+            new UnityVersionCheck(),
             new BuildTargetCheck(HeadsetPlatform.AndroidHeadset),
             new ScriptingBackendCheck(HeadsetPlatform.AndroidHeadset),
             new ApiLevelCheck(),
+            new RenderPipelineCheck(),
+            new InputHandlingCheck(),
             OpenXr,
             new PackageCheck(
                 "Input System", "OpenXR gives the poses of head and controllers through it.", ProjectNeeds.InputSystem),

@@ -1,9 +1,12 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using UnityEditor;
 using UnityEditor.PackageManager;
 using UnityEditor.PackageManager.Requests;
+using UnityEngine;
+using UnityEngine.Rendering;
 // UnityEditor has another of that name.
 using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
@@ -27,6 +30,8 @@ namespace Nowpose.Editor
         public string Trouble => _adding != null && _adding.Status == StatusCode.Failure
             ? _package.Name + " could not be added: " + _adding.Error.message
             : _trouble;
+
+        public string EditorVersion => Application.unityVersion;
 
         public string OtherTarget => EditorUserBuildSettings.activeBuildTarget == Platform.Target
             ? null
@@ -69,6 +74,25 @@ namespace Nowpose.Editor
             set => PlayerSettings.Android.forceInternetPermission = value;
         }
 
+        public IReadOnlyList<GraphicsDeviceType> GraphicsApis => PlayerSettings.GetGraphicsAPIs(Platform.Target);
+
+        public bool IsGraphicsApiAutomatic => PlayerSettings.GetUseDefaultGraphicsAPIs(Platform.Target);
+
+        public bool? UsesGraphicsJobs => OtherTarget == null ? PlayerSettings.graphicsJobs : (bool?)null;
+
+        public int? InputHandling => ProjectAssets.InputHandling;
+
+        public string RenderPipeline =>
+            QualitySettings.renderPipeline == null ? ProjectAssets.DefaultRenderPipeline : QualitySettings.renderPipeline.GetType().Name;
+
+        public bool? ClearsToTransparentBlack => MainCamera.ClearsToTransparentBlack;
+
+        public float? NearClipMetres
+        {
+            get => MainCamera.NearClipMetres;
+            set => MainCamera.NearClipMetres = value;
+        }
+
         public bool? UsesOpenXr => XrPlugIns.UseOpenXr(Platform.Group);
 
         public bool? IsFeatureOn(string featureId) => OpenXrOptions.IsOn(Platform.Group, featureId);
@@ -78,6 +102,18 @@ namespace Nowpose.Editor
         public int? OpenXrOption(string field) => OpenXrOptions.Get(Platform.Group, field);
 
         public bool ChooseOpenXrOption(string field, int value) => OpenXrOptions.Set(Platform.Group, field, value);
+
+        public void UseGraphicsApi(GraphicsDeviceType api)
+        {
+            PlayerSettings.SetUseDefaultGraphicsAPIs(Platform.Target, false);
+            PlayerSettings.SetGraphicsAPIs(Platform.Target, new[] { api });
+        }
+
+        public void TurnGraphicsJobsOff() => PlayerSettings.graphicsJobs = false;
+
+        public bool ChooseInputHandling(int value) => ProjectAssets.ChooseInputHandling(value);
+
+        public void ClearToTransparentBlack() => MainCamera.ClearToTransparentBlack();
 
         public bool SwitchToPlatform() => EditorUserBuildSettings.SwitchActiveBuildTarget(Platform.Named, Platform.Target);
 

@@ -1,0 +1,7 @@
+namespace UnityEngine;
+
+public enum CameraClearFlags
+{
+    Skybox = 1,
+    SolidColor = 2,
+}

@@ -1,0 +1,5 @@
+namespace UnityEngine.Rendering;
+
+public abstract class RenderPipelineAsset : ScriptableObject
+{
+}

@@ -1,0 +1,32 @@
+using UnityEngine.Rendering;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Whether the player can only use Direct3D 11.</summary>
+    sealed class GraphicsApiCheck : ProjectCheck
+    {
+        public GraphicsApiCheck()
+            : base(
+                "Graphics API is Direct3D 11, and no other",
+                "The visualisation latency depends on it, so a calibration holds for one API only. Unity 6 chooses Direct3D 12 by itself, "
+                + "which Unity measured to be slower on a HoloLens 2.", "Use Direct3D 11 only") { }
+
+        public override CheckResult Look(IProjectSettings project)
+        {
+            var apis = project.GraphicsApis;
+            var names = string.Join(", ", apis);
+            if (apis.Count == 0) return new CheckResult(CheckState.Unknown, "Unity names no graphics API for this player; its module is not installed");
+            var isAlone = apis.Count == 1 && apis[0] == GraphicsDeviceType.Direct3D11;
+            if (!project.IsGraphicsApiAutomatic) return isAlone ? Good(names) : Missing(names + " in the list");
+            return isAlone
+                ? new CheckResult(CheckState.Advice, "automatic, which is " + names + " in this version of Unity")
+                : Missing("automatic, which is " + names + " in this version of Unity");
+        }
+
+        public override string Fix(IProjectSettings project)
+        {
+            project.UseGraphicsApi(GraphicsDeviceType.Direct3D11);
+            return null;
+        }
+    }
+}

@@ -1,0 +1,29 @@
+namespace Nowpose.Editor
+{
+    /// <summary>Whether Unity spreads its rendering commands over worker threads.</summary>
+    sealed class GraphicsJobsCheck : ProjectCheck
+    {
+        public GraphicsJobsCheck()
+            : base(
+                "Graphics Jobs are off",
+                "They change when a frame reaches the display, so a calibration of the visualisation latency holds for one choice only. "
+                + "Calibrate again after every change.", "Turn Graphics Jobs off") { }
+
+        public override CheckResult Look(IProjectSettings project)
+        {
+            switch (project.UsesGraphicsJobs)
+            {
+                case false: return Good("off");
+                case true: return new CheckResult(CheckState.Advice, "on");
+                default: return new CheckResult(CheckState.Unknown, "Unity tells it for the active build target only; switch that first");
+            }
+        }
+
+        public override string Fix(IProjectSettings project)
+        {
+            if (project.UsesGraphicsJobs == null) return "Switch the build target first.";
+            project.TurnGraphicsJobsOff();
+            return null;
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>The main camera of the open scenes. A change can be undone, and is saved with the scene.</summary>
+    static class MainCamera
+    {
+        /// <summary>Null where the scenes have no enabled main camera.</summary>
+        public static bool? ClearsToTransparentBlack
+        {
+            get
+            {
+                var camera = Camera.main;
+                if (camera == null) return null;
+                return camera.clearFlags == CameraClearFlags.SolidColor && camera.backgroundColor == Color.clear;
+            }
+        }
+
+        /// <summary>Metres; null where the scenes have no enabled main camera.</summary>
+        public static float? NearClipMetres
+        {
+            get => Camera.main == null ? (float?)null : Camera.main.nearClipPlane;
+            set
+            {
+                if (Camera.main == null || value == null) return;
+                Undo.RecordObject(Camera.main, "Near clip plane");
+                Camera.main.nearClipPlane = value.Value;
+                PrefabUtility.RecordPrefabInstancePropertyModifications(Camera.main);
+            }
+        }
+
+        public static void ClearToTransparentBlack()
+        {
+            if (Camera.main == null) return;
+            Undo.RecordObject(Camera.main, "Clear to transparent black");
+            Camera.main.clearFlags = CameraClearFlags.SolidColor;
+            Camera.main.backgroundColor = Color.clear;
+            PrefabUtility.RecordPrefabInstancePropertyModifications(Camera.main);
+        }
+    }
+}

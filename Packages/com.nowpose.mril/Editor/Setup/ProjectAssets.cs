@@ -1,0 +1,43 @@
+using System;
+using UnityEditor;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Settings of a project that Unity gives no methods for, by the names of their serialised fields.</summary>
+    static class ProjectAssets
+    {
+        const string Player = "ProjectSettings/ProjectSettings.asset", Graphics = "ProjectSettings/GraphicsSettings.asset";
+        const string Handling = "activeInputHandler";
+
+        /// <summary>Active Input Handling; null where it is not found.</summary>
+        public static int? InputHandling => Read(Player, Handling, property => (int?)property.intValue);
+
+        /// <summary>Type name of the asset of the default render pipeline; null for the built-in one.</summary>
+        public static string DefaultRenderPipeline => Read(Graphics, "m_CustomRenderPipeline", TypeOfReferenced);
+
+        /// <returns>False where the setting is not found.</returns>
+        public static bool ChooseInputHandling(int value) => Read(Player, Handling, property =>
+        {
+            property.intValue = value;
+            property.serializedObject.ApplyModifiedProperties();
+            return true;
+        });
+
+        static string TypeOfReferenced(SerializedProperty property)
+        {
+            var asset = property.objectReferenceValue;
+            return asset == null ? null : asset.GetType().Name;
+        }
+
+        static T Read<T>(string path, string field, Func<SerializedProperty, T> read)
+        {
+            var all = AssetDatabase.LoadAllAssetsAtPath(path);
+            if (all.Length == 0 || all[0] == null) return default;
+            using (var serialised = new SerializedObject(all[0]))
+            {
+                var property = serialised.FindProperty(field);
+                return property == null ? default : read(property);
+            }
+        }
+    }
+}

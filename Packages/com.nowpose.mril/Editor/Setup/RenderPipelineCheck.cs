@@ -1,0 +1,27 @@
+using System;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Which render pipeline draws, and whether the package's shaders are written for it.</summary>
+    sealed class RenderPipelineCheck : ProjectCheck
+    {
+        public RenderPipelineCheck()
+            : base(
+                "Render pipeline is the built-in one or URP",
+                "The package's shaders have a SubShader for each of the two. The visualisation latency depends on the pipeline: calibrate again after "
+                + "a change.", null) { }
+
+        public override CheckResult Look(IProjectSettings project)
+        {
+            var asset = project.RenderPipeline;
+            if (asset == null) return Good("built-in render pipeline; the shaders' built-in SubShader is used");
+            if (asset.StartsWith("UniversalRenderPipeline", StringComparison.Ordinal)) return Good("URP (" + asset + "); the shaders' SubShader for URP is used");
+            if (asset.StartsWith("HDRenderPipeline", StringComparison.Ordinal))
+                return Missing("HDRP (" + asset + "): the package has no shaders for it; choose URP or none under Project Settings, Graphics and Quality");
+            return new CheckResult(
+                CheckState.Unknown, asset + ": the package's shaders were not written for it; choose URP or none under Project Settings, Graphics and Quality");
+        }
+
+        public override string Fix(IProjectSettings project) => null;
+    }
+}

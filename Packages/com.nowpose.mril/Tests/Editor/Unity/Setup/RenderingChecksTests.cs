@@ -1,0 +1,155 @@
+using Nowpose.Editor;
+using NUnit.Framework;
+using UnityEngine.Rendering;
+
+namespace Nowpose.Tests
+{
+    /// <summary>The checks of what moves the visualisation latency and of the camera: good, bad, fixed, unknown.</summary>
+    public class RenderingChecksTests
+    {
+        readonly FakeProject _project = new FakeProject();
+
+        static string State(ProjectCheck check, IProjectSettings project) => check.Look(project).State.ToString();
+
+        [TestCase(false, "Good", GraphicsDeviceType.Direct3D11)]
+        [TestCase(false, "Missing", GraphicsDeviceType.Direct3D12)]
+        [TestCase(false, "Missing", GraphicsDeviceType.Direct3D11, GraphicsDeviceType.Direct3D12)]
+        [TestCase(false, "Unknown")]
+        [TestCase(true, "Advice", GraphicsDeviceType.Direct3D11)]
+        [TestCase(true, "Missing", GraphicsDeviceType.Direct3D12, GraphicsDeviceType.Direct3D11)]
+        public void GraphicsApi_List_IsJudgedAndPinned(bool isAutomatic, string state, params GraphicsDeviceType[] apis)
+        {
+            var project = new FakeProject { IsGraphicsApiAutomatic = isAutomatic, GraphicsApis = apis };
+            var check = new GraphicsApiCheck();
+            Assert.That(State(check, project), Is.EqualTo(state));
+
+            Assert.That(check.Fix(project), Is.Null);
+
+            Assert.That(State(check, project), Is.EqualTo("Good"));
+            Assert.That(project.GraphicsApis, Is.EqualTo(new[] { GraphicsDeviceType.Direct3D11 }));
+        }
+
+        [TestCase(false, "Good")]
+        [TestCase(true, "Advice")]
+        public void GraphicsJobs_Choice_IsJudgedAndTurnedOff(bool isOn, string state)
+        {
+            _project.UsesGraphicsJobs = isOn;
+            var check = new GraphicsJobsCheck();
+            Assert.That(State(check, _project), Is.EqualTo(state));
+
+            Assert.That(check.Fix(_project), Is.Null);
+
+            Assert.That(State(check, _project), Is.EqualTo("Good"));
+        }
+
+        [Test]
+        public void GraphicsJobs_OtherTargetActive_AreNotKnownAndLeftAlone()
+        {
+            _project.UsesGraphicsJobs = null;
+            var check = new GraphicsJobsCheck();
+
+            Assert.That(State(check, _project), Is.EqualTo("Unknown"));
+            Assert.That(check.Fix(_project), Does.Contain("build target"));
+            Assert.That(_project.UsesGraphicsJobs, Is.Null);
+        }
+
+        [TestCase(0, "Missing")]
+        [TestCase(1, "Good")]
+        [TestCase(2, "Good")]
+        [TestCase(7, "Missing")]
+        public void InputHandling_HoloLens_IsJudgedAndChosen(int value, string state)
+        {
+            _project.InputHandling = value;
+            var check = new InputHandlingCheck();
+            Assert.That(State(check, _project), Is.EqualTo(state));
+
+            Assert.That(check.Fix(_project), Is.Null);
+
+            Assert.That(_project.InputHandling, Is.EqualTo(1));
+            Assert.That(State(check, _project), Is.EqualTo("Good"));
+        }
+
+        [Test]
+        public void InputHandling_BothOnAndroid_IsAdvisedAgainst()
+        {
+            var android = new FakeProject(HeadsetPlatform.AndroidHeadset) { InputHandling = 2 };
+
+            Assert.That(State(new InputHandlingCheck(), android), Is.EqualTo("Advice"));
+        }
+
+        [Test]
+        public void InputHandling_NotFound_IsUnknownAndTheFixSaysWhereItIs()
+        {
+            _project.InputHandling = null;
+            _project.IsInputHandlingWritable = false;
+            var check = new InputHandlingCheck();
+
+            Assert.That(State(check, _project), Is.EqualTo("Unknown"));
+            Assert.That(check.Fix(_project), Does.Contain("Active Input Handling"));
+            Assert.That(_project.SettingsOpened, Is.EqualTo(1));
+        }
+
+        [TestCase(null, "Good", "built-in")]
+        [TestCase("UniversalRenderPipelineAsset", "Good", "URP")]
+        [TestCase("HDRenderPipelineAsset", "Missing", "HDRP")]
+        [TestCase("OwnPipelineAsset", "Unknown", "OwnPipelineAsset")]
+        public void RenderPipeline_Asset_IsNamedWithWhatItMeans(string asset, string state, string words)
+        {
+            _project.RenderPipeline = asset;
+            var check = new RenderPipelineCheck();
+
+            Assert.That(State(check, _project), Is.EqualTo(state));
+            Assert.That(check.Look(_project).Found, Does.Contain(words).And.Contain("shaders"));
+            Assert.That(check.FixLabel, Is.Null);
+        }
+
+        [TestCase(true, "Good")]
+        [TestCase(false, "Missing")]
+        public void Background_MainCamera_IsJudgedAndCleared(bool isClear, string state)
+        {
+            _project.ClearsToTransparentBlack = isClear;
+            var check = new CameraBackgroundCheck();
+            Assert.That(State(check, _project), Is.EqualTo(state));
+
+            Assert.That(check.Fix(_project), Is.Null);
+
+            Assert.That(State(check, _project), Is.EqualTo("Good"));
+        }
+
+        [TestCase(0.02f, "Missing", "0.02 m; one step of the depth is 1.72 mm at 1.5 m")]
+        [TestCase(0.1f, "Good", "0.1 m")]
+        [TestCase(0.3f, "Good", "0.3 m")]
+        [TestCase(0.85f, "Advice", "0.85 m; what is nearer to the eyes is cut off")]
+        public void NearClip_MainCamera_IsJudgedByTheStepOfTheDepth(float near, string state, string found)
+        {
+            _project.NearClipMetres = near;
+            var check = new NearClipCheck();
+            Assert.That(State(check, _project), Is.EqualTo(state));
+            Assert.That(check.Look(_project).Found, Is.EqualTo(found));
+
+            Assert.That(check.Fix(_project), Is.Null);
+
+            Assert.That(_project.NearClipMetres, Is.EqualTo(0.1f));
+            Assert.That(State(check, _project), Is.EqualTo("Good"));
+        }
+
+        [Test]
+        public void Camera_None_IsUnknownAndNothingIsChanged()
+        {
+            foreach (var check in new ProjectCheck[] { new CameraBackgroundCheck(), new NearClipCheck() })
+            {
+                Assert.That(State(check, _project), Is.EqualTo("Unknown"));
+                Assert.That(check.Fix(_project), Does.Contain("Open a scene"));
+            }
+            Assert.That(_project.NearClipMetres, Is.Null);
+            Assert.That(_project.ClearsToTransparentBlack, Is.Null);
+        }
+
+        [SetUp]
+        public void ForgetTheCamera()
+        {
+            _project.NearClipMetres = null;
+            _project.ClearsToTransparentBlack = null;
+        }
+    }
+}
