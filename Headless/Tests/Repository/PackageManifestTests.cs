@@ -20,6 +20,17 @@ public sealed class PackageManifestTests
         Assert.That(Manifest.GetProperty(field).GetString(), Is.EqualTo(value));
     }
 
+    [TestCase("documentationUrl", "/Documentation~/index.md")]
+    [TestCase("changelogUrl", "/CHANGELOG.md")]
+    [TestCase("licensesUrl", "/LICENSE.md")]
+    public void Package_Address_IsThatOfAFile(string field, string file)
+    {
+        var address = Manifest.GetProperty(field).GetString();
+
+        Assert.That(address, Does.StartWith("https://github.com/OWNER/nowpose/blob/").And.EndsWith("/" + RepositoryFiles.Package + file));
+        Assert.That(RepositoryFiles.Exists(RepositoryFiles.Package + file));
+    }
+
     [Test]
     public void Package_Dependencies_AreTheseAndNoOthers()
     {

@@ -17,6 +17,9 @@ public sealed class VersionTests
     [TestCase("Gateway/Adapters/package.json", @"""version"": ""([^""]+)""")]
     [TestCase("Gateway/Adapters/package-lock.json", @"""version"": ""([^""]+)""")]
     [TestCase("CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
+    [TestCase(RepositoryFiles.Package + "/package.json", @"""documentationUrl"": ""[^""]+/blob/v([^/]+)/")]
+    [TestCase(RepositoryFiles.Package + "/package.json", @"""changelogUrl"": ""[^""]+/blob/v([^/]+)/")]
+    [TestCase(RepositoryFiles.Package + "/package.json", @"""licensesUrl"": ""[^""]+/blob/v([^/]+)/")]
     [TestCase(RepositoryFiles.Package + "/CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
     public void Version_EveryPlace_IsThePackages(string path, string pattern)
     {
