@@ -12,7 +12,8 @@ public static class CommandLine
         Invocation.Root(
             "nowpose", "Shows a moving robot where it is, not where it was. Without a verb: demo.",
             Demo.DemoVerb.Create(), Replay.ReplayVerb.Create(), Sync.SyncVerb.Create(), Recommend.RecommendVerb.Create(),
-            Kinematics.KinematicsVerb.Create(), Headset.HeadsetVerb.Create(), Figures.FiguresVerb.Create(), Calibrate.CalibrateVerb.Create()),
+            Kinematics.KinematicsVerb.Create(), Headset.HeadsetVerb.Create(), Figures.FiguresVerb.Create(), Calibrate.CalibrateVerb.Create(),
+            Unity.UnityVerb.Create()),
         WithVerb(args));
 
     static string[] WithVerb(string[] args)

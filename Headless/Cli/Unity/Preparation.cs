@@ -1,0 +1,129 @@
+using Nowpose.Editor;
+
+namespace Nowpose.Cli.Unity;
+
+/// <summary>What is to be done to a project. Planning changes nothing.</summary>
+sealed class Preparation
+{
+    const string InUnity = "Open the project in Unity. Window → Nowpose → Project Setup shows what else a headset needs, and does most of it.";
+
+    static readonly string[] AfterMrtk3 =
+    [
+        "git must be on Unity's PATH: MRTK3 and Graphics Tools are fetched from their repositories, at the tags of their releases.",
+        "When Unity asks for the new input backend, answer Yes; when it asks to update interaction layer masks, No Thanks.",
+        "Project Settings → MRTK3, tabs Standalone and Universal Windows Platform: Assign MRTK Default.",
+    ];
+
+    readonly List<string> _changes = [];
+    readonly List<string> _notes = [];
+    readonly List<SampleCopy> _samples = [];
+    readonly PreparationSettings _settings;
+    ManifestFile _file;
+    ManifestMerge _merge;
+
+    Preparation(UnityProject project, PreparationSettings settings)
+    {
+        Project = project;
+        _settings = settings;
+    }
+
+    public UnityProject Project { get; }
+
+    /// <summary>One line each; empty where there is nothing to do.</summary>
+    public IReadOnlyList<string> Changes => _changes;
+
+    /// <summary>What the user should know, whatever is changed.</summary>
+    public IReadOnlyList<string> Notes => _notes;
+
+    /// <summary>What is left to the user.</summary>
+    public IReadOnlyList<string> NextSteps => _changes.Count == 0 ? [] : _settings.HasMrtk3 ? [.. AfterMrtk3, InUnity] : [InUnity];
+
+    /// <exception cref="InputException">The project cannot be prepared; nothing is changed.</exception>
+    public static Preparation Plan(UnityProject project, PreparationSettings settings)
+    {
+        var preparation = new Preparation(project, settings);
+        preparation.PlanAll();
+        return preparation;
+    }
+
+    /// <returns>The path of the copy of the manifest that was there; null where it was not changed.</returns>
+    /// <exception cref="InputException">The manifest is read-only.</exception>
+    public string Apply()
+    {
+        var backup = _merge.Changes.Count > 0 ? _file.Write(_merge.Text) : null;
+        foreach (var sample in _samples) sample.Apply();
+        return backup;
+    }
+
+    void PlanAll()
+    {
+        var package = PackageFolder.Find()
+            ?? throw new InputException("the files of the package are missing beside this program; publish it again, or run it from a clone");
+        _file = ManifestFile.Read(Project.ManifestPath);
+        _merge = new ManifestMerge(_file.Text, Project.ManifestPath, _settings.OnConflict);
+        JudgeVersions();
+        NeedPackage(package);
+        foreach (var needed in Needed()) if (!Project.Embeds(needed.Name)) _merge.Need(needed);
+        _merge.NeedTestable(ProjectNeeds.Package);
+        if (_merge.Conflicts.Count > 0) Report(_merge.Conflicts);
+        _changes.AddRange(_merge.Changes);
+        _notes.AddRange(_merge.Notes);
+        foreach (var name in _settings.Samples.Distinct(StringComparer.OrdinalIgnoreCase)) PlanSample(SampleCopy.Plan(Project, package, name));
+    }
+
+    void JudgeVersions()
+    {
+        var usesMicrosoft = _settings.HasMrtk3 || _merge.VersionOf(ProjectNeeds.MixedRealityOpenXr.Name) != null;
+        var judged = UnityBounds.Judge(Project.Version, usesMicrosoft);
+        if (judged.State == CheckState.Missing) throw new InputException($"{Project.VersionPath}: Unity {judged.Found}");
+        if (_settings.HasMrtk3 && Project.Version.Number < UnityBounds.OldestForMrtk3)
+            throw new InputException(
+                $"{Project.VersionPath}: Unity {Project.Version} is older than {UnityBounds.OldestForMrtk3}, the oldest that MRTK3 accepts");
+        if (judged.State != CheckState.Good) _notes.Add($"Unity {judged.Found}");
+        if (!_settings.HasMrtk3) _notes.AddRange(TooNew());
+    }
+
+    IEnumerable<string> TooNew() =>
+        from package in ProjectNeeds.Mrtk3.Append(ProjectNeeds.XrInteraction)
+        let version = _merge.VersionOf(package.Name)
+        where version != null && package.IsTooNew(version)
+        select $"{package.Name} {version} is not supported, so the components for MRTK3 are not compiled; allowed is {package.Bounds}";
+
+    void NeedPackage(PackageFolder package)
+    {
+        if (Project.Embeds(ProjectNeeds.Package))
+        {
+            if (_settings.Package == null) return;
+            throw new InputException(
+                $"--package: {Project.Root} has the package in Packages/{ProjectNeeds.Package}, which Unity prefers; remove that folder first");
+        }
+        var address = _settings.Package == null ? PackageAddress.Of(package) : PackageAddress.Read(_settings.Package, package.Version, Project);
+        var origin = PackageOrigin.At(ProjectNeeds.Package, address, least: package.Version);
+        // Without --package a folder or a commit that is there already serves.
+        var present = _merge.VersionOf(ProjectNeeds.Package);
+        if (_settings.Package == null && present != null && origin.Serves(present) == null) return;
+        _merge.Need(origin, isExact: _settings.Package != null);
+    }
+
+    IEnumerable<PackageOrigin> Needed()
+    {
+        IEnumerable<PackageOrigin> all = ProjectNeeds.Always;
+        if (_settings.HasMrtk3) all = all.Concat(ProjectNeeds.HoloLensWithMrtk3);
+        return _settings.HasNativeWebSocket ? all.Append(ProjectNeeds.NativeWebSocket) : all;
+    }
+
+    void Report(IReadOnlyList<string> conflicts)
+    {
+        if (_settings.OnConflict != ConflictRule.Keep)
+            throw new InputException($"{string.Join("; ", conflicts)}. Change it there, or say --on-conflict keep or replace.");
+        _notes.AddRange(conflicts.Select(conflict => conflict + "; it stays"));
+    }
+
+    void PlanSample(SampleCopy sample)
+    {
+        if (!sample.IsNeeded) return;
+        _samples.Add(sample);
+        _changes.Add(sample.Change);
+        _notes.Add($"{sample.Sample.Name}: {sample.Sample.Description}");
+    }
+}

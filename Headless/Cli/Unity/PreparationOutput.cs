@@ -1,0 +1,45 @@
+using System.Text;
+using System.Text.Json;
+
+namespace Nowpose.Cli.Unity;
+
+/// <summary>Prints what was done to a project, or what is to be done.</summary>
+static class PreparationOutput
+{
+    public static string Text(Preparation preparation, bool isCheck, string backup)
+    {
+        var text = new StringBuilder($"{preparation.Project.Root}: Unity {preparation.Project.Version}\n");
+        foreach (var change in preparation.Changes) text.Append("  + ").Append(change).Append('\n');
+        text.Append(Summary(preparation.Changes.Count, isCheck)).Append('\n');
+        if (backup != null) text.Append("The manifest as it was: ").Append(backup).Append('\n');
+        if (!isCheck) foreach (var step in preparation.NextSteps) text.Append("- ").Append(step).Append('\n');
+        return text.ToString();
+    }
+
+    public static string Json(Preparation preparation, bool isCheck, string backup) => JsonText.Of(isIndented: true, json =>
+    {
+        json.WriteStartObject();
+        json.WriteString("project", preparation.Project.Root);
+        json.WriteString("unity", preparation.Project.Version.Text);
+        json.WriteBoolean("applied", !isCheck && preparation.Changes.Count > 0);
+        WriteList(json, "changes", preparation.Changes);
+        WriteList(json, "notes", preparation.Notes);
+        WriteList(json, "next", preparation.NextSteps);
+        json.WriteString("backup", backup);
+        json.WriteEndObject();
+    }) + "\n";
+
+    static void WriteList(Utf8JsonWriter json, string name, IReadOnlyList<string> values)
+    {
+        json.WriteStartArray(name);
+        foreach (var value in values) json.WriteStringValue(value);
+        json.WriteEndArray();
+    }
+
+    static string Summary(int changes, bool isCheck)
+    {
+        if (changes == 0) return "Nothing to do.";
+        var count = FormattableString.Invariant($"{changes} {(changes == 1 ? "change" : "changes")}");
+        return isCheck ? count + " to make." : count + " made.";
+    }
+}

@@ -1,0 +1,72 @@
+namespace Nowpose.Cli.Unity;
+
+/// <summary>Copies a sample to where Unity's Package Manager would put it, with the .meta files.</summary>
+sealed class SampleCopy
+{
+    readonly string _source, _target;
+    readonly List<string> _missing;
+
+    SampleCopy(PackageSample sample, string source, string target, List<string> missing)
+    {
+        Sample = sample;
+        _source = source;
+        _target = target;
+        _missing = missing;
+    }
+
+    public PackageSample Sample { get; }
+
+    /// <summary>Whether a file is to be copied.</summary>
+    public bool IsNeeded => _missing.Count > 0;
+
+    /// <summary>What is to be done, in words.</summary>
+    public string Change => FormattableString.Invariant($"sample: {Sample.Name}, {_missing.Count} files to {_target}");
+
+    /// <exception cref="InputException">The package has no such sample, or the project has changed files in its place.</exception>
+    public static SampleCopy Plan(UnityProject project, PackageFolder package, string name)
+    {
+        var sample = package.Samples.FirstOrDefault(s => string.Equals(s.Name, name, StringComparison.OrdinalIgnoreCase))
+            ?? throw new InputException(
+                $"--sample: there is no sample '{name}'; allowed are {string.Join(", ", package.Samples.Select(s => s.Name))}");
+        if (!Directory.Exists(sample.Folder))
+            throw new InputException($"--sample: the files of '{sample.Name}' are missing: {sample.Folder}");
+        var target = Path.Combine(project.Root, "Assets", "Samples", package.DisplayName, package.Version, sample.Name);
+        var files = Directory.EnumerateFiles(sample.Folder, "*", SearchOption.AllDirectories)
+            .Select(file => Path.GetRelativePath(sample.Folder, file)).Order(StringComparer.Ordinal).ToList();
+        var present = files.Where(file => File.Exists(Path.Combine(target, file))).ToList();
+        var changed = present.Where(file => !IsSame(Path.Combine(sample.Folder, file), Path.Combine(target, file))).ToList();
+        if (changed.Count > 0)
+            throw new InputException(
+                FormattableString.Invariant($"{Path.Combine(target, changed[0])}: differs from the sample's file, as do {changed.Count - 1} more; ")
+                + "move or delete the folder of the sample, and try again");
+        return new SampleCopy(sample, sample.Folder, target, [.. files.Except(present)]);
+    }
+
+    /// <summary>Copies what is missing. A folder that is new appears whole.</summary>
+    public void Apply()
+    {
+        if (Directory.Exists(_target))
+        {
+            CopyTo(_target);
+            return;
+        }
+        var parent = Path.GetDirectoryName(_target);
+        // Unity ignores names that begin with a dot.
+        var unfinished = Path.Combine(parent, "." + Path.GetFileName(_target));
+        if (Directory.Exists(unfinished)) Directory.Delete(unfinished, recursive: true);
+        CopyTo(unfinished);
+        Directory.Move(unfinished, _target);
+    }
+
+    void CopyTo(string folder)
+    {
+        foreach (var file in _missing)
+        {
+            var copy = Path.Combine(folder, file);
+            Directory.CreateDirectory(Path.GetDirectoryName(copy));
+            File.Copy(Path.Combine(_source, file), copy);
+        }
+    }
+
+    static bool IsSame(string a, string b) => File.ReadAllBytes(a).AsSpan().SequenceEqual(File.ReadAllBytes(b));
+}

@@ -1,0 +1,52 @@
+using Nowpose.Editor;
+
+namespace Nowpose.Cli.Unity;
+
+/// <summary>A Unity project on disk.</summary>
+sealed class UnityProject
+{
+    UnityProject(string root, UnityVersion version)
+    {
+        Root = root;
+        Version = version;
+    }
+
+    /// <summary>Absolute path of the folder that holds Assets and Packages.</summary>
+    public string Root { get; }
+
+    /// <summary>The version that the project was last opened with.</summary>
+    public UnityVersion Version { get; }
+
+    public string ManifestPath => ManifestIn(Root);
+    public string VersionPath => VersionIn(Root);
+
+    /// <exception cref="InputException">The folder is no Unity project.</exception>
+    public static UnityProject Open(string path)
+    {
+        if (string.IsNullOrWhiteSpace(path)) throw new InputException("PATH is empty; the folder of a Unity project is needed");
+        var root = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
+        if (File.Exists(root)) throw new InputException($"{path}: is a file; the folder of a Unity project is needed");
+        if (!Directory.Exists(root)) throw new InputException($"{path}: no such folder; the folder of a Unity project is needed");
+        foreach (var needed in new[] { VersionIn(root), ManifestIn(root) })
+            if (!File.Exists(needed))
+                throw new InputException($"{path}: not a Unity project: {Path.GetRelativePath(root, needed)} is missing{Hint(root)}");
+
+        var version = UnityVersion.InProjectFile(File.ReadAllText(VersionIn(root)));
+        return new UnityProject(root, version ?? throw new InputException(
+            $"{VersionIn(root)}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1"));
+    }
+
+    /// <summary>Whether a package lies in the project itself, which no line of the manifest can override.</summary>
+    public bool Embeds(string package) => File.Exists(Path.Combine(Root, "Packages", package, "package.json"));
+
+    static string VersionIn(string root) => Path.Combine(root, "ProjectSettings", "ProjectVersion.txt");
+
+    static string ManifestIn(string root) => Path.Combine(root, "Packages", "manifest.json");
+
+    // The folder above is meant when somebody names Assets or Packages.
+    static string Hint(string root)
+    {
+        var parent = Path.GetDirectoryName(root);
+        return parent != null && File.Exists(VersionIn(parent)) ? $"; the project is {parent}" : "";
+    }
+}

@@ -1,0 +1,71 @@
+using System.CommandLine;
+using Nowpose.Editor;
+using Nowpose.Gateway.Options;
+
+namespace Nowpose.Cli.Unity;
+
+/// <summary><c>unity PATH</c>: prepares a Unity project for the package.</summary>
+static class UnityVerb
+{
+    public static Command Create()
+    {
+        var path = new Argument<string>("PATH") { Description = "Folder of the Unity project." };
+        var mrtk3 = new Option<bool>("--mrtk3") { Description = "Add MRTK3 and what a HoloLens 2 needs." };
+        var webSocket = new Option<bool>("--native-websocket") { Description = "Add NativeWebSocket, another WebSocket client." };
+        var samples = new Option<string[]>("--sample")
+        {
+            Description = "Copy a sample of the package into Assets/Samples: " + SampleNames() + ".",
+            HelpName = "NAME",
+        };
+        var package = new Option<string>("--package")
+        {
+            Description = "Where the package comes from: a git address, file:PATH or a folder. Default: what the project names already, or "
+                + "file: and the folder of the clone or published program that runs.",
+            HelpName = "ADDRESS",
+        };
+        var onConflict = new Option<string>("--on-conflict")
+        {
+            Description = "How to treat an older or different entry: change nothing at all (refuse), let it stay (keep), or replace it (replace).",
+            DefaultValueFactory = _ => "refuse",
+            HelpName = "refuse|keep|replace",
+        };
+        onConflict.AcceptOnlyFromAmong("refuse", "keep", "replace");
+        var check = new Option<bool>("--check") { Description = "Say what would be done, and change nothing; exit status 1 if there is something." };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of text." };
+        var verb = new Command("unity", "Prepare a Unity project: registries, dependencies, testables and the package in its Packages/manifest.json.")
+        {
+            path, mrtk3, webSocket, samples, package, onConflict, check, json,
+        };
+        verb.SetAction(parsed =>
+        {
+            var settings = new PreparationSettings(
+                parsed.GetValue(mrtk3), parsed.GetValue(webSocket), parsed.GetValue(samples) ?? [], parsed.GetValue(package),
+                Enum.Parse<ConflictRule>(parsed.GetValue(onConflict), ignoreCase: true));
+            return Run(parsed.GetValue(path), settings, parsed.GetValue(check), parsed.GetValue(json));
+        });
+        return verb;
+    }
+
+    static int Run(string path, PreparationSettings settings, bool isCheck, bool isJson)
+    {
+        try
+        {
+            var preparation = Preparation.Plan(UnityProject.Open(path), settings);
+            var backup = isCheck ? null : preparation.Apply();
+            foreach (var note in preparation.Notes) Console.Error.WriteLine("nowpose: " + note);
+            Console.Out.Write(isJson ? PreparationOutput.Json(preparation, isCheck, backup) : PreparationOutput.Text(preparation, isCheck, backup));
+            return isCheck && preparation.Changes.Count > 0 ? ExitStatus.Failed : ExitStatus.Done;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new InputException(e.Message, e);
+        }
+    }
+
+    // Help works where the package's files are missing, too.
+    static string SampleNames()
+    {
+        var folder = PackageFolder.Find();
+        return folder == null ? "see its package.json" : string.Join(", ", folder.Samples.Select(sample => sample.Name));
+    }
+}
