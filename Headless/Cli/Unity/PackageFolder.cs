@@ -37,7 +37,7 @@ sealed class PackageFolder
         return Open(Path.Combine(AppContext.BaseDirectory, "UnityProject", Below));
     }
 
-    /// <returns>Null where there is no package of that name.</returns>
+    /// <returns>Null if the folder does not contain the package.</returns>
     public static PackageFolder Open(string root)
     {
         var file = Path.Combine(root, "package.json");

@@ -2,7 +2,7 @@ using Nowpose.Editor;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>What is to be done to a project. Planning changes nothing.</summary>
+/// <summary>Plan of the changes to a project.</summary>
 sealed class Preparation
 {
     const string InUnity = "Open the project in Unity. Window → Nowpose → Project Setup shows what else a headset needs, and does most of it.";
@@ -32,10 +32,10 @@ sealed class Preparation
     /// <summary>One line each; empty where there is nothing to do.</summary>
     public IReadOnlyList<string> Changes => _changes;
 
-    /// <summary>What the user should know, whatever is changed.</summary>
+    /// <summary>Notes for the user.</summary>
     public IReadOnlyList<string> Notes => _notes;
 
-    /// <summary>What is left to the user.</summary>
+    /// <summary>Steps that the user has to do.</summary>
     public IReadOnlyList<string> NextSteps => _changes.Count == 0 ? [] : _settings.HasMrtk3 ? [.. AfterMrtk3, InUnity] : [InUnity];
 
     /// <exception cref="InputException">The project cannot be prepared; nothing is changed.</exception>

@@ -2,7 +2,7 @@ using Nowpose.Editor;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>What a project is to be prepared for.</summary>
+/// <summary>Options of a preparation.</summary>
 /// <param name="HasMrtk3">Whether MRTK3 and what a HoloLens 2 needs are added.</param>
 /// <param name="HasNativeWebSocket">Whether NativeWebSocket is added.</param>
 /// <param name="Samples">Names of samples to copy.</param>

@@ -19,7 +19,7 @@ sealed class SampleCopy
     /// <summary>Whether a file is to be copied.</summary>
     public bool IsNeeded => _missing.Count > 0;
 
-    /// <summary>What is to be done, in words.</summary>
+    /// <summary>Description of the change.</summary>
     public string Change => FormattableString.Invariant($"sample: {Sample.Name}, {_missing.Count} files to {_target}");
 
     /// <exception cref="InputException">The package has no such sample, or the project has changed files in its place.</exception>
@@ -27,7 +27,7 @@ sealed class SampleCopy
     {
         var sample = package.Samples.FirstOrDefault(s => string.Equals(s.Name, name, StringComparison.OrdinalIgnoreCase))
             ?? throw new InputException(
-                $"--sample: there is no sample '{name}'; allowed are {string.Join(", ", package.Samples.Select(s => s.Name))}");
+                $"--sample: '{name}' is not a sample of the package; allowed are {string.Join(", ", package.Samples.Select(s => s.Name))}");
         if (!Directory.Exists(sample.Folder))
             throw new InputException($"--sample: the files of '{sample.Name}' are missing: {sample.Folder}");
         var target = Path.Combine(project.Root, "Assets", "Samples", package.DisplayName, package.Version, sample.Name);

@@ -20,7 +20,7 @@ sealed class UnityProject
     public string ManifestPath => ManifestIn(Root);
     public string VersionPath => VersionIn(Root);
 
-    /// <exception cref="InputException">The folder is no Unity project.</exception>
+    /// <exception cref="InputException">The folder is not a Unity project.</exception>
     public static UnityProject Open(string path)
     {
         if (string.IsNullOrWhiteSpace(path)) throw new InputException("PATH is empty; the folder of a Unity project is needed");
@@ -43,7 +43,7 @@ sealed class UnityProject
 
     static string ManifestIn(string root) => Path.Combine(root, "Packages", "manifest.json");
 
-    // The folder above is meant when somebody names Assets or Packages.
+    // A user who names Assets or Packages means the folder above.
     static string Hint(string root)
     {
         var parent = Path.GetDirectoryName(root);

@@ -95,7 +95,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_Check_TellsAndChangesNothing()
+    public async Task Unity_Check_ListsChangesAndWritesNothing()
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -358,7 +358,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_OtherPaths_SayWhatIsNeeded()
+    public async Task Unity_InvalidPath_IsRefused()
     {
         using var project = new UnityProjectFolder(Empty);
         Directory.CreateDirectory(project.At("Assets"));
@@ -470,7 +470,7 @@ public class UnityVerbTests
 
         var run = await project.RunAsync("--sample", "Virtual");
 
-        AssertRefused(run, "there is no sample 'Virtual'; allowed are Virtual Robot Cell, Connect to a Gateway, ");
+        AssertRefused(run, "'Virtual' is not a sample of the package; allowed are Virtual Robot Cell, Connect to a Gateway, ");
         Assert.That(project.Manifest, Is.EqualTo(Empty));
     }
 

@@ -284,7 +284,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void GraphicsJobs_TargetSwitched_AreToldAndTurnedOff()
+    public void GraphicsJobs_TargetSwitched_CanBeTurnedOff()
     {
         var check = IndexOf("Graphics Jobs are off");
         Assert.That(_review.Results[check].State, Is.EqualTo(CheckState.Unknown));

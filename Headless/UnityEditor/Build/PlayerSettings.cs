@@ -29,7 +29,7 @@ public sealed class PlayerSettings : Object
 
     public static void SetApiCompatibilityLevel(NamedBuildTarget buildTarget, ApiCompatibilityLevel value) => ApiLevels[buildTarget.TargetName] = value;
 
-    /// <summary>What Unity 6 chooses by itself, where nobody chose.</summary>
+    /// <summary>Returns the default of Unity 6 unless the project chose others.</summary>
     public static GraphicsDeviceType[] GetGraphicsAPIs(BuildTarget platform) =>
         GraphicsApis.TryGetValue(platform, out var apis) ? apis : new[] { GraphicsDeviceType.Direct3D12, GraphicsDeviceType.Direct3D11 };
 

@@ -16,7 +16,7 @@ public sealed class PrefabUtility
         return instance;
     }
 
-    /// <summary>Objects whose changes would be saved with the scene, for those that come from a prefab.</summary>
+    /// <summary>Prefab instances whose changes were recorded.</summary>
     internal static List<Object> Recorded { get; } = new List<Object>();
 
     public static void RecordPrefabInstancePropertyModifications(Object targetObject) => Recorded.Add(targetObject);

@@ -6,6 +6,6 @@ public sealed class QualitySettings : Object
 {
     QualitySettings() { }
 
-    /// <summary>Of the current level; null for the project's default.</summary>
+    /// <summary>Render pipeline of the current quality level; null for the default one.</summary>
     public static RenderPipelineAsset renderPipeline { get; set; }
 }

@@ -10,7 +10,7 @@ sealed class Host
 
     internal event Application.LogCallback LogReceived;
 
-    /// <summary>Of the editor, or of the player's engine.</summary>
+    /// <summary>Version of the editor, or of the player's engine.</summary>
     internal string UnityVersion { get; set; } = "2022.3.62f1";
 
     internal bool RunInBackground { get; set; } = true;

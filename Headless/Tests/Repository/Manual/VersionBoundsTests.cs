@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository.Manual;
 
-/// <summary>What the documents say of versions is what the table in the code says.</summary>
+/// <summary>Holds the versions in the documents to the table in the code.</summary>
 public sealed partial class VersionBoundsTests
 {
     static readonly string Readme = RepositoryFiles.Read(RepositoryFiles.Package + "/README.md");
@@ -17,7 +17,7 @@ public sealed partial class VersionBoundsTests
     [TestCase("6000.0", "6000.0.78f1")]
     [TestCase("6000.1, 6000.2", "6000.2.0f1")]
     [TestCase("6.3 (6000.3) and newer", "6000.3.0f1")]
-    public void Readme_RowOfUnity_SaysWhatTheCodeSays(string row, string version)
+    public void Readme_RowOfUnity_MatchesTheTable(string row, string version)
     {
         var words = Readme.Split('\n').Single(line => line.StartsWith($"| {row} |", StringComparison.Ordinal));
 

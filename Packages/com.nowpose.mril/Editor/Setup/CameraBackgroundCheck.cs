@@ -8,8 +8,8 @@ namespace Nowpose.Editor
         public CameraBackgroundCheck()
             : base(
                 "Main camera clears to black with alpha 0",
-                "Black is transparent on a see-through display. A skybox or a colour covers the real robot, and a picture or video taken by the headset "
-                + "needs the alpha.", "Clear to black with alpha 0") { }
+                "Black is transparent on a see-through display. A skybox or a colour covers the real robot, and pictures that the headset "
+                + "takes need the alpha.", "Clear to black with alpha 0") { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -1,15 +1,15 @@
 namespace Nowpose.Editor
 {
-    /// <summary>What happens to an entry of a manifest that does not serve.</summary>
+    /// <summary>Selects how a merge treats a manifest entry that does not meet the requirement.</summary>
     enum ConflictRule
     {
-        /// <summary>Nothing is changed, the others neither.</summary>
+        /// <summary>Refuses the whole merge.</summary>
         Refuse,
 
-        /// <summary>It stays as it is.</summary>
+        /// <summary>Keeps the entry.</summary>
         Keep,
 
-        /// <summary>What is needed takes its place.</summary>
+        /// <summary>Replaces the entry.</summary>
         Replace,
     }
 }

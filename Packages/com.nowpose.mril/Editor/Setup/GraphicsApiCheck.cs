@@ -15,7 +15,8 @@ namespace Nowpose.Editor
         {
             var apis = project.GraphicsApis;
             var names = string.Join(", ", apis);
-            if (apis.Count == 0) return new CheckResult(CheckState.Unknown, "Unity names no graphics API for this player; its module is not installed");
+            if (apis.Count == 0)
+                return new CheckResult(CheckState.Unknown, "Unity names no graphics API for this player; its module is not installed");
             var isAlone = apis.Count == 1 && apis[0] == GraphicsDeviceType.Direct3D11;
             if (!project.IsGraphicsApiAutomatic) return isAlone ? Good(names) : Missing(names + " in the list");
             return isAlone

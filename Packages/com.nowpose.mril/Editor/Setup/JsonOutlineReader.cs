@@ -14,7 +14,8 @@ namespace Nowpose.Editor
         const int DeepestNesting = 64;
 
         static readonly Regex Scalar = new Regex(@"\G(?:-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?|true|false|null)", RegexOptions.CultureInvariant);
-        static readonly Regex Quoted = new Regex("\\G\"(?:[^\"\\\\\\x00-\\x1f]|\\\\(?:[\"\\\\/bfnrt]|u[0-9a-fA-F]{4}))*\"", RegexOptions.CultureInvariant);
+        static readonly Regex Quoted = new Regex(
+            "\\G\"(?:[^\"\\\\\\x00-\\x1f]|\\\\(?:[\"\\\\/bfnrt]|u[0-9a-fA-F]{4}))*\"", RegexOptions.CultureInvariant);
 
         readonly string _text, _file;
         int _at, _depth;
@@ -26,7 +27,7 @@ namespace Nowpose.Editor
         }
 
         /// <param name="file">The name of the file, for messages.</param>
-        /// <exception cref="InputException">The text is no JSON object.</exception>
+        /// <exception cref="InputException">The text is not a JSON object.</exception>
         public static JsonOutline Read(string text, string file)
         {
             var reader = new JsonOutlineReader(text, file);

@@ -35,7 +35,7 @@ namespace Nowpose.Editor
             return _text.Substring(start, end - start);
         }
 
-        /// <summary>What stands between the last item of a container and the comma or bracket before it, without empty lines.</summary>
+        /// <summary>Returns the blanks before the last item of a container, without empty lines.</summary>
         public string GapBefore(JsonOutline container, JsonOutline last)
         {
             var count = container.Items.Count;

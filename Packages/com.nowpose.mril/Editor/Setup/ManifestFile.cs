@@ -6,7 +6,7 @@ using System.Text;
 
 namespace Nowpose.Editor
 {
-    /// <summary>A manifest on disk. Writing keeps a copy of what was there, and is done whole or not at all.</summary>
+    /// <summary>A manifest on disk. Writing is atomic and keeps a backup.</summary>
     sealed class ManifestFile
     {
         const int LargestSize = 1 << 20;
@@ -40,8 +40,8 @@ namespace Nowpose.Editor
             throw new InputException(path + ": the file has " + size.ToString(CultureInfo.InvariantCulture) + " bytes; the limit is 1 MiB");
         }
 
-        /// <returns>The path of the copy of what was there.</returns>
-        /// <exception cref="InputException">The file is read-only, or somebody else changed it since it was read.</exception>
+        /// <returns>The path of the backup.</returns>
+        /// <exception cref="InputException">The file is read-only, or another program changed it since it was read.</exception>
         /// <exception cref="IOException">The file cannot be written.</exception>
         /// <exception cref="UnauthorizedAccessException">The file must not be written.</exception>
         public string Write(string text)

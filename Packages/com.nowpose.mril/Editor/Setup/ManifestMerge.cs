@@ -5,7 +5,7 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Merges what a project needs into the text of its Packages/manifest.json. What serves already stays, as does the formatting.</summary>
+    /// <summary>Merges what a project needs into the text of its Packages/manifest.json. Keeps valid entries and the formatting.</summary>
     sealed class ManifestMerge
     {
         const string Dependencies = "dependencies", Registries = "scopedRegistries", Testables = "testables";
@@ -17,7 +17,7 @@ namespace Nowpose.Editor
         readonly List<string> _notes = new List<string>();
 
         /// <param name="file">The name of the file, for messages.</param>
-        /// <exception cref="InputException">The text is no manifest.</exception>
+        /// <exception cref="InputException">The text is not a manifest.</exception>
         public ManifestMerge(string text, string file, ConflictRule rule)
         {
             _manifest = new ManifestText(text, file);
@@ -26,25 +26,27 @@ namespace Nowpose.Editor
 
         public string Text => _manifest.Text;
 
-        /// <summary>What was added or replaced, in words.</summary>
+        /// <summary>Descriptions of the additions and replacements.</summary>
         public IReadOnlyList<string> Changes => _changes;
 
-        /// <summary>What does not serve and was not replaced, with its line. With <see cref="ConflictRule.Refuse"/> the text must not be used.</summary>
+        /// <summary>Descriptions, with line numbers, of entries that do not meet a requirement and were not replaced.</summary>
+        /// <remarks>With <see cref="ConflictRule.Refuse"/> the text must not be used if there are any.</remarks>
         public IReadOnlyList<string> Conflicts => _conflicts;
 
-        /// <summary>What stays although it cannot be judged.</summary>
+        /// <summary>Descriptions of entries whose version cannot be read; they stay.</summary>
         public IReadOnlyList<string> Notes => _notes;
 
-        /// <summary>The value of a dependency; null where there is none.</summary>
-        /// <exception cref="InputException">The text is no manifest.</exception>
+        /// <summary>Returns the value of a dependency, or null.</summary>
+        /// <exception cref="InputException">The text is not a manifest.</exception>
         public string VersionOf(string package)
         {
             var entry = _manifest.Find(Dependencies, isObject: true)?[package];
             return entry == null ? null : StringOf(entry, package);
         }
 
+        /// <summary>Adds a dependency and its registry, or checks those that are present.</summary>
         /// <param name="isExact">Whether every other version or address is a conflict.</param>
-        /// <exception cref="InputException">The text is no manifest.</exception>
+        /// <exception cref="InputException">The text is not a manifest.</exception>
         public void Need(PackageOrigin package, bool isExact = false)
         {
             if (package.Registry != null && !NeedRegistry(package)) return;
@@ -53,8 +55,8 @@ namespace Nowpose.Editor
             else Judge(package, entry, StringOf(entry, package.Name), isExact);
         }
 
-        /// <summary>Shows the tests of a package in the Test Runner.</summary>
-        /// <exception cref="InputException">The text is no manifest.</exception>
+        /// <summary>Adds a package to those whose tests the Test Runner shows.</summary>
+        /// <exception cref="InputException">The text is not a manifest.</exception>
         public void NeedTestable(string package)
         {
             var all = _manifest.Find(Testables, isObject: false);

@@ -10,7 +10,7 @@ namespace Nowpose.Editor
         readonly string _file;
 
         /// <param name="file">The name of the file, for messages.</param>
-        /// <exception cref="InputException">The text is no JSON object.</exception>
+        /// <exception cref="InputException">The text is not a JSON object.</exception>
         public ManifestText(string text, string file)
         {
             _file = file;
@@ -27,7 +27,7 @@ namespace Nowpose.Editor
         /// <summary>Adds a member behind the last one of the root object.</summary>
         public void Add(string name, JToken value) => Add(Root, name, value);
 
-        /// <summary>Adds behind the last item. Outlines that were read before are of no use afterwards.</summary>
+        /// <summary>Adds behind the last item. Outlines that were read before become invalid.</summary>
         /// <param name="container">An object or an array of this text.</param>
         /// <param name="name">Null for an array.</param>
         public void Add(JsonOutline container, string name, JToken value)
@@ -51,7 +51,7 @@ namespace Nowpose.Editor
             Set(Text.Substring(0, value.Start) + JsonConvert.ToString(text) + Text.Substring(value.End));
 
         /// <summary>The object or array of that name in the root; null where there is none.</summary>
-        /// <exception cref="InputException">The value is of another kind.</exception>
+        /// <exception cref="InputException">The value has another type.</exception>
         public JsonOutline Find(string name, bool isObject)
         {
             var found = Root[name];

@@ -19,7 +19,8 @@ namespace Nowpose.Editor
             if (tooNew.Count == 0) return Good(packages[0].Name + " " + project.VersionOf(packages[0].Name));
             return Missing(
                 string.Join(", ", tooNew.Select(package => package.Name + " " + project.VersionOf(package.Name)))
-                + (tooNew.Count == 1 ? " is" : " are") + " not supported; close Unity and run `nowpose unity PATH --mrtk3 --on-conflict replace`, or write "
+                + (tooNew.Count == 1 ? " is" : " are")
+                + " not supported; close Unity and run `nowpose unity PATH --mrtk3 --on-conflict replace`, or write "
                 + string.Join(", ", tooNew.Select(package => package.Name + " " + PackageVersion.Read(package.Reference)))
                 + " into Packages/manifest.json");
         }

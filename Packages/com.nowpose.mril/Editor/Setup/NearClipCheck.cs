@@ -19,8 +19,8 @@ namespace Nowpose.Editor
         public NearClipCheck()
             : base(
                 "Main camera's near clip plane is at 0.1 m",
-                "The headset steadies the picture by a depth of 16 bits, whose steps grow as the plane comes closer: at 1.5 m they are 0.34 mm with 0.1 m, "
-                + "and 1.7 mm with the 0.02 m of MRTK3's rig.", "Set it to 0.1 m") { }
+                "The headset steadies the picture by a depth of 16 bits, whose steps grow as the plane comes closer: at 1.5 m they are "
+                + "0.34 mm with 0.1 m, and 1.7 mm with the 0.02 m of MRTK3's rig.", "Set it to 0.1 m") { }
 
         public override CheckResult Look(IProjectSettings project)
         {

@@ -20,7 +20,8 @@ namespace Nowpose.Editor
             if (version == null) return new CheckResult(_without, _package.Name + " is not installed");
             if (_package.Serves(version) == true) return Good(_package.Name + " " + version);
             return new CheckResult(
-                _without, _package.Name + " " + version + (_package.IsTooNew(version) ? " is too new" : " is too old") + "; allowed is " + _package.Bounds);
+                _without,
+                _package.Name + " " + version + (_package.IsTooNew(version) ? " is too new" : " is too old") + "; allowed is " + _package.Bounds);
         }
 
         public override string Fix(IProjectSettings project)

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Editor
 {
-    /// <summary>A package that a project needs: where it comes from, and which versions serve.</summary>
+    /// <summary>A package that a project needs: its source and the supported versions.</summary>
     sealed class PackageOrigin
     {
         readonly Version _least, _below;
@@ -22,13 +22,13 @@ namespace Nowpose.Editor
         /// <summary>A name or git address that the Package Manager takes as it is; null where a registry has to be added for it.</summary>
         public string Identifier { get; }
 
-        /// <summary>What stands behind the name in a manifest: a version, or an address.</summary>
+        /// <summary>The value in a manifest: a version, or an address.</summary>
         public string Reference { get; }
 
         /// <summary>Null for Unity's own, and for what comes by an address.</summary>
         public ScopedRegistry Registry { get; }
 
-        /// <summary>The versions that serve, in words; null where every version does.</summary>
+        /// <summary>Description of the supported versions; null if all are.</summary>
         public string Bounds
         {
             get
@@ -51,8 +51,9 @@ namespace Nowpose.Editor
         public static PackageOrigin Of(ScopedRegistry registry, string name, string version, string least = null, string below = null) =>
             new PackageOrigin(name, null, version, registry, least, below);
 
-        /// <param name="version">As the Package Manager or a manifest says it.</param>
-        /// <returns>Null where the version cannot be told from the text.</returns>
+        /// <summary>Returns whether a version is supported.</summary>
+        /// <param name="version">A version, or an address from a manifest.</param>
+        /// <returns>Null if the text does not contain the version.</returns>
         public bool? Serves(string version)
         {
             if (version == Reference || (_least == null && _below == null)) return true;
@@ -61,7 +62,7 @@ namespace Nowpose.Editor
             return (_least == null || parsed >= _least) && (_below == null || parsed < _below);
         }
 
-        /// <summary>Whether a version is of a newer generation than the package was written for.</summary>
+        /// <summary>Returns whether a version is at or above the upper bound.</summary>
         public bool IsTooNew(string version) => _below != null && PackageVersion.Read(version) is Version parsed && parsed >= _below;
     }
 }

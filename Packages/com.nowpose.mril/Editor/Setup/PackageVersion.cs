@@ -14,8 +14,8 @@ namespace Nowpose.Editor
 
         public static bool IsAtLeast(string version, Version least) => Version.TryParse(version.Split('-')[0], out var parsed) && parsed >= least;
 
-        /// <summary>Reads the version that a manifest asks for: a version, a git address with a tag, or a tarball.</summary>
-        /// <returns>Null where it cannot be told, as with a folder or a commit.</returns>
+        /// <summary>Reads the version in a manifest value: a version, a git address with a tag, or a tarball.</summary>
+        /// <returns>Null if the text does not contain the version, as with a folder or a commit.</returns>
         public static Version Read(string reference)
         {
             if (Plain.IsMatch(reference)) return Version.TryParse(reference.Split('-')[0], out var plain) ? plain : null;

@@ -28,7 +28,7 @@ namespace Nowpose.Editor
         public static readonly PackageOrigin NativeWebSocket = PackageOrigin.At(
             "com.endel.nativewebsocket", "https://github.com/endel/NativeWebSocket.git#522f0c3f5c2ef7273737707effaa840c65e20e98", least: "2.0.3");
 
-        /// <summary>What the package does not resolve without, and what its tests need.</summary>
+        /// <summary>Dependencies of the package and of its tests.</summary>
         public static readonly IReadOnlyList<PackageOrigin> Always = new[]
         {
             PackageOrigin.OfUnity("com.unity.nuget.newtonsoft-json", "3.2.1", least: "3.2.1"),
@@ -44,18 +44,20 @@ namespace Nowpose.Editor
             Mrtk("uxcomponents", "3.4.0", "3.3.0"), Mrtk("input", "3.3.0"), Mrtk("windowsspeech", "3.0.4"),
         };
 
-        /// <summary>All that a project with MRTK3 on a HoloLens 2 needs beside <see cref="Always"/>.</summary>
+        /// <summary>Packages of a project with MRTK3 on a HoloLens 2, in addition to <see cref="Always"/>.</summary>
         public static readonly IReadOnlyList<PackageOrigin> HoloLensWithMrtk3 = new[]
         {
             OpenXr, MixedRealityOpenXr, ArFoundation, InputSystem, XrInteraction,
             PackageOrigin.At(
                 "com.microsoft.mrtk.graphicstools.unity",
-                "https://github.com/microsoft/MixedReality-GraphicsTools-Unity.git?path=/com.microsoft.mrtk.graphicstools.unity#v0.8.0", least: "0.8.0"),
+                "https://github.com/microsoft/MixedReality-GraphicsTools-Unity.git?path=/com.microsoft.mrtk.graphicstools.unity#v0.8.0",
+                least: "0.8.0"),
         }.Concat(Mrtk3).ToArray();
 
         static PackageOrigin Mrtk(string part, string version, string least = "3.0.0") => PackageOrigin.At(
             "org.mixedrealitytoolkit." + part,
-            "https://github.com/MixedRealityToolkit/MixedRealityToolkit-Unity.git?path=/org.mixedrealitytoolkit." + part + "#" + part + "-v" + version,
+            "https://github.com/MixedRealityToolkit/MixedRealityToolkit-Unity.git?path=/org.mixedrealitytoolkit." + part
+            + "#" + part + "-v" + version,
             least, "4.0.0");
     }
 }

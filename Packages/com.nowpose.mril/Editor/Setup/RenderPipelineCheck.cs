@@ -8,18 +8,19 @@ namespace Nowpose.Editor
         public RenderPipelineCheck()
             : base(
                 "Render pipeline is the built-in one or URP",
-                "The package's shaders have a SubShader for each of the two. The visualisation latency depends on the pipeline: calibrate again after "
-                + "a change.", null) { }
+                "The package's shaders have a SubShader for each of the two. The visualisation latency depends on the pipeline: calibrate again "
+                + "after a change.", null) { }
 
         public override CheckResult Look(IProjectSettings project)
         {
+            const string choose = "choose URP or none under Project Settings, Graphics and Quality";
             var asset = project.RenderPipeline;
             if (asset == null) return Good("built-in render pipeline; the shaders' built-in SubShader is used");
-            if (asset.StartsWith("UniversalRenderPipeline", StringComparison.Ordinal)) return Good("URP (" + asset + "); the shaders' SubShader for URP is used");
+            if (asset.StartsWith("UniversalRenderPipeline", StringComparison.Ordinal))
+                return Good("URP (" + asset + "); the shaders' SubShader for URP is used");
             if (asset.StartsWith("HDRenderPipeline", StringComparison.Ordinal))
-                return Missing("HDRP (" + asset + "): the package has no shaders for it; choose URP or none under Project Settings, Graphics and Quality");
-            return new CheckResult(
-                CheckState.Unknown, asset + ": the package's shaders were not written for it; choose URP or none under Project Settings, Graphics and Quality");
+                return Missing("HDRP (" + asset + "): the package has no shaders for it; " + choose);
+            return new CheckResult(CheckState.Unknown, asset + ": the package's shaders were not written for it; " + choose);
         }
 
         public override string Fix(IProjectSettings project) => null;

@@ -33,7 +33,8 @@ namespace Nowpose.Editor
         public static CheckResult Judge(UnityVersion version, bool withMicrosoft)
         {
             var row = Rows.LastOrDefault(r => version.Number >= r.From);
-            if (row == null) return new CheckResult(CheckState.Missing, version + " is older than " + Oldest + ", the oldest that the package compiles with");
+            if (row == null)
+                return new CheckResult(CheckState.Missing, version + " is older than " + Oldest + ", the oldest that the package compiles with");
             return withMicrosoft && row.Failure != null
                 ? new CheckResult(CheckState.Missing, version + ": " + row.Failure)
                 : new CheckResult(row.State, version + ": " + row.Words);

@@ -22,7 +22,7 @@ namespace Nowpose.Editor
         /// <summary>Year or generation, release and patch; without the letter behind them.</summary>
         public Version Number { get; }
 
-        /// <returns>Null where the text is no version of Unity.</returns>
+        /// <returns>Null if the text is not a version of Unity.</returns>
         public static UnityVersion? TryParse(string text)
         {
             var match = Pattern.Match(text ?? "");

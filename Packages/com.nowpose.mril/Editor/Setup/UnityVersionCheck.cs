@@ -4,13 +4,14 @@ namespace Nowpose.Editor
     sealed class UnityVersionCheck : ProjectCheck
     {
         public UnityVersionCheck()
-            : base("Unity is a version that was tried", "Other versions may lack what the package or Microsoft's plug-in is compiled against.", null) { }
+            : base(
+                "Unity is a version that was tried", "Other versions may lack what the package or Microsoft's plug-in is compiled against.", null) { }
 
         public override CheckResult Look(IProjectSettings project)
         {
             var version = UnityVersion.TryParse(project.EditorVersion);
             return version == null
-                ? new CheckResult(CheckState.Unknown, project.EditorVersion + " is no version that is known here")
+                ? new CheckResult(CheckState.Unknown, project.EditorVersion + ": the version cannot be read")
                 : UnityBounds.Judge(version.Value, project.Platform == HeadsetPlatform.HoloLens2);
         }
 

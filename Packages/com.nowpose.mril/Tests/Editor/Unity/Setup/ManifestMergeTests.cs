@@ -37,10 +37,16 @@ namespace Nowpose.Tests
         [TestCase("{}", "{ \"dependencies\": { \"com.unity.b\": \"2.0.0\" } }")]
         [TestCase("{\"dependencies\":{\"a\":\"1.0.0\"}}", "{\"dependencies\":{\"a\":\"1.0.0\",\"com.unity.b\":\"2.0.0\"}}")]
         [TestCase("{ \"dependencies\": {} }", "{ \"dependencies\": { \"com.unity.b\": \"2.0.0\" } }")]
-        [TestCase("{\n\t\"dependencies\": {\n\t\t\"a\": \"1.0.0\"\n\t}\n}", "{\n\t\"dependencies\": {\n\t\t\"a\": \"1.0.0\",\n\t\t\"com.unity.b\": \"2.0.0\"\n\t}\n}")]
+        [TestCase(
+            "{\n\t\"dependencies\": {\n\t\t\"a\": \"1.0.0\"\n\t}\n}",
+            "{\n\t\"dependencies\": {\n\t\t\"a\": \"1.0.0\",\n\t\t\"com.unity.b\": \"2.0.0\"\n\t}\n}")]
         [TestCase("{\r\n \"dependencies\": {\r\n }\r\n}\r\n", "{\r\n \"dependencies\": {\r\n  \"com.unity.b\": \"2.0.0\"\r\n }\r\n}\r\n")]
-        [TestCase("{\n  \"dependencies\": {\n    \"z\": \"1.0.0\",\n\n    \"a\": \"1.0.0\"  }\n}", "{\n  \"dependencies\": {\n    \"z\": \"1.0.0\",\n\n    \"a\": \"1.0.0\",\n    \"com.unity.b\": \"2.0.0\"  }\n}")]
-        [TestCase("{\n  \"x\": [1, 2.5e3, true, null, {\"y\": []}]\n}", "{\n  \"x\": [1, 2.5e3, true, null, {\"y\": []}],\n  \"dependencies\": {\n    \"com.unity.b\": \"2.0.0\"\n  }\n}")]
+        [TestCase(
+            "{\n  \"dependencies\": {\n    \"z\": \"1.0.0\",\n\n    \"a\": \"1.0.0\"  }\n}",
+            "{\n  \"dependencies\": {\n    \"z\": \"1.0.0\",\n\n    \"a\": \"1.0.0\",\n    \"com.unity.b\": \"2.0.0\"  }\n}")]
+        [TestCase(
+            "{\n  \"x\": [1, 2.5e3, true, null, {\"y\": []}]\n}",
+            "{\n  \"x\": [1, 2.5e3, true, null, {\"y\": []}],\n  \"dependencies\": {\n    \"com.unity.b\": \"2.0.0\"\n  }\n}")]
         public void Need_NewPackage_KeepsIndentLineEndsAndOrder(string before, string after)
         {
             Assert.That(Merge(before, Plain).Text, Is.EqualTo(after));
@@ -123,19 +129,23 @@ namespace Nowpose.Tests
 
             Assert.That(registries.Count, Is.EqualTo(1));
             Assert.That(
-                registries[0]["scopes"].Select(scope => (string)scope), Is.EqualTo(new[] { "b", "com.microsoft.mixedreality", "com.microsoft.mrtk" }));
+                registries[0]["scopes"].Select(scope => (string)scope),
+                Is.EqualTo(new[] { "b", "com.microsoft.mixedreality", "com.microsoft.mrtk" }));
         }
 
         [Test]
         public void Need_ScopeOfAnotherRegistry_IsNamedOrItsUrlReplaced()
         {
-            const string before = "{\n\"scopedRegistries\":[\n{\"name\":\"x\",\"url\":\"https://old.example\",\"scopes\":[\"com.microsoft.mixedreality\"]}]}";
+            const string before =
+                "{\n\"scopedRegistries\":[\n{\"name\":\"x\",\"url\":\"https://old.example\",\"scopes\":[\"com.microsoft.mixedreality\"]}]}";
 
             var refused = Merge(before, OpenXr);
             var kept = Merge(before, OpenXr, ConflictRule.Keep);
             var replaced = Merge(before, OpenXr, ConflictRule.Replace);
 
-            Assert.That(refused.Conflicts.Single(), Does.StartWith(File + ":3: com.microsoft.mixedreality.openxr comes from the registry https://old.example"));
+            Assert.That(
+                refused.Conflicts.Single(),
+                Does.StartWith(File + ":3: com.microsoft.mixedreality.openxr comes from the registry https://old.example"));
             Assert.That(kept.Text, Does.Contain("https://old.example").And.Contain("\"com.microsoft.mixedreality.openxr\":\"1.11.2\""));
             Assert.That(((JArray)JObject.Parse(kept.Text)["scopedRegistries"]).Count, Is.EqualTo(1));
             Assert.That(replaced.Text, Does.Contain(Url).And.Not.Contain("old.example"));
@@ -182,7 +192,7 @@ namespace Nowpose.Tests
         [TestCase("{\"a\": 1, \"a\": 2}", ":1: not a JSON object: \"a\" stands there twice")]
         [TestCase("{\"dependencies\": []}", ":1: dependencies must be an object")]
         [TestCase("{\"dependencies\": {\n\"com.unity.b\": 2}}", ":2: com.unity.b must be a string: a version or an address")]
-        public void Need_NoManifest_SaysWhereAndWhy(string manifest, string message)
+        public void Need_InvalidManifest_ThrowsWithLineAndReason(string manifest, string message)
         {
             var error = Assert.Throws<InputException>(() => Merge(manifest, Plain));
 
@@ -191,7 +201,7 @@ namespace Nowpose.Tests
 
         [TestCase("{\"scopedRegistries\": {}}", ":1: scopedRegistries must be an array")]
         [TestCase("{\"scopedRegistries\": [{\"scopes\": 1}]}", ":1: scopes must be an array")]
-        public void Need_RegistriesOfAnotherKind_SaysWhere(string manifest, string message)
+        public void Need_RegistriesOfAnotherType_ThrowsWithLine(string manifest, string message)
         {
             var error = Assert.Throws<InputException>(() => Merge(manifest, OpenXr));
 

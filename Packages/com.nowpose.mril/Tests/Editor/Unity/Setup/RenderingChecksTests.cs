@@ -78,7 +78,7 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void InputHandling_NotFound_IsUnknownAndTheFixSaysWhereItIs()
+        public void InputHandling_NotFound_IsUnknownAndTheFixNamesTheSetting()
         {
             _project.InputHandling = null;
             _project.IsInputHandlingWritable = false;

@@ -43,7 +43,7 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void MrtkGeneration_TooNew_SaysWhatToDo()
+        public void MrtkGeneration_TooNew_NamesTheRemedy()
         {
             var project = new FakeProject();
             project.Installed[Core] = "4.0.0-pre.2";
@@ -52,7 +52,8 @@ namespace Nowpose.Tests
             var found = new MrtkGenerationCheck().Look(project).Found;
 
             Assert.That(found, Does.StartWith(Core + " 4.0.0-pre.2, " + Interaction + " 3.0.4 are not supported"));
-            Assert.That(found, Does.Contain("nowpose unity PATH --mrtk3 --on-conflict replace").And.Contain(Core + " 3.3.0, " + Interaction + " 2.6.3"));
+            Assert.That(found, Does.Contain("nowpose unity PATH --mrtk3 --on-conflict replace"));
+            Assert.That(found, Does.Contain(Core + " 3.3.0, " + Interaction + " 2.6.3"));
         }
 
         [Test]
