@@ -18,6 +18,8 @@ static class Faults
         return some.GetInstanceID(); // refused
     }
 
+    public static GameObject WithCollider() => GameObject.CreatePrimitive(PrimitiveType.Cube); // refused
+
     public static object MadeAtRunTime(Type element)
     {
         var method = new DynamicMethod("", typeof(void), null); // refused
