@@ -357,7 +357,8 @@ public class PoseAppearanceTests
         away.y = 0;
         Assert.That(Vector3.Angle(_words.transform.forward, away), Is.LessThan(0.1f));
         Assert.That(_words.transform.up.y, Is.EqualTo(1).Within(1e-5));
-        var height = 0.519 * 6.4 * _words.transform.lossyScale.y;
+        // Of a capital letter of the built-in font.
+        var height = 0.688 * 6.4 * _words.transform.lossyScale.y;
         Assert.That(2 * Math.Atan(height / 2 / Math.Sqrt(10)) * 180 / Math.PI, Is.InRange(0.5, 0.76));
     }
 
