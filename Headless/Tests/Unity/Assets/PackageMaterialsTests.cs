@@ -14,7 +14,7 @@ public sealed class PackageMaterialsTests
 
     AssetLibrary _library;
 
-    /// <summary>Of the package and of the host project; the stand-ins for other packages' prefabs are theirs.</summary>
+    /// <summary>Materials and scenes of the package and of the host project; the stand-ins for other packages' prefabs are theirs.</summary>
     static IEnumerable<string> Files => RepositoryFiles.All
         .Where(f => f.StartsWith("Packages/", StringComparison.Ordinal) || f.StartsWith("Assets/", StringComparison.Ordinal))
         .Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".mat" or ".asset");

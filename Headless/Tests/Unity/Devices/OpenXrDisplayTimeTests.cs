@@ -128,7 +128,7 @@ public sealed class OpenXrDisplayTimeTests
 
         Assert.That(_session.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(CalibratedMs));
         Assert.That(_session.Statistics.IsLightPredicted, Is.False);
-        Assert.That(_cell.Messages.Any(m => m.Contains("implausible")), Is.EqualTo(aheadMs.HasValue), "no answer is no fault");
+        Assert.That(_cell.Messages.Any(m => m.Contains("implausible")), Is.EqualTo(aheadMs.HasValue), "a missing answer is not a fault");
     }
 
     [Test]

@@ -91,7 +91,7 @@ public sealed class PoseOwnMaterialTests
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Held));
     }
 
-    /// <summary>What is drawn: nothing, or each material with what the property block changes of it.</summary>
+    /// <summary>Describes what is drawn: nothing, or each material with what the property block changes of it.</summary>
     string Seen()
     {
         if (!_tool.isVisible) return "nothing";

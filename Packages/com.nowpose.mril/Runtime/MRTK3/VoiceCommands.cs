@@ -23,7 +23,7 @@ namespace Nowpose.Mrtk3
         /// <summary>Speech starts some seconds after the scene, or never: without microphone, or where its package is missing.</summary>
         const float PatienceSeconds = 10;
 
-        // The event that each keyword was registered with, and the keywords that nobody had registered before.
+        // The event that each keyword was registered with, and the keywords that were not registered before.
         readonly Dictionary<string, UnityEvent> _registered = new Dictionary<string, UnityEvent>();
         readonly HashSet<string> _own = new HashSet<string>();
         IKeywordRecognitionSubsystem _recognition;
