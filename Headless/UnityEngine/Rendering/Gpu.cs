@@ -18,6 +18,13 @@ sealed class Gpu
     /// <summary>Refreshes per second of the headset's display; null where it does not tell.</summary>
     internal float? DisplayHz { get; set; }
 
+    internal GraphicsDeviceType Api { get; set; } = GraphicsDeviceType.Direct3D11;
+
+    internal RenderingThreadingMode Threading { get; set; } = RenderingThreadingMode.MultiThreaded;
+
+    /// <summary>Null for the built-in pipeline.</summary>
+    internal RenderPipelineAsset RenderPipeline { get; set; }
+
     /// <summary>Milliseconds of the last frames, newest first; empty where nothing is measured.</summary>
     internal List<FrameTiming> FrameTimings { get; } = new();
 

@@ -149,6 +149,39 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
+    public void Enabled_ProfileOfAnotherGraphicsApi_IsUsedAndWarnedOfOnce()
+    {
+        LatencyProfileFile.Save(Saved, new LatencyProfile(
+            51, 1, new DisplayConditions("Stand-in", 60, "Direct3D12"), DateTime.UtcNow, CalibrationMethod.VisibleLight, 300));
+
+        Play();
+        _cell.Run(3, _session);
+
+        Assert.That(VisuMs, Is.EqualTo(51));
+        Assert.That(_session.Statistics.ProfileMismatches.Single().Field, Is.EqualTo("graphics_api"));
+        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo(
+            "[Nowpose] latency profile was measured with graphics API 'Direct3D12', this device has 'Direct3D11'; calibrate again, or set it back "
+            + "(Project Settings, Player)"));
+    }
+
+    [Test]
+    public void Reprojection_ChangedWhileRunning_IsWarnedOf()
+    {
+        LatencyProfileFile.Save(Saved, new LatencyProfile(
+            51, 1, new DisplayConditions("Stand-in", reprojection: ReprojectionMode.Depth), DateTime.UtcNow, CalibrationMethod.VisibleLight, 300));
+        Play();
+        _session.Reprojection = ReprojectionMode.Depth;
+        _cell.Run(0.1, _session);
+        var before = _session.Statistics.ProfileMismatches.Count;
+
+        _session.Reprojection = ReprojectionMode.None;
+        _cell.Run(0.1, _session);
+
+        Assert.That(before, Is.Zero);
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("reprojection mode 'depth', this device has 'none'"));
+    }
+
+    [Test]
     public void StreamingAssets_InsideAnArchive_IsSaidOnlyWhereNothingElseIsFound()
     {
         _cell.Player.World.Host.StreamingAssetsPath = "jar:file:///data/app/base.apk!/assets";

@@ -119,6 +119,41 @@ public sealed class LoadSweepTests
         Assert.That(rows.Where(row => row.Vertices > 0).Select(row => row.DisplayHz).Distinct(), Is.EqualTo(new[] { 72.0 }));
     }
 
+    [Test]
+    public async Task Log_OfASweep_StartsWithTheConditions()
+    {
+        Play(rewrites: true);
+        _session.Reprojection = ReprojectionMode.Depth;
+        Run(5);
+        _sweep.StartSweep();
+        Run(5);
+        await Judged();
+
+        using var text = new StreamReader(_sweep.Path);
+        SweepLogReader.Read(text, "sweep.csv", out var conditions);
+
+        Assert.That(conditions, Is.EqualTo(new DisplayConditions(
+            graphicsApi: "Direct3D11", graphicsJobs: "MultiThreaded", renderPipeline: "built-in", rewritesBeforeRender: true,
+            reprojection: ReprojectionMode.Depth)));
+    }
+
+    [Test]
+    public void Reprojection_ChangesDuringTheSweep_EndsIt()
+    {
+        Play();
+        _session.Reprojection = ReprojectionMode.Depth;
+        Run(5);
+        _sweep.StartSweep();
+        Run(0.5);
+
+        _session.Reprojection = ReprojectionMode.None;
+        Run(5);
+
+        Assert.That(_sweep.IsRunning, Is.False);
+        Assert.That(_sweep.Problem, Is.EqualTo(
+            "load sweep stopped: reprojection mode changed from 'depth' to 'none' during the sweep; keep it as it is and sweep again"));
+    }
+
     static IEnumerable<TimeSpan> Gaps(IReadOnlyList<SweepRow> rows) =>
         rows.Skip(1).Zip(rows, (b, a) => b.FrameStart - a.FrameStart).Where(gap => gap.TotalMilliseconds is < 10 or > 25);
 

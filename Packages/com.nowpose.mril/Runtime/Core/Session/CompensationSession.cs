@@ -51,8 +51,8 @@ namespace Nowpose.Session
         RosbridgeClient _rosbridgeClient;
         readonly string[] _jointNames;
         ControlTime _told;
-        ReprojectionMode _reprojection;
         DepthSubmission _depth;
+        readonly ConditionCheck _conditions;
         bool _wasKnown;
         int _steps;
         long _samples;
@@ -69,6 +69,7 @@ namespace Nowpose.Session
             _newLink = newLink ?? WebSocketLinks.Create;
             Robot = robot;
             _jointNames = robot.MovingJoints.Select(joint => joint.Name).ToArray();
+            _conditions = new ConditionCheck(settings.RewriteBeforeRender);
             _light = new MomentOfLight(settings.Visualisation, settings.Profile);
             _synchroniser = new ClockSynchroniser(settings.CreateClockEstimator(), settings.Clock);
             _monitor = new ConstantLatencyMonitor(settings.Range);
@@ -193,8 +194,24 @@ namespace Nowpose.Session
         /// </summary>
         public ReprojectionMode Reprojection
         {
-            get { lock (_gate) return _reprojection; }
-            set { lock (_gate) _reprojection = value; }
+            get { lock (_gate) return _conditions.Reprojection; }
+            set { lock (_gate) _conditions.Reprojection = value; }
+        }
+
+        /// <summary>
+        /// Conditions that change L_visu. Set to those that the device reports; read with <see cref="Reprojection"/> and the settings' second
+        /// computation before rendering. They do not change what a frame shows. Any thread.
+        /// </summary>
+        public DisplayConditions Conditions
+        {
+            get { lock (_gate) return _conditions.Conditions; }
+            set { lock (_gate) _conditions.Report(value); }
+        }
+
+        /// <summary>Conditions in which <see cref="Profile"/> was measured and that are different now; empty for none. Any thread.</summary>
+        public IReadOnlyList<ConditionMismatch> ProfileMismatches
+        {
+            get { lock (_gate) return _conditions.MismatchesOf(_light.Profile); }
         }
 
         /// <summary>Whether the depth buffer reaches the display, as reported from outside. Any thread.</summary>
@@ -369,8 +386,9 @@ namespace Nowpose.Session
                 into.Dropped = Drops.Total + SyncFaults.Total;
                 into.SyncLink = SyncLink;
                 into.SampleLink = SampleLink;
-                into.Reprojection = _reprojection;
+                into.Reprojection = _conditions.Reprojection;
                 into.DepthSubmission = _depth;
+                into.ProfileMismatches = _conditions.MismatchesOf(_light.Profile);
                 into.Security = _settings.Connection.Security;
             }
         }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Protocol;
 
@@ -40,6 +41,8 @@ namespace Nowpose.Session
             if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", ReprojectionModeNames.NameOf(statistics.Reprojection));
             if (statistics.DepthSubmission != DepthSubmission.Unknown)
                 Add("depth_submission", DepthSubmissionWords.NameOf(statistics.DepthSubmission));
+            if (statistics.ProfileMismatches.Count > 0)
+                Add("profile_mismatch", string.Join(",", statistics.ProfileMismatches.Select(each => each.Field)));
             AddMs("horizon_ms", statistics.Horizon);
             AddMs("render_ms", statistics.RenderTime);
             if (statistics.Range != RangeState.Unknown) Add("range", statistics.Range.ToString().ToLowerInvariant());

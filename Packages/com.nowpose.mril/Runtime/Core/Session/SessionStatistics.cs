@@ -59,6 +59,9 @@ namespace Nowpose.Session
         /// <summary>Whether the depth buffer reaches the display; unknown while nothing reports it.</summary>
         public DepthSubmission DepthSubmission { get; internal set; }
 
+        /// <summary>Conditions in which <see cref="Profile"/> was measured and that are different now; empty when nothing differs.</summary>
+        public IReadOnlyList<ConditionMismatch> ProfileMismatches { get; internal set; } = Array.Empty<ConditionMismatch>();
+
         /// <summary>L of Eq. (1), with the median of L_app.</summary>
         public TimeSpan? EndToEndLatency { get; internal set; }
 

@@ -203,9 +203,9 @@ namespace Nowpose.Unity
             var seenTo = session.Profile?.RenderTimeSource == source ? session.Profile.ValidToRenderTime : null;
             if (range?.IsLimitReached == false) seenTo = range.Limit;
             return new LatencyProfile(
-                result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, ThisDevice.Name, ThisDevice.DisplayHz,
-                DateTime.UtcNow, CalibrationMethod.Nudge, result.Count, range?.IsLimitReached == true ? range.Limit.TotalMilliseconds : (double?)null,
-                source, seenTo?.TotalMilliseconds);
+                result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, session.Conditions, DateTime.UtcNow,
+                CalibrationMethod.Nudge, result.Count, range?.IsLimitReached == true ? range.Limit.TotalMilliseconds : (double?)null, source,
+                seenTo?.TotalMilliseconds, session.Profile?.HeadMotion);
         }
 
         static RobotRig DisplayedBelow(MrilSession session)

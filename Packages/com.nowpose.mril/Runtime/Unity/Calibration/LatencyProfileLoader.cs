@@ -26,12 +26,9 @@ namespace Nowpose.Unity
 
         const string Unkept = "a calibration that is not kept";
 
-        /// <summary>A display begins some frames after the scene, and only then tells its rate.</summary>
-        const int FramesBetweenLooks = 60, MostLooks = 10;
-
         MrilSession _source;
         CompensationSession _calibrated;
-        int _frames;
+        DisplayConditions _judged;
 
         /// <summary>What is in use; null while the session has what its settings say.</summary>
         public LatencyProfile Profile { get; private set; }
@@ -56,7 +53,7 @@ namespace Nowpose.Unity
         /// <returns>Whether it is kept; <see cref="Problem"/> says why not. One of another device is not even used.</returns>
         public bool Save(LatencyProfile profile)
         {
-            Problem = profile.RefusalFor(ThisDevice.Name, ThisDevice.DisplayHz);
+            Problem = profile.RefusalFor(ThisDevice.Conditions);
             if (Problem == null) Keep(profile);
             if (Problem != null) ConsoleLog.Warn(this, Problem);
             return Problem == null;
@@ -69,23 +66,26 @@ namespace Nowpose.Unity
             _source = this.SessionOr(_session);
             if (_source == null) ConsoleLog.Warn(this, "latency profile loader '" + name + "' has no session above it to calibrate; assign one");
             _calibrated = null;
-            _frames = 0;
+            _judged = null;
             Reload();
         }
 
         // Before the session computes its frame. A session that begins anew has its settings' L_visu.
         void Update()
         {
-            if (_frames < FramesBetweenLooks * MostLooks && ++_frames % FramesBetweenLooks == 0) LookAtDisplay();
-            if (Profile == null || _source == null || _source.Session == _calibrated) return;
+            if (_source == null) return;
+            Judge(_source.Session?.Conditions);
+            if (Profile == null || _source.Session == _calibrated) return;
             _calibrated = _source.Session;
             _calibrated?.Calibrate(Profile);
         }
 
-        void LookAtDisplay()
+        // A display that starts late reports another rate than the profile's. Other mismatches are warnings, which the session gives.
+        void Judge(DisplayConditions conditions)
         {
-            var refusal = Profile?.RefusalFor(ThisDevice.Name, ThisDevice.DisplayHz);
-            if (refusal == null) return;
+            if (conditions == null || ReferenceEquals(conditions, _judged)) return;
+            _judged = conditions;
+            if (Profile?.RefusalFor(conditions) == null) return;
             Profile = null;
             _calibrated?.Calibrate(null);
             Reload();

@@ -68,7 +68,7 @@ namespace Nowpose.Unity
         SweepFrame? _frame;
         Task<LoadSensitivity> _judging;
         Task _closing = Task.CompletedTask;
-        string _device;
+        DisplayConditions _conditions;
         double _displayHz;
         int _verticesBefore;
         (int Index, int Phase) _told;
@@ -150,16 +150,27 @@ namespace Nowpose.Unity
                 Fail(fault.Message);
                 return;
             }
-            _file = new SweepFile(Path, (int)((_plan.TimePerLoad.TotalSeconds + SecondsToBuild) * MostHz));
+            _conditions = Conditions;
+            _displayHz = _conditions.DisplayHz ?? double.NaN;
+            _file = new SweepFile(Path, (int)((_plan.TimePerLoad.TotalSeconds + SecondsToBuild) * MostHz), _conditions);
             _run = new SweepRun(_plan);
-            _device = ThisDevice.Name;
-            _displayHz = ThisDevice.DisplayHz;
             _verticesBefore = _generator.Vertices;
             _generator.Vertices = _run.Vertices;
             _frame = null;
             _told = (-1, 0);
             _source.Shown += Keep;
             ConsoleLog.Say(this, SweepWords.Begun(_plan, Path));
+        }
+
+        // The session may have looked before the display reported its rate.
+        DisplayConditions Conditions
+        {
+            get
+            {
+                var session = _source.Session?.Conditions ?? DisplayConditions.Unknown;
+                return new DisplayConditions(rewritesBeforeRender: session.RewritesBeforeRender, reprojection: session.Reprojection)
+                    .Or(ThisDevice.Conditions);
+            }
         }
 
         // A frame that is computed anew before rendering comes twice.
@@ -175,7 +186,7 @@ namespace Nowpose.Unity
                 return;
             }
             // Also while a load is built: a picture whose frame is missing could be taken for one a period of the code later.
-            if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_device, _displayHz));
+            if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
             TellPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
             _frame = null;
@@ -192,8 +203,15 @@ namespace Nowpose.Unity
                 return;
             }
             _file.EndLoad();
+            var now = Conditions;
+            var changes = _conditions.MismatchesWith(now);
+            if (changes.Count > 0)
+            {
+                Abandon(SweepWords.Changed(changes[0]));
+                return;
+            }
             // A display tells its rate some frames after the scene begins.
-            if (double.IsNaN(_displayHz)) _displayHz = ThisDevice.DisplayHz;
+            if (double.IsNaN(_displayHz)) _displayHz = now.DisplayHz ?? double.NaN;
             _generator.Vertices = _run.Vertices;
         }
 

@@ -55,7 +55,7 @@ namespace Nowpose.Unity
             try
             {
                 var profile = read();
-                var refusal = profile.RefusalFor(ThisDevice.Name, ThisDevice.DisplayHz);
+                var refusal = profile.RefusalFor(ThisDevice.Conditions);
                 if (refusal == null) return profile;
                 _refusals.Add(name + ": " + refusal);
             }

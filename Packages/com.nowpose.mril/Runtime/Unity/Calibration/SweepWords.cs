@@ -17,6 +17,10 @@ namespace Nowpose.Unity
             "load sweep of {0} loads up to {1} vertices, {2:0} s and the time to build them, to {3}",
             plan.Loads.Count, plan.MostVertices, plan.Duration.TotalSeconds, path);
 
+        public static string Changed(ConditionMismatch change) => Of(
+            "load sweep stopped: {0} changed from '{1}' to '{2}' during the sweep; keep it as it is and sweep again",
+            change.Label, change.Calibrated, change.Actual);
+
         static string Of(string format, params object[] values) => string.Format(CultureInfo.InvariantCulture, format, values);
     }
 }

@@ -67,6 +67,7 @@ namespace Nowpose.Unity
         DepthSubmission _depth;
         ApplicationPresence _presence;
         DescriptionWatch _description;
+        DeviceWatch _device;
         bool _isRunning, _isWanted, _isFilled;
 
         /// <summary>
@@ -235,6 +236,7 @@ namespace Nowpose.Unity
         {
             if (Session == null) return;
             if (_description.Follow(Session, Robot, _robot, _log)) Restart();
+            _device.Follow(Session);
             var frame = Show(isLast: !_used.RewriteBeforeRender);
             if (frame == null) return;
             _log.Follow(Session);
@@ -298,6 +300,7 @@ namespace Nowpose.Unity
                 Reprojection = _reprojection,
                 DepthSubmission = _depth,
             };
+            _device.Begin(Session);
             if (_isWanted) Session.Connect();
             if (robot == Robot) return;
             Robot = robot;

@@ -1,6 +1,11 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity
 {
@@ -11,6 +16,7 @@ namespace Nowpose.Unity
         string _sync, _samples;
         CompensationSession _followed;
         int _beyondLimits;
+        IReadOnlyList<ConditionMismatch> _mismatches = Array.Empty<ConditionMismatch>();
 
         /// <param name="context">What the console selects when the line is clicked.</param>
         public SessionLog(Object context) => _context = context;
@@ -27,6 +33,7 @@ namespace Nowpose.Unity
             if (session != _followed) _beyondLimits = 0;
             _followed = session;
             for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
+            Follow(session.ProfileMismatches);
         }
 
         /// <summary>Allocates only for the display times of the runtime: the other texts are constants.</summary>
@@ -46,6 +53,14 @@ namespace Nowpose.Unity
             if ((change & SessionChange.DisplayTimePlausible) != 0)
                 Debug.Log(ConsoleLog.Prefix + "display times of the runtime are plausible again, and used", _context);
             if ((change & SessionChange.Stale) != 0) Debug.LogWarning(ConsoleLog.Prefix + "joint positions are stale; the pose is held", _context);
+        }
+
+        void Follow(IReadOnlyList<ConditionMismatch> mismatches)
+        {
+            if (ReferenceEquals(mismatches, _mismatches)) return;
+            foreach (var mismatch in mismatches)
+                if (!_mismatches.Any(each => each.Words == mismatch.Words)) Warn(mismatch.Words);
+            _mismatches = mismatches;
         }
 
         // While it tries again and again for one reason, the reason is said once.

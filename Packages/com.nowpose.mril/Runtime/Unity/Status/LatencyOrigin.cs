@@ -1,13 +1,15 @@
+using System.Collections.Generic;
 using Nowpose.Latency;
 using Nowpose.Session;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Says where L_visu comes from: how and when it was measured, who predicts it, or that it was set as a number.</summary>
+    /// <summary>Says where L_visu comes from: its measurement, the condition that has changed since, a prediction, or a number of the settings.</summary>
     /// <remarks>Allocates only when the profile is another one.</remarks>
     sealed class LatencyOrigin
     {
         LatencyProfile _profile;
+        IReadOnlyList<ConditionMismatch> _mismatches;
         string _measured;
 
         public string Of(SessionStatistics statistics)
@@ -16,10 +18,11 @@ namespace Nowpose.Unity
             if (statistics.IsDisplayTimeDoubted) return "runtime and calibration differ";
             if (statistics.IsLightPredicted) return "predicted by the runtime";
             if (statistics.Profile == null) return "as set";
-            if (statistics.Profile != _profile)
+            if (statistics.Profile != _profile || statistics.ProfileMismatches != _mismatches)
             {
                 _profile = statistics.Profile;
-                _measured = CalibrationWords.OriginOf(_profile);
+                _mismatches = statistics.ProfileMismatches;
+                _measured = _mismatches.Count > 0 ? "other " + _mismatches[0].Label : CalibrationWords.OriginOf(_profile);
             }
             return _measured;
         }

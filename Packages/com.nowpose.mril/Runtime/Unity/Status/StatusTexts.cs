@@ -84,7 +84,8 @@ namespace Nowpose.Unity
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
-                ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics);
+                ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics)
+                ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
             if (guidance != null) Say(guidance, "");
             else if (fault != null) Say(fault, "! ");
             else Say(TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null, "");
@@ -101,12 +102,17 @@ namespace Nowpose.Unity
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var visualisation = statistics.IsDisplayTimeDoubted || statistics.IsDisplayTimeImplausible ? DoubtedMilliseconds : Milliseconds;
+            var isDoubted = statistics.IsDisplayTimeDoubted || statistics.IsDisplayTimeImplausible || IsMismatched(statistics);
+            var visualisation = isDoubted ? DoubtedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), DoubtOf(statistics.RangeDoubt));
             UpdateError(statistics.ToolError);
         }
+
+        // A predicted display time does not depend on the profile.
+        static bool IsMismatched(SessionStatistics statistics) =>
+            statistics != null && statistics.ProfileMismatches.Count > 0 && !statistics.IsLightPredicted;
 
         void UpdateError(DisplayedError? error)
         {

@@ -1,5 +1,5 @@
 using System;
-using System.Globalization;
+using System.Collections.Generic;
 using System.Linq;
 
 namespace Nowpose.Latency
@@ -11,16 +11,32 @@ namespace Nowpose.Latency
         internal const double GreatestVisuMs = 500;
         internal const double LeastRenderMs = 0.1;
         internal const double GreatestRenderMs = 1000;
-        internal const double GreatestDisplayHz = 1000;
-        internal const int LongestDevice = 128;
+        internal const double GreatestDisplayHz = DisplayConditions.MaxDisplayHz;
 
-        /// <summary>What is told as 60 Hz is 59.94 Hz elsewhere: the same display.</summary>
-        const double SameRateHz = 1;
+        /// <param name="visuMs">As of the other constructor.</param>
+        /// <param name="spreadMs">As of the other constructor.</param>
+        /// <param name="device">The model, up to 128 characters; null or empty when it is not known.</param>
+        /// <param name="displayHz">Refreshes per second, up to 1000 Hz; 0 or NaN when they are not known.</param>
+        /// <param name="measuredUtc">As of the other constructor.</param>
+        /// <param name="method">As of the other constructor.</param>
+        /// <param name="measurements">As of the other constructor.</param>
+        /// <param name="renderLimitMs">As of the other constructor.</param>
+        /// <param name="renderTimeSource">As of the other constructor.</param>
+        /// <param name="validToRenderMs">As of the other constructor.</param>
+        /// <exception cref="InputException">A value is out of range; one line names it.</exception>
+        public LatencyProfile(
+            double visuMs, double spreadMs, string device, double displayHz, DateTime measuredUtc, CalibrationMethod method,
+            int measurements, double? renderLimitMs = null, RenderTimeSourceKind renderTimeSource = RenderTimeSourceKind.None,
+            double? validToRenderMs = null)
+            : this(
+                visuMs, spreadMs, new DisplayConditions(device, displayHz), measuredUtc, method, measurements, renderLimitMs, renderTimeSource,
+                validToRenderMs)
+        {
+        }
 
         /// <param name="visuMs">L_visu: trigger of the render job to the middle of the interval in which its frame is shown, 0 to 500 ms.</param>
         /// <param name="spreadMs">How single measurements of it scatter, one standard deviation, 0 to 500 ms.</param>
-        /// <param name="device">The model, up to 128 characters; null or empty when it is not known.</param>
-        /// <param name="displayHz">Refreshes per second, up to 1000 Hz; 0 or NaN when they are not known.</param>
+        /// <param name="conditions">Conditions of the measurement.</param>
         /// <param name="measuredUtc">When, UTC.</param>
         /// <param name="method">How.</param>
         /// <param name="measurements">Pictures, repeats or whatever the method counts, 0 or more.</param>
@@ -29,21 +45,22 @@ namespace Nowpose.Latency
         /// <param name="validToRenderMs">
         /// The greatest render time that was seen with this L_visu, 0.1 to 1000 ms; null for the limit, or where none was measured.
         /// </param>
+        /// <param name="headMotion">Latency that remains for head motion; null when it was not measured.</param>
         /// <exception cref="InputException">A value is out of range; one line names it.</exception>
         public LatencyProfile(
-            double visuMs, double spreadMs, string device, double displayHz, DateTime measuredUtc, CalibrationMethod method,
+            double visuMs, double spreadMs, DisplayConditions conditions, DateTime measuredUtc, CalibrationMethod method,
             int measurements, double? renderLimitMs = null, RenderTimeSourceKind renderTimeSource = RenderTimeSourceKind.None,
-            double? validToRenderMs = null)
+            double? validToRenderMs = null, HeadMotionLatency headMotion = null)
         {
             Visualisation = VisualisationLatency.FromMilliseconds(visuMs);
             Spread = SettingRange.RequireMs(spreadMs, 0, GreatestVisuMs, "spread of the visualisation latency");
-            Device = RequireDevice(device ?? "");
-            DisplayHz = double.IsNaN(displayHz) ? 0 : SettingRange.Require(displayHz, 0, GreatestDisplayHz, "display rate", "Hz");
+            Conditions = conditions ?? throw new ArgumentNullException(nameof(conditions));
             MeasuredUtc = measuredUtc.Kind == DateTimeKind.Local
                 ? measuredUtc.ToUniversalTime() : DateTime.SpecifyKind(measuredUtc, DateTimeKind.Utc);
             Method = method;
             Measurements = SettingRange.RequireCount(measurements, 0, int.MaxValue, "measurements");
             RenderTimeSource = renderTimeSource;
+            HeadMotion = headMotion;
             Range = renderLimitMs.HasValue ? new ConstantLatencyRange(renderLimitMs.Value, renderTimeSource) : null;
             ValidToRenderTime = validToRenderMs.HasValue
                 ? SettingRange.RequireMs(validToRenderMs.Value, LeastRenderMs, GreatestRenderMs, "greatest render time seen") : Range?.Limit;
@@ -56,11 +73,17 @@ namespace Nowpose.Latency
         /// <summary>How single measurements scatter, one standard deviation.</summary>
         public TimeSpan Spread { get; }
 
+        /// <summary>Conditions of the measurement.</summary>
+        public DisplayConditions Conditions { get; }
+
         /// <summary>The model; empty when it is not known.</summary>
-        public string Device { get; }
+        public string Device => Conditions.Device ?? "";
 
         /// <summary>Refreshes per second; 0 when they are not known.</summary>
-        public double DisplayHz { get; }
+        public double DisplayHz => Conditions.DisplayHz ?? 0;
+
+        /// <summary>Latency that remains for head motion; null when it was not measured.</summary>
+        public HeadMotionLatency HeadMotion { get; }
 
         public DateTime MeasuredUtc { get; }
 
@@ -80,25 +103,19 @@ namespace Nowpose.Latency
         /// <summary>What a monitor judges by: the range, or how far L_visu was seen to be constant; null when neither is known.</summary>
         internal ConstantLatencyRange WatchedRange { get; }
 
+        /// <summary>Conditions that are known on both sides and differ.</summary>
+        /// <param name="actual">Conditions of the device that uses the profile.</param>
+        /// <returns>Empty when nothing differs.</returns>
+        public IReadOnlyList<ConditionMismatch> MismatchesWith(DisplayConditions actual) => Conditions.MismatchesWith(actual);
+
         /// <summary>Why the profile must not be used on a device; null when it may. What either side does not know is not compared.</summary>
         /// <param name="device">As the device names its model; upper and lower case are the same.</param>
         /// <param name="displayHz">0 or NaN when it is not known.</param>
         /// <returns>One line that names both.</returns>
-        public string RefusalFor(string device, double displayHz)
-        {
-            if (Device.Length > 0 && !string.IsNullOrEmpty(device) && !string.Equals(Device, device, StringComparison.OrdinalIgnoreCase))
-                return "latency profile is of device '" + Device + "', this one is '" + device + "'; calibrate this one";
-            if (DisplayHz > 0 && displayHz > 0 && Math.Abs(DisplayHz - displayHz) > SameRateHz)
-                return string.Format(CultureInfo.InvariantCulture,
-                    "latency profile was measured at {0:0.#} Hz, this display shows {1:0.#} Hz; calibrate at this rate", DisplayHz, displayHz);
-            return null;
-        }
+        public string RefusalFor(string device, double displayHz) => RefusalFor(new DisplayConditions(device, displayHz));
 
-        static string RequireDevice(string device)
-        {
-            if (device.Length > LongestDevice || device.Any(char.IsControl))
-                throw new InputException("device: the name of a model is one line of up to " + LongestDevice + " characters");
-            return device;
-        }
+        /// <summary>Why the profile must not be used under these conditions; null when it may.</summary>
+        /// <returns>The <see cref="ConditionMismatch.Words"/> of the first mismatch that is a refusal.</returns>
+        public string RefusalFor(DisplayConditions actual) => MismatchesWith(actual).FirstOrDefault(each => each.IsRefusal)?.Words;
     }
 }

@@ -30,6 +30,10 @@ namespace Nowpose.Latency
             Add("render_source", profile.RenderTimeSource == RenderTimeSourceKind.None ? null : RenderTimeSourceNames.NameOf(profile.RenderTimeSource));
             Add("device", profile.Device);
             Add("display_hz", profile.DisplayHz);
+            for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)
+                Add(DisplayConditionNames.FieldOf(condition), profile.Conditions[condition]);
+            Add("head_latency_ms", profile.HeadMotion?.Latency.TotalMilliseconds);
+            Add("head_latency_uncertainty_ms", profile.HeadMotion?.Uncertainty.TotalMilliseconds);
             Add("measured", profile.MeasuredUtc.ToString("yyyy-MM-dd'T'HH:mm:ss.FFFFFFF'Z'", CultureInfo.InvariantCulture));
             Add("method", CalibrationMethodNames.NameOf(profile.Method));
             Add("measurements", profile.Measurements);
@@ -49,14 +53,14 @@ namespace Nowpose.Latency
                 return new LatencyProfile(
                     fields.Number("visu_ms", 0, LatencyProfile.GreatestVisuMs, "ms"),
                     fields.Number("visu_spread_ms", 0, LatencyProfile.GreatestVisuMs, "ms"),
-                    fields.Text("device"),
-                    fields.Number("display_hz", 0, LatencyProfile.GreatestDisplayHz, "Hz"),
+                    ConditionsOf(fields),
                     fields.Utc("measured"),
                     MethodOf(fields),
                     fields.Count("measurements"),
                     RenderMs(fields, "limit_render_ms"),
                     SourceOf(fields),
-                    RenderMs(fields, "valid_to_render_ms"));
+                    RenderMs(fields, "valid_to_render_ms"),
+                    HeadMotionOf(fields));
             }
             catch (InputException fault) when (!fault.Message.StartsWith(name + ": ", StringComparison.Ordinal))
             {
@@ -73,6 +77,23 @@ namespace Nowpose.Latency
             if (version > Version)
                 throw fields.Fault("latency profile of version " + version + ", this Nowpose reads up to " + Version + "; update Nowpose or calibrate anew");
             if (version < 1) throw fields.Fault("version: " + version + " is out of range; allowed is " + Version);
+        }
+
+        // Profiles of older versions have only device and rate.
+        static DisplayConditions ConditionsOf(ProfileFields fields)
+        {
+            var device = fields.Text("device");
+            var displayHz = fields.Number("display_hz", 0, LatencyProfile.GreatestDisplayHz, "Hz");
+            var others = DisplayConditions.Parse(
+                condition => condition > DisplayCondition.DisplayRate ? fields.OptionalText(DisplayConditionNames.FieldOf(condition)) : null);
+            return new DisplayConditions(device, displayHz).Or(others);
+        }
+
+        static HeadMotionLatency HeadMotionOf(ProfileFields fields)
+        {
+            var latencyMs = fields.OptionalNumber("head_latency_ms", HeadMotionLatency.MinMs, HeadMotionLatency.MaxMs, "ms");
+            if (!latencyMs.HasValue) return null;
+            return new HeadMotionLatency(latencyMs.Value, fields.Number("head_latency_uncertainty_ms", 0, HeadMotionLatency.MaxMs, "ms"));
         }
 
         static double? RenderMs(ProfileFields fields, string field) =>

@@ -11,6 +11,7 @@ namespace Nowpose.Latency
     public sealed class SweepFile
     {
         readonly int _rowsPerLoad;
+        readonly DisplayConditions _conditions;
         readonly List<SweepRow> _written = new List<SweepRow>();
         List<SweepRow> _rows;
         Task _writing = Task.CompletedTask;
@@ -18,8 +19,10 @@ namespace Nowpose.Latency
 
         /// <param name="path">Made with its folder when the first load ends; must not exist.</param>
         /// <param name="rowsPerLoad">For which room is made beforehand: adding that many allocates nothing.</param>
-        public SweepFile(string path, int rowsPerLoad)
+        /// <param name="conditions">Conditions of the sweep; null when nothing is known.</param>
+        public SweepFile(string path, int rowsPerLoad, DisplayConditions conditions = null)
         {
+            _conditions = conditions ?? DisplayConditions.Unknown;
             Path = path;
             _rowsPerLoad = rowsPerLoad;
             _rows = new List<SweepRow>(rowsPerLoad);
@@ -82,7 +85,7 @@ namespace Nowpose.Latency
             using (var stream = new FileStream(Path, isNew ? FileMode.CreateNew : FileMode.Append, FileAccess.Write, FileShare.Read))
             using (var writer = new StreamWriter(stream))
             {
-                if (isNew) SweepLog.WriteHeader(writer);
+                if (isNew) SweepLog.WriteHeader(writer, _conditions);
                 foreach (var row in rows) SweepLog.Write(writer, row);
             }
             _written.AddRange(rows);

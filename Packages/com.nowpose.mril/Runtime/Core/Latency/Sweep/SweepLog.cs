@@ -6,7 +6,8 @@ namespace Nowpose.Latency
     /// <summary>Writes a load sweep as CSV: one row for each frame, to be joined with the pictures of a camera.</summary>
     /// <remarks>
     /// The columns: control time of the frame's start in nanoseconds, vertices shown, render time in milliseconds (empty when none
-    /// became known in the frame), what measured it, device, display rate (empty when unknown).
+    /// became known in the frame), what measured it, device, display rate (empty when unknown). Above the header, lines "# field: value"
+    /// hold the other conditions that are known; readers of versions before 0.2 refuse a log with such lines.
     /// </remarks>
     public static class SweepLog
     {
@@ -15,7 +16,18 @@ namespace Nowpose.Latency
         static readonly char[] Special = { ',', '"', '\r', '\n' };
         static readonly CultureInfo Culture = CultureInfo.InvariantCulture;
 
+        internal const string ConditionPrefix = "# ", ConditionSeparator = ": ";
+
         public static void WriteHeader(TextWriter to) => to.Write(Header + "\n");
+
+        /// <param name="conditions">Those of the sweep. Device and rate are in the rows.</param>
+        public static void WriteHeader(TextWriter to, DisplayConditions conditions)
+        {
+            for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)
+                if (conditions[condition] != null)
+                    to.Write(ConditionPrefix + DisplayConditionNames.FieldOf(condition) + ConditionSeparator + conditions[condition] + "\n");
+            WriteHeader(to);
+        }
 
         public static void Write(TextWriter to, in SweepRow row)
         {

@@ -27,23 +27,58 @@ namespace Nowpose.Latency
 
         /// <param name="name">Of the text, for messages.</param>
         /// <exception cref="InputException">Not of that form, or no rows.</exception>
-        public static IReadOnlyList<SweepRow> Read(TextReader text, string name)
+        public static IReadOnlyList<SweepRow> Read(TextReader text, string name) => Read(text, name, out _);
+
+        /// <param name="name">Of the text, for messages.</param>
+        /// <param name="conditions">Those above the header, without device and rate, which are in the rows.</param>
+        /// <exception cref="InputException">Not of that form, or no rows.</exception>
+        public static IReadOnlyList<SweepRow> Read(TextReader text, string name, out DisplayConditions conditions)
         {
+            var line = 1;
             var header = text.ReadLine();
+            var values = new string[DisplayConditionNames.Count];
+            for (; IsComment(header); header = text.ReadLine(), line++) TakeCondition(header, values);
+            conditions = ConditionsOf(values, name);
             if (header == null || header.Trim() != SweepLog.Header)
-                throw new InputException(name + ":1: the header is '" + header + "'; that of a sweep log is " + SweepLog.Header);
+                throw new InputException(Place(name, line) + ": the header is '" + header + "'; that of a sweep log is " + SweepLog.Header);
             var rows = new List<SweepRow>();
             var fields = new List<string>();
             var device = "";
-            var line = 2;
+            line++;
             for (var row = text.ReadLine(); row != null; row = text.ReadLine(), line++)
             {
                 if (row.Length == 0) continue;
                 CsvFields.Split(row, fields);
-                rows.Add(RowOf(fields, name + ":" + line.ToString(CultureInfo.InvariantCulture), ref device));
+                rows.Add(RowOf(fields, Place(name, line), ref device));
             }
             if (rows.Count == 0) throw new InputException(name + ": no rows below the header; a sweep has one for each frame");
             return rows;
+        }
+
+        static string Place(string name, int line) => name + ":" + line.ToString(CultureInfo.InvariantCulture);
+
+        static bool IsComment(string line) => line != null && line.StartsWith(SweepLog.ConditionPrefix, StringComparison.Ordinal);
+
+        // Fields of newer versions are ignored.
+        static void TakeCondition(string line, string[] values)
+        {
+            var end = line.IndexOf(SweepLog.ConditionSeparator, StringComparison.Ordinal);
+            if (end < 0) return;
+            var field = line.Substring(SweepLog.ConditionPrefix.Length, end - SweepLog.ConditionPrefix.Length);
+            if (DisplayConditionNames.TryParse(field, out var condition))
+                values[(int)condition] = line.Substring(end + SweepLog.ConditionSeparator.Length).Trim();
+        }
+
+        static DisplayConditions ConditionsOf(string[] values, string name)
+        {
+            try
+            {
+                return DisplayConditions.Parse(condition => values[(int)condition]);
+            }
+            catch (InputException fault)
+            {
+                throw new InputException(name + ": " + fault.Message, fault);
+            }
         }
 
         /// <param name="device">That of the row before: a name that stays the same is kept once.</param>

@@ -15,7 +15,7 @@ namespace Nowpose.Recording
         static readonly LineNames Securities = new LineNames(typeof(TransportSecurity));
 
         /// <param name="startedUtc">Null when nobody knows.</param>
-        public static void Write(JsonLine line, SessionSettings settings, RobotModel robot, DateTime? startedUtc)
+        public static void Write(JsonLine line, SessionSettings settings, RobotModel robot, DisplayConditions conditions, DateTime? startedUtc)
         {
             line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);
             line.Add("package", SessionFormat.Package).Add("headset", settings.Connection.HeadsetName);
@@ -23,6 +23,7 @@ namespace Nowpose.Recording
                 line.Add("started_utc", startedUtc.Value.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture));
             WriteRobot(line, robot);
             WriteSettings(line, settings);
+            WriteConditions(line, conditions);
             line.End();
         }
 
@@ -64,6 +65,20 @@ namespace Nowpose.Recording
         static void AddLimit(JsonLine line, string name, double value)
         {
             if (!double.IsInfinity(value)) line.Add(name, value);
+        }
+
+        static void WriteConditions(JsonLine line, DisplayConditions conditions)
+        {
+            line.Open("conditions", '{');
+            for (var condition = DisplayCondition.Device; condition <= DisplayCondition.Reprojection; condition++)
+                if (condition == DisplayCondition.DisplayRate) AddRate(line, conditions.DisplayHz);
+                else if (conditions[condition] != null) line.Add(DisplayConditionNames.FieldOf(condition), conditions[condition]);
+            line.Close('}');
+        }
+
+        static void AddRate(JsonLine line, double? hertz)
+        {
+            if (hertz.HasValue) line.Add(DisplayConditionNames.FieldOf(DisplayCondition.DisplayRate), hertz.Value);
         }
 
         static void WriteSettings(JsonLine line, SessionSettings settings)

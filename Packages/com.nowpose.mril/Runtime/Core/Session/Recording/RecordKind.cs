@@ -18,7 +18,7 @@ namespace Nowpose.Recording
         /// <summary>The clock model has another state, has stepped, or has become known.</summary>
         Clock,
 
-        /// <summary>L_visu or the state of the constant-latency range is another one.</summary>
+        /// <summary>L_visu, the state of the constant-latency range or the reprojection mode has changed.</summary>
         Display,
 
         /// <summary>How the session does: once a second.</summary>

@@ -103,8 +103,12 @@ namespace Nowpose.Recording
             if (record.IsNewStart) _line.Add("new_start", true);
         }
 
-        void WriteDisplay(SessionRecord record) => _line.Begin("display").Add("at_ns", record.At.Nanoseconds)
-            .Add("l_visu_ns", Nanoseconds(record.Length.GetValueOrDefault())).Add("range", Ranges[(int)record.Range]);
+        void WriteDisplay(SessionRecord record)
+        {
+            _line.Begin("display").Add("at_ns", record.At.Nanoseconds)
+                .Add("l_visu_ns", Nanoseconds(record.Length.GetValueOrDefault())).Add("range", Ranges[(int)record.Range]);
+            if (record.Reprojection != ReprojectionMode.Unknown) _line.Add("reprojection", ReprojectionModeNames.NameOf(record.Reprojection));
+        }
 
         void WriteStatistics(SessionRecord record)
         {

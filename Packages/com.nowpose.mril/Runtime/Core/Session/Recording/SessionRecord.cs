@@ -59,6 +59,9 @@ namespace Nowpose.Recording
         /// <summary>Display.</summary>
         public RangeState Range { get; set; }
 
+        /// <inheritdoc cref="Range"/>
+        public ReprojectionMode Reprojection { get; set; }
+
         /// <summary>Clock, statistics.</summary>
         public ClockModel Clock { get; set; }
 

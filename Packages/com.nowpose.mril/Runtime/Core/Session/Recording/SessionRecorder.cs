@@ -30,6 +30,7 @@ namespace Nowpose.Recording
         int _clockSteps;
         TimeSpan _visualisation;
         RangeState? _range;
+        ReprojectionMode _reprojection;
         long _dropsTold;
 
         /// <summary>Starts at once; what the session did before is not in the file.</summary>
@@ -40,7 +41,7 @@ namespace Nowpose.Recording
             var joints = session.Robot.MovingJoints.Count;
             _ring = new RecordRing(RingLength, Math.Max(2 * joints, Math.Max(StatisticsLine.CountFor(joints), DropsLine.Count)));
             var line = new JsonLine();
-            HeaderLine.Write(line, session.Settings, session.Robot, settings.StartedUtc);
+            HeaderLine.Write(line, session.Settings, session.Robot, session.Conditions, settings.StartedUtc);
             _writer = new RecordWriter(settings, _ring, line, new RecordLine(line, joints, _statisticsLine));
             _writer.Start();
             Listen();
@@ -136,13 +137,16 @@ namespace Nowpose.Recording
         void WriteDisplay(DisplayFrame frame)
         {
             var visualisation = _session.Visualisation.Length;
-            if (visualisation == _visualisation && frame.Range == _range) return;
+            var reprojection = _session.Reprojection;
+            if (visualisation == _visualisation && frame.Range == _range && reprojection == _reprojection) return;
             if (!TryClaim(RecordKind.Display, out var record)) return;
             _visualisation = visualisation;
             _range = frame.Range;
+            _reprojection = reprojection;
             record.At = frame.Start;
             record.Length = visualisation;
             record.Range = frame.Range;
+            record.Reprojection = reprojection;
             _ring.Publish(record);
         }
 

@@ -67,6 +67,26 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Update_ProfileOfAnotherCondition_IsMarkedAndSaidUnlessLightIsPredicted()
+        {
+            var conditions = new DisplayConditions(graphicsApi: "Direct3D11", reprojection: ReprojectionMode.Depth);
+            var profile = new LatencyProfile(40, 1, conditions, DateTime.UtcNow, CalibrationMethod.Sine, 1);
+            var mismatches = profile.MismatchesWith(new DisplayConditions(graphicsApi: "Vulkan", reprojection: ReprojectionMode.None));
+            var statistics = Statistics(("VisualisationLatency", Ms(40)), ("Profile", profile), ("ProfileMismatches", mismatches));
+            var texts = new StatusTexts();
+
+            texts.Update(statistics, Loopback, "test", null);
+            var row = texts.ValueOf(StatusRow.VisualisationLatency) + "|" + texts.NoteOf(StatusRow.VisualisationLatency);
+            var said = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
+            statistics.IsLightPredicted = true;
+            texts.Update(statistics, Loopback, "test", null);
+
+            Assert.That(row, Is.EqualTo("! 40.0 ms|other graphics API"));
+            Assert.That(said, Is.EqualTo("! " + mismatches[0].Words));
+            Assert.That(texts.ValueOf(StatusRow.VisualisationLatency) + texts.ValueOf(StatusRow.Message), Is.EqualTo("40.0 ms"));
+        }
+
+        [Test]
         public void Update_NewSession_ClaimsNothing()
         {
             Assert.That(Row(StatusRow.Pose), Does.StartWith("! no positions yet"));

@@ -51,6 +51,43 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Read_ConditionsAndHeadMotion_AreThoseThatWereWritten(
+            [Values] ReprojectionMode reprojection, [Values(null, true, false)] bool? rewrites)
+        {
+            var conditions = new DisplayConditions(
+                "HoloLens 2", 60, "Direct3D11", "NativeGraphicsJobs", "UniversalRenderPipelineAsset", rewrites, "PrioritizeInputPolling",
+                reprojection);
+            var written = new LatencyProfile(
+                40, 1, conditions, new DateTime(2026, 11, 20, 0, 0, 0, DateTimeKind.Utc), CalibrationMethod.VisibleLight, 300,
+                headMotion: new HeadMotionLatency(-1.5, 0.4));
+
+            var read = LatencyProfileJson.Read(LatencyProfileJson.Write(written), "profile.json");
+
+            Assert.That(read.Conditions, Is.EqualTo(conditions));
+            Assert.That(read.HeadMotion.Latency, Is.EqualTo(Lengths.Ms(-1.5)));
+            Assert.That(read.HeadMotion.Uncertainty, Is.EqualTo(Lengths.Ms(0.4)));
+        }
+
+        [Test]
+        public void Read_ProfileOfAnOlderVersion_HasDeviceAndRateOnly()
+        {
+            var profile = LatencyProfileJson.Read(Good, "profile.json");
+
+            Assert.That(profile.Conditions, Is.EqualTo(new DisplayConditions("HoloLens 2", 60)));
+            Assert.That(profile.HeadMotion, Is.Null);
+        }
+
+        [TestCase(@"""reprojection"": ""sideways""", "profile.json: reprojection: 'sideways' is not allowed; use one of unknown, none, ")]
+        [TestCase(@"""rewrite_before_render"": ""maybe""", "profile.json: rewrite_before_render: 'maybe' is not allowed; use on or off")]
+        [TestCase(@"""rewrite_before_render"": true", "profile.json: rewrite_before_render must be a text")]
+        [TestCase(@"""head_latency_ms"": 700", "profile.json: head_latency_ms: 700 ms is out of range; allowed are -500 to 500 ms")]
+        [TestCase(@"""head_latency_ms"": 7", "profile.json: head_latency_uncertainty_ms is missing")]
+        public void Read_InvalidCondition_IsRefused(string field, string message)
+        {
+            Assert.That(FaultOf(Good.Replace("}", ", " + field + "}")), Does.StartWith(message));
+        }
+
+        [Test]
         public void Read_NothingKnownOfRenderTimes_IsAProfileWithoutRange()
         {
             var text = Good.Replace(@"""limit_render_ms"": 15.0, ""valid_to_render_ms"": 15.0, ""render_source"": ""display_gpu_time""",

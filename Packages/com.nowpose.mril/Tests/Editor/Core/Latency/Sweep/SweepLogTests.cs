@@ -49,6 +49,47 @@ namespace Nowpose.Tests
             Assert.That(read[1].DisplayHz, Is.EqualTo(60));
         }
 
+        static readonly DisplayConditions Conditions = new DisplayConditions(
+            "HoloLens 2", 60, "Direct3D11", "MultiThreaded", "built-in", false, "PrioritizeRendering", ReprojectionMode.Depth);
+
+        [Test]
+        public void Conditions_Written_AreReadWithoutThoseOfTheRows()
+        {
+            var text = new StringWriter();
+            SweepLog.WriteHeader(text, Conditions);
+            SweepLog.Write(text, Row());
+
+            var rows = SweepLogReader.Read(new StringReader(text.ToString()), "sweep.csv", out var conditions);
+
+            Assert.That(text.ToString(), Does.StartWith("# graphics_api: Direct3D11\n# graphics_jobs: MultiThreaded\n"));
+            Assert.That(rows, Has.Count.EqualTo(1));
+            Assert.That(conditions, Is.EqualTo(new DisplayConditions().Or(new DisplayConditions(
+                null, null, "Direct3D11", "MultiThreaded", "built-in", false, "PrioritizeRendering", ReprojectionMode.Depth))));
+        }
+
+        [Test]
+        public void Conditions_LogOfAnOlderVersion_AreNotKnown()
+        {
+            SweepLogReader.Read(new StringReader(Text(Row())), "sweep.csv", out var conditions);
+
+            Assert.That(conditions, Is.EqualTo(DisplayConditions.Unknown));
+        }
+
+        [Test]
+        public void Conditions_FieldsOfANewerVersion_AreIgnored()
+        {
+            var read = Read("# future: 5\n# a remark\n" + Text(Row()));
+
+            Assert.That(read, Has.Length.EqualTo(1));
+        }
+
+        [TestCase("# reprojection: sideways\n", "sweep.csv: reprojection: 'sideways' is not allowed")]
+        [TestCase("# graphics_api: Vulkan\nother\n", "sweep.csv:2: the header is 'other'")]
+        public void Conditions_Wrong_AreRefused(string text, string message)
+        {
+            Assert.That(() => Read(text + Header), Throws.TypeOf<InputException>().With.Message.StartsWith(message));
+        }
+
         [Test]
         public void Text_OfAnotherProgram_MayHaveOtherLineEndsAndAnUnknownDisplayRate()
         {

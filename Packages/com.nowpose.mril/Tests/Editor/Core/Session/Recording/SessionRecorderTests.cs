@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 using Nowpose.Latency;
 using Nowpose.Network;
@@ -47,6 +48,37 @@ namespace Nowpose.Tests
             Assert.That((double)header["settings"]["visualisation_ms"], Is.EqualTo(40));
             Assert.That((string)header["settings"]["render_time_source"], Is.EqualTo("gpu_completion"));
             Assert.That(run.Text, Does.Not.Contain("secret"));
+        }
+
+        [Test]
+        public void Header_Conditions_AreThoseThatAreKnown()
+        {
+            var session = NewSession();
+            session.Conditions = new DisplayConditions("HoloLens 2", 59.94, graphicsApi: "Direct3D11");
+            session.Reprojection = ReprojectionMode.PlanarFromDepth;
+
+            RecordedRun run;
+            using (run = new RecordedRun(session)) run.Flush();
+
+            Assert.That(run.Lines[0]["conditions"].ToString(Formatting.None), Is.EqualTo(
+                "{\"device\":\"HoloLens 2\",\"display_hz\":59.94,\"graphics_api\":\"Direct3D11\",\"rewrite_before_render\":\"off\","
+                + "\"reprojection\":\"planar_from_depth\"}"));
+        }
+
+        [Test]
+        public void Display_ReprojectionReportedAfterTheStart_IsALineOfItsOwn()
+        {
+            var session = NewSession();
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                session.Tick(Start);
+                session.Reprojection = ReprojectionMode.Depth;
+                session.Tick(Start + Lengths.Ms(16));
+                session.Tick(Start + Lengths.Ms(33));
+            }
+
+            Assert.That(run.Of("display").Select(line => (string)line["reprojection"]), Is.EqualTo(new[] { null, "depth" }));
         }
 
         [Test]

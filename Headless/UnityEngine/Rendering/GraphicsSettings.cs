@@ -1,0 +1,10 @@
+namespace UnityEngine.Rendering;
+
+public sealed class GraphicsSettings : Object
+{
+    GraphicsSettings()
+    {
+    }
+
+    public static RenderPipelineAsset currentRenderPipeline => World.Current.Gpu.RenderPipeline;
+}

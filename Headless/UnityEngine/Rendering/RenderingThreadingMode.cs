@@ -1,0 +1,7 @@
+namespace UnityEngine.Rendering;
+
+public enum RenderingThreadingMode
+{
+    MultiThreaded = 2,
+    NativeGraphicsJobs = 4,
+}

@@ -1,0 +1,30 @@
+namespace Nowpose.Latency
+{
+    /// <summary>Something that changes L_visu, the visualisation latency.</summary>
+    public enum DisplayCondition
+    {
+        /// <summary>Model of the headset.</summary>
+        Device,
+
+        /// <summary>Refresh rate of the display, Hz.</summary>
+        DisplayRate,
+
+        /// <summary>Graphics API, such as Direct3D11.</summary>
+        GraphicsApi,
+
+        /// <summary>Threads that prepare graphics commands: with or without Graphics Jobs.</summary>
+        GraphicsJobs,
+
+        /// <summary>Unity's render pipeline.</summary>
+        RenderPipeline,
+
+        /// <summary>Whether the pose is computed a second time right before rendering.</summary>
+        RewriteBeforeRender,
+
+        /// <summary>OpenXR's Latency Optimization setting, which moves the wait for the next frame.</summary>
+        LatencyOptimization,
+
+        /// <summary>How the display corrects a finished frame for head motion.</summary>
+        Reprojection,
+    }
+}

@@ -1,0 +1,48 @@
+using System;
+
+namespace Nowpose.Latency
+{
+    /// <summary>Names of display conditions in files and in messages.</summary>
+    static class DisplayConditionNames
+    {
+        static readonly string[] Fields =
+        {
+            "device", "display_hz", "graphics_api", "graphics_jobs", "render_pipeline", "rewrite_before_render", "latency_optimization",
+            "reprojection",
+        };
+
+        static readonly string[] Labels =
+        {
+            "device", "refresh rate", "graphics API", "Graphics Jobs", "render pipeline", "Rewrite Before Render", "Latency Optimization",
+            "reprojection mode",
+        };
+
+        static readonly string[] Places =
+        {
+            "", "", "Project Settings, Player", "Project Settings, Player", "Project Settings, Graphics and Quality",
+            "Session Settings", "Project Settings, XR Plug-in Management, OpenXR", "the component or script that sets the reprojection mode",
+        };
+
+        public static int Count => Fields.Length;
+
+        /// <summary>Name of the field in files and diagnostics.</summary>
+        public static string FieldOf(DisplayCondition condition) => Fields[(int)condition];
+
+        /// <summary>Name in messages, as Unity or an Inspector shows it.</summary>
+        public static string LabelOf(DisplayCondition condition) => Labels[(int)condition];
+
+        /// <summary>Name in the first column of a table.</summary>
+        public static string TitleOf(DisplayCondition condition) => char.ToUpperInvariant(LabelOf(condition)[0]) + LabelOf(condition).Substring(1);
+
+        /// <summary>Where the condition can be set back.</summary>
+        public static string PlaceOf(DisplayCondition condition) => Places[(int)condition];
+
+        /// <param name="field">Exactly as written by <see cref="FieldOf"/>.</param>
+        public static bool TryParse(string field, out DisplayCondition condition)
+        {
+            var index = Array.IndexOf(Fields, field);
+            condition = (DisplayCondition)Math.Max(0, index);
+            return index >= 0;
+        }
+    }
+}

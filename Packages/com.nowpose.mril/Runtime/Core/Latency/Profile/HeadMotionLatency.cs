@@ -1,0 +1,26 @@
+using System;
+
+namespace Nowpose.Latency
+{
+    /// <summary>Latency of the picture's position for head motion, which late-stage reprojection shortens.</summary>
+    /// <remarks>L_visu is the age of the content, which late-stage reprojection leaves as it is.</remarks>
+    public sealed class HeadMotionLatency
+    {
+        internal const double MinMs = -500, MaxMs = 500;
+
+        /// <param name="latencyMs">−500 to 500 ms. Negative: the picture is ahead of the head.</param>
+        /// <param name="uncertaintyMs">Half of the 95 % confidence interval, 0 to 500 ms.</param>
+        /// <exception cref="InputException">A value is out of range.</exception>
+        public HeadMotionLatency(double latencyMs, double uncertaintyMs)
+        {
+            Latency = SettingRange.RequireMs(latencyMs, MinMs, MaxMs, "head motion latency");
+            Uncertainty = SettingRange.RequireMs(uncertaintyMs, 0, MaxMs, "uncertainty of the head motion latency");
+        }
+
+        /// <summary>How much later than the head the picture moves; negative when it is ahead.</summary>
+        public TimeSpan Latency { get; }
+
+        /// <summary>Half of the 95 % confidence interval.</summary>
+        public TimeSpan Uncertainty { get; }
+    }
+}
