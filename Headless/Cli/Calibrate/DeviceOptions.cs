@@ -1,38 +1,58 @@
 using System.CommandLine;
-using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>What a profile says of the headset that was measured, for measurements that do not say it themselves.</summary>
+/// <summary>Conditions of the headset that was measured, for measurements that do not state them themselves.</summary>
 sealed class DeviceOptions
 {
     readonly Option<string> _device = new("--device")
     {
         Description = "The headset's model, as Unity's SystemInfo.deviceModel and the sweep's log have it; the headset refuses a profile of another "
             + "one. Not said: taken from the sweep's log, else the profile fits any",
-        DefaultValueFactory = _ => "",
     };
 
     readonly Option<double> _displayHz = NumberOption.Create(
         "--display-hz", "Refresh rate of the headset's display; 0 for not said, as of --device", 0.0, 0, 1000, "Hz");
 
+    readonly Option<string> _graphicsApi = Text("--graphics-api", "Graphics API, as SystemInfo.graphicsDeviceType names it: Direct3D11");
+
+    readonly Option<string> _graphicsJobs = Text(
+        "--graphics-jobs", "Rendering threads, as SystemInfo.renderingThreadingMode names them: MultiThreaded without Graphics Jobs");
+
+    readonly Option<string> _renderPipeline = Text("--render-pipeline", "Type name of the render pipeline's asset, or built-in");
+
+    readonly Option<string> _rewrite = Choice(
+        "--rewrite-before-render", "Whether the pose is computed a second time right before rendering",
+        [DisplayConditions.On, DisplayConditions.Off]);
+
+    readonly Option<string> _optimization = Text(
+        "--latency-optimization", "OpenXR's Latency Optimization: PrioritizeRendering or PrioritizeInputPolling");
+
+    readonly Option<string> _reprojection = Choice(
+        "--reprojection", "How the display corrects frames for head motion",
+        [.. Enum.GetValues<ReprojectionMode>().Select(ReprojectionModeNames.NameOf)]);
+
     public void AddTo(Command verb)
     {
-        verb.Options.Add(_device);
-        verb.Options.Add(_displayHz);
+        Option[] options = [_device, _displayHz, _graphicsApi, _graphicsJobs, _renderPipeline, _rewrite, _optimization, _reprojection];
+        foreach (var option in options) verb.Options.Add(option);
     }
 
-    public string Device(ParseResult parsed) => parsed.GetValue(_device);
-
-    public double DisplayHz(ParseResult parsed) => parsed.GetValue(_displayHz);
-
-    /// <summary>Null where it was not typed: a log may know better.</summary>
-    public string GivenDevice(ParseResult parsed) => RecordingOptions.IsGiven(parsed, _device) ? Device(parsed) : null;
-
-    /// <summary>As <see cref="GivenDevice"/>.</summary>
-    public double? GivenDisplayHz(ParseResult parsed) => RecordingOptions.IsGiven(parsed, _displayHz) ? DisplayHz(parsed) : null;
+    /// <summary>Those that were typed; the others are not known.</summary>
+    /// <exception cref="InputException">A value cannot be used.</exception>
+    public DisplayConditions Conditions(ParseResult parsed) => DisplayConditions.Parse(condition => condition switch
+    {
+        DisplayCondition.Device => parsed.GetValue(_device),
+        DisplayCondition.GraphicsApi => parsed.GetValue(_graphicsApi),
+        DisplayCondition.GraphicsJobs => parsed.GetValue(_graphicsJobs),
+        DisplayCondition.RenderPipeline => parsed.GetValue(_renderPipeline),
+        DisplayCondition.RewriteBeforeRender => parsed.GetValue(_rewrite),
+        DisplayCondition.LatencyOptimization => parsed.GetValue(_optimization),
+        DisplayCondition.Reprojection => parsed.GetValue(_reprojection),
+        _ => null,
+    }).Or(new DisplayConditions(displayHz: parsed.GetValue(_displayHz)));
 
     /// <summary>The source of the render time, where a limit is found.</summary>
     public static Option<string> Source() => ChoiceOption.Create(
@@ -42,4 +62,9 @@ sealed class DeviceOptions
     /// <param name="source">A choice of <see cref="Source"/>.</param>
     public static RenderTimeSourceKind KindOf(string source) =>
         RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is not known");
+
+    static Option<string> Text(string name, string description) => new(name) { Description = description + "; as of --device" };
+
+    static Option<string> Choice(string name, string description, string[] allowed) =>
+        ChoiceOption.Create(name, description + "; as of --device", null, allowed);
 }

@@ -1,27 +1,27 @@
 using System.CommandLine;
-using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate;
 
 /// <summary><c>--profile</c>: ways that find L_visu alone keep the limit of the render time that another way has found.</summary>
-/// <remarks>Without one it still knows which headset is measured.</remarks>
+/// <remarks>Without one it still has the conditions of the measurement.</remarks>
 sealed class EarlierProfile
 {
-    readonly LatencyProfile _profile;
+    readonly IReadOnlyList<string> _warnings;
 
-    EarlierProfile(LatencyProfile profile, string device, double displayHz)
+    EarlierProfile(LatencyProfile profile, DisplayConditions conditions, IReadOnlyList<string> warnings)
     {
-        _profile = profile;
-        Device = profile != null && device.Length == 0 ? profile.Device : device;
-        DisplayHz = profile != null && displayHz == 0 ? profile.DisplayHz : displayHz;
+        Profile = profile;
+        Conditions = profile == null ? conditions : conditions.Or(profile.Conditions);
+        _warnings = warnings;
     }
 
-    /// <summary>The headset's model; empty where nobody says it.</summary>
-    public string Device { get; }
+    /// <summary>Null for none.</summary>
+    public LatencyProfile Profile { get; }
 
-    /// <summary>0 where nobody says it.</summary>
-    public double DisplayHz { get; }
+    /// <summary>Conditions of the measurement: by the options, else by the sweep's log, else by the earlier profile.</summary>
+    public DisplayConditions Conditions { get; }
 
     public static Option<string> Option() => new("--profile")
     {
@@ -30,20 +30,36 @@ sealed class EarlierProfile
 
     /// <summary>To be called before the measuring, so that a profile that cannot be used costs no more than a line.</summary>
     /// <param name="path">Null for none.</param>
-    /// <param name="device">Null for the sweep's, as <paramref name="displayHz"/>.</param>
-    /// <param name="sweep">Null for none.</param>
+    /// <param name="given">Conditions by the options.</param>
+    /// <param name="sweep">Conditions by the sweep's log; null for none.</param>
     /// <exception cref="InputException">It is none that can be read, or of another device or display rate.</exception>
-    public static EarlierProfile Read(string path, string device, double? displayHz, IReadOnlyList<SweepRow> sweep = null)
+    public static EarlierProfile Read(string path, DisplayConditions given, DisplayConditions sweep = null)
     {
-        device ??= sweep == null ? "" : SweepTable.Device(sweep);
-        var rate = displayHz ?? (sweep == null ? 0 : SweepTable.DisplayHz(sweep));
+        var warnings = new List<string>();
+        if (sweep != null)
+            warnings.AddRange(sweep.MismatchesWith(given).Select(each =>
+                $"--sweep: the log was written with {each.Label} '{each.Calibrated}', the options say '{each.Actual}'; "
+                + "the pictures must be of the sweep: take both again under the same settings"));
+        var conditions = sweep == null ? given : given.Or(sweep);
         var profile = path == null ? null : LatencyProfileFile.Load(path);
-        if (profile?.RefusalFor(device, rate) is string refusal) throw new InputException($"--profile: {path}: {refusal}");
-        return new EarlierProfile(profile, device, rate);
+        if (profile?.RefusalFor(conditions) is string refusal) throw new InputException($"--profile: {path}: {refusal}");
+        if (profile != null)
+            warnings.AddRange(profile.MismatchesWith(conditions).Select(each =>
+                $"--profile: {path}: was measured with {each.Label} '{each.Calibrated}', this measurement has '{each.Actual}'; "
+                + "what is kept of the profile may not hold: sweep again"));
+        return new EarlierProfile(profile, conditions, warnings);
     }
 
-    /// <summary>The profile with another L_visu.</summary>
+    /// <summary>The page with the mismatches of the conditions before its other warnings.</summary>
+    public CalibrationPageData WithWarnings(CalibrationPageData page) => page with { Warnings = [.. _warnings, .. page.Warnings] };
+
+    /// <summary>The profile with another latency for head motion; null where there is none.</summary>
+    public LatencyProfile With(HeadMotionLatency head) => Profile == null ? null : new(
+        Profile.Visualisation.Length.TotalMilliseconds, Profile.Spread.TotalMilliseconds, Conditions, Profile.MeasuredUtc, Profile.Method,
+        Profile.Measurements, Profile.Range?.Limit.TotalMilliseconds, Profile.RenderTimeSource, Profile.ValidToRenderTime?.TotalMilliseconds, head);
+
+    /// <summary>The profile with another L_visu. The latency for head motion is kept: it is measured by itself.</summary>
     public LatencyProfile With(double visuMs, double spreadMs, CalibrationMethod method, int measurements) => new(
-        visuMs, spreadMs, Device, DisplayHz, DateTime.UtcNow, method, measurements, _profile?.Range?.Limit.TotalMilliseconds,
-        _profile?.RenderTimeSource ?? RenderTimeSourceKind.None, _profile?.ValidToRenderTime?.TotalMilliseconds);
+        visuMs, spreadMs, Conditions, DateTime.UtcNow, method, measurements, Profile?.Range?.Limit.TotalMilliseconds,
+        Profile?.RenderTimeSource ?? RenderTimeSourceKind.None, Profile?.ValidToRenderTime?.TotalMilliseconds, Profile?.HeadMotion);
 }

@@ -39,9 +39,10 @@ static class NudgeVerb
         var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Told), parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
         var output = CalibrationOutput.At(parsed.GetValue(Output));
-        var profile = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Device(parsed), Device.DisplayHz(parsed))
-            .With(result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, CalibrationMethod.Nudge, result.Count);
-        var page = NudgePage.Of(marks, result, profile);
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
+        var profile = earlier.With(
+            result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, CalibrationMethod.Nudge, result.Count);
+        var page = earlier.WithWarnings(NudgePage.Of(marks, result, profile));
         var written = output.Write(profile, page);
         ResultTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? NudgePage.Json(result) : null);
         return ExitStatus.Done;

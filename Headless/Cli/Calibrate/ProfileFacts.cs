@@ -15,6 +15,9 @@ static class ProfileFacts
         if (profile.Range != null) yield return ["Render time measured with", RenderTimeSourceNames.NameOf(profile.Range.Source)];
         yield return ["Device", profile.Device.Length > 0 ? profile.Device : "not said: fits any"];
         yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : "not said: fits any"];
+        for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)
+            if (profile.Conditions[condition] is string value) yield return [DisplayConditionNames.TitleOf(condition), value];
+        if (profile.HeadMotion is HeadMotionLatency head) yield return ["Latency for head motion", $"{Ms(head.Latency)} ± {Ms(head.Uncertainty)}"];
         yield return ["Measurements", profile.Measurements.ToString(CultureInfo.InvariantCulture)];
     }
 

@@ -19,18 +19,18 @@ static class RangeVerb
         var verb = new Command("range", "Fit the constant-latency range: L_visu, and the render time up to which it is constant.") { file, source, output, json };
         device.AddTo(verb);
         verb.SetAction(parsed => Run(
-            parsed.GetValue(file), parsed.GetValue(source), device.Device(parsed), device.DisplayHz(parsed), parsed.GetValue(output), parsed.GetValue(json)));
+            parsed.GetValue(file), parsed.GetValue(source), device.Conditions(parsed), parsed.GetValue(output), parsed.GetValue(json)));
         return verb;
     }
 
-    static int Run(string file, string source, string device, double displayHz, string folder, bool asJson)
+    static int Run(string file, string source, DisplayConditions conditions, string folder, bool asJson)
     {
         var pictures = PairTable.Read(file);
         var kind = DeviceOptions.KindOf(source);
         RequireSight(pictures, file, source);
         var fit = FitOf(pictures, file);
         var output = CalibrationOutput.At(folder);
-        var profile = RangeProfile.Of(fit, device, displayHz, kind);
+        var profile = RangeProfile.Of(fit, conditions, kind);
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]]);
         var written = output.Write(profile, page);
         ResultTable.Print(page, written, output.PagePath, asJson ? RangeJson.Of(fit) : null);

@@ -51,14 +51,14 @@ static class SineVerb
     {
         var path = parsed.GetValue(Recording);
         var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Told));
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Device(parsed), Device.DisplayHz(parsed));
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
         var tracks = Tracks(parsed, path, cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
         var lag = EstimateOf(tracks, path);
         var result = new SineResult(tracks, lag, way);
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
-        var page = SinePage.Of(result, profile, path);
+        var page = earlier.WithWarnings(SinePage.Of(result, profile, path));
         var written = output.Write(profile, page);
         ResultTable.Print(page, written, output.PagePath, parsed.GetValue(Json) ? SineJson.Of(result) : null);
         return ExitStatus.Done;

@@ -42,8 +42,9 @@ static class VlcVerb
     {
         var arguments = parsed.GetValue(Pictures);
         var files = PictureFiles.Of(arguments);
-        var sweep = parsed.GetValue(Sweep) is string path ? SweepTable.Read(path) : null;
-        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.GivenDevice(parsed), Device.GivenDisplayHz(parsed), sweep);
+        DisplayConditions conditions = null;
+        var sweep = parsed.GetValue(Sweep) is string path ? SweepTable.Read(path, out conditions) : null;
+        var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed), conditions);
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
         var result = run.Run(files, cancel);

@@ -7,9 +7,10 @@ namespace Nowpose.Cli.Calibrate.Range;
 /// <summary>What pictures at several loads say, as a profile for the headset and as a page for people.</summary>
 static class RangeProfile
 {
-    public static LatencyProfile Of(RangeFitResult fit, string device, double displayHz, RenderTimeSourceKind source) => new(
-        fit.VisuMs, fit.SpreadMs, device, displayHz, DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Used,
-        fit.LimitRenderMs, source, fit.ValidToRenderMs);
+    public static LatencyProfile Of(
+        RangeFitResult fit, DisplayConditions conditions, RenderTimeSourceKind source, HeadMotionLatency head = null) => new(
+        fit.VisuMs, fit.SpreadMs, conditions, DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Used,
+        fit.LimitRenderMs, source, fit.ValidToRenderMs, head);
 
     /// <param name="more">Facts of the way of measuring.</param>
     /// <param name="warnings">Null for none beyond what the fit itself says.</param>

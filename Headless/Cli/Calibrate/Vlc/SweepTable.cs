@@ -7,12 +7,18 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 static class SweepTable
 {
     /// <exception cref="InputException">The file cannot be read, is not of that form, or is of several headsets.</exception>
-    public static IReadOnlyList<SweepRow> Read(string path)
+    public static IReadOnlyList<SweepRow> Read(string path) => Read(path, out _);
+
+    /// <param name="conditions">Those of the whole sweep.</param>
+    /// <exception cref="InputException">As of the other method.</exception>
+    public static IReadOnlyList<SweepRow> Read(string path, out DisplayConditions conditions)
     {
         using var text = RecordingText.Open(path);
         try
         {
-            return OfOneHeadset(SweepLogReader.Read(text, path), path);
+            var rows = OfOneHeadset(SweepLogReader.Read(text, path, out var others), path);
+            conditions = new DisplayConditions(Device(rows), DisplayHz(rows)).Or(others);
+            return rows;
         }
         catch (Exception e) when (e is IOException or InvalidDataException)
         {

@@ -29,8 +29,10 @@ sealed class VlcEvaluation
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         if (sweep != null) Pictures = Joined(sweep, sensitivity.Source);
         var fit = sensitivity == null ? null : FitOf(sensitivity);
-        Profile = fit != null ? RangeProfile.Of(fit, earlier.Device, earlier.DisplayHz, sensitivity.Source) : WithoutRange(sweep != null, earlier);
-        Page = fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage();
+        Profile = fit != null
+            ? RangeProfile.Of(fit, earlier.Conditions, sensitivity.Source, earlier.Profile?.HeadMotion)
+            : WithoutRange(sweep != null, earlier);
+        Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
     /// <summary>Joined with the sweep; empty without one.</summary>

@@ -33,7 +33,9 @@ public sealed class VlcEvaluationTests
     }
 
     static VlcEvaluation Evaluate(VlcResult result, IReadOnlyList<SweepRow> sweep, string device = null, double? displayHz = null) =>
-        new(result, sweep, EarlierProfile.Read(null, device, displayHz, sweep));
+        new(result, sweep, EarlierProfile.Read(null, new DisplayConditions(device, displayHz), sweep == null ? null : Conditions(sweep)));
+
+    static DisplayConditions Conditions(IReadOnlyList<SweepRow> sweep) => new(SweepTable.Device(sweep), SweepTable.DisplayHz(sweep));
 
     [Test]
     public void Sweep_WhoseSourceSeesLoad_GivesLVisuAndTheLimit()

@@ -1,0 +1,72 @@
+using Nowpose.Cli.Calibrate;
+using Nowpose.Cli.Calibrate.Page;
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+public sealed class EarlierProfileTests : CalibrationFolder
+{
+    static readonly DisplayConditions Vulkan = new(graphicsApi: "Vulkan");
+
+    string Saved(DisplayConditions conditions)
+    {
+        var path = Path.Combine(Folder, "earlier.json");
+        LatencyProfileFile.Save(path, new LatencyProfile(40, 1, conditions, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, 15,
+            RenderTimeSourceKind.DisplayGpuTime, headMotion: new HeadMotionLatency(3, 1)));
+        return path;
+    }
+
+    static IReadOnlyList<string> WarningsOf(EarlierProfile earlier) =>
+        earlier.WithWarnings(new CalibrationPageData("", "", []) { Warnings = ["other"] }).Warnings;
+
+    [Test]
+    public void Read_SweepOfOneApiAndPicturesOfAnother_WarnsAndTakesTheOptions()
+    {
+        var earlier = EarlierProfile.Read(null, Vulkan, new DisplayConditions("HoloLens 2", 60, "Direct3D11"));
+
+        Assert.That(WarningsOf(earlier), Is.EqualTo(new[]
+        {
+            "--sweep: the log was written with graphics API 'Direct3D11', the options say 'Vulkan'; the pictures must be of the sweep: "
+                + "take both again under the same settings",
+            "other",
+        }));
+        Assert.That(earlier.Conditions, Is.EqualTo(new DisplayConditions("HoloLens 2", 60, "Vulkan")));
+    }
+
+    [Test]
+    public void Read_SweepOfAnotherApiThanTheProfile_Warns()
+    {
+        var path = Saved(new DisplayConditions(graphicsApi: "Direct3D11"));
+
+        var earlier = EarlierProfile.Read(path, DisplayConditions.Unknown, Vulkan);
+
+        Assert.That(WarningsOf(earlier)[0], Is.EqualTo(
+            $"--profile: {path}: was measured with graphics API 'Direct3D11', this measurement has 'Vulkan'; "
+            + "what is kept of the profile may not hold: sweep again"));
+    }
+
+    [Test]
+    public void With_OtherLVisu_KeepsConditionsLimitAndHeadMotion()
+    {
+        var earlier = EarlierProfile.Read(Saved(new DisplayConditions("HoloLens 2", renderPipeline: "built-in")), Vulkan);
+
+        var profile = earlier.With(50, 1, CalibrationMethod.Nudge, 3);
+
+        Assert.That(WarningsOf(earlier), Is.EqualTo(new[] { "other" }));
+        Assert.That(profile.Conditions, Is.EqualTo(new DisplayConditions("HoloLens 2", null, "Vulkan", null, "built-in")));
+        Assert.That(profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15));
+        Assert.That(profile.HeadMotion.Latency.TotalMilliseconds, Is.EqualTo(3));
+    }
+
+    [Test]
+    public void SweepTable_ConditionsOfTheLog_AreThoseAboveItAndOfItsRows()
+    {
+        var path = Write("sweep.csv", ["# graphics_api: Vulkan", "# reprojection: depth", SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]);
+
+        SweepTable.Read(path, out var conditions);
+
+        Assert.That(conditions, Is.EqualTo(new DisplayConditions("HoloLens 2", 60, "Vulkan", reprojection: ReprojectionMode.Depth)));
+    }
+}
