@@ -7,6 +7,21 @@ namespace Nowpose.Vision;
 /// <param name="Corners">px, y down: x and y of the top left corner as the code is read, then clockwise.</param>
 public sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyList<(double X, double Y)> Corners)
 {
+    /// <summary>Where the diagonals cross: the centre of the code also where it is seen at an angle, px.</summary>
+    public (double X, double Y) Center
+    {
+        get
+        {
+            var (a, b, c, d) = (Corners[0], Corners[1], Corners[2], Corners[3]);
+            double acX = c.X - a.X, acY = c.Y - a.Y, bdX = d.X - b.X, bdY = d.Y - b.Y;
+            var share = ((b.X - a.X) * bdY - (b.Y - a.Y) * bdX) / (acX * bdY - acY * bdX);
+            return (a.X + share * acX, a.Y + share * acY);
+        }
+    }
+
+    /// <summary>Mean length of the four sides, px.</summary>
+    public double Side => Enumerable.Range(0, 4).Average(i => Distance(Corners[i], Corners[(i + 1) % 4]));
+
     /// <summary>Where in the picture a point of the code is, px from the top.</summary>
     /// <param name="column">0 at the left edge of the code to <see cref="TimestampCode.Side"/> at the right one.</param>
     public double HeightOf(double column, double row)
@@ -14,4 +29,6 @@ public sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IRea
         double u = column / TimestampCode.Side, v = row / TimestampCode.Side;
         return (1 - v) * ((1 - u) * Corners[0].Y + u * Corners[1].Y) + v * ((1 - u) * Corners[3].Y + u * Corners[2].Y);
     }
+
+    static double Distance((double X, double Y) a, (double X, double Y) b) => Math.Sqrt((a.X - b.X) * (a.X - b.X) + (a.Y - b.Y) * (a.Y - b.Y));
 }

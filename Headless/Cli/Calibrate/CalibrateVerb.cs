@@ -8,6 +8,6 @@ static class CalibrateVerb
     public static Command Create() => new(
         "calibrate", "Visualisation latency and constant-latency range from measurements; each way writes a profile for the headset and a page.")
     {
-        VlcVerb.Create(), RangeVerb.Create(), SineVerb.Create(), NudgeVerb.Create(), SimulateVerb.Create(),
+        VlcVerb.Create(), HeadVerb.Create(), RangeVerb.Create(), SineVerb.Create(), NudgeVerb.Create(), SimulateVerb.Create(),
     };
 }

@@ -21,6 +21,9 @@ static class SimulateVerb
     static readonly Option<double> Exposure = NumberOption.Create("--exposure-ms", "Greatest exposure, uniform from 1 ms.", Standard.ExposureMs, 1, 40, "ms");
     static readonly Option<double> Readout = NumberOption.Create(
         "--readout-ms", "Rolling shutter: how much later the last row is exposed than the first.", 0.0, -100, 100, "ms");
+    static readonly Option<double?> HeadLatency = NumberOption.CreateOptional(
+        "--head-latency-ms", "Turn headset and camera to and fro, 30 pictures a second from one place at an ordinary load, with this latency for "
+        + "head motion: pictures for calibrate head", -100.0, 300, "ms");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Start of all that is random.", Standard.Seed, int.MinValue, int.MaxValue, "");
     static readonly Option<bool> Check = new("--check") { Description = "Keep no pictures: read each at once, and say how well. 1 is returned when L_visu is missed." };
     static readonly Option<string> Output = new("--out")
@@ -32,7 +35,7 @@ static class SimulateVerb
     {
         var verb = new Command("simulate", "Take pictures of a simulated display and LED matrix, with a sweep's log and the truth, to try calibrate vlc on.")
         {
-            Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, Seed, Check, Output,
+            Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, HeadLatency, Seed, Check, Output,
         };
         // On a thread of its own, so that Ctrl-C finds the action started and can wait for what it has.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
@@ -47,6 +50,8 @@ static class SimulateVerb
             Spoiled = parsed.GetValue(Spoiled), LoadSteps = parsed.GetValue(LoadSteps),
             LitMs = parsed.GetValue(Lit), ExposureMs = parsed.GetValue(Exposure), ReadoutMs = parsed.GetValue(Readout), Seed = parsed.GetValue(Seed),
         };
+        if (parsed.GetValue(HeadLatency) is double latency)
+            settings = settings with { HeadLatencyMs = latency, LoadSteps = 0, PicturesPerPlace = settings.Pictures };
         var status = parsed.GetValue(Check) ? CheckAll(settings, cancel) : TakeAll(settings, parsed.GetValue(Output), cancel);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : status;
     }

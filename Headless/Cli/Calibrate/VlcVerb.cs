@@ -17,10 +17,8 @@ static class VlcVerb
         Arity = ArgumentArity.OneOrMore,
     };
     static readonly Option<string> Sweep = new("--sweep") { Description = "The load sweep's log, by which each picture's render time is found" };
-    static readonly Option<double> Readout = NumberOption.Create(
-        "--readout-ms", "Rolling shutter: how much later the last row of a picture is exposed than the first", 0.0, -100, 100, "ms");
-    static readonly Option<double> ControlDelay = NumberOption.Create(
-        "--control-delay-ms", "By how much what shows the control's code is late: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
+    static readonly Option<double> Readout = ReadoutOption();
+    static readonly Option<double> ControlDelay = ControlDelayOption();
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
@@ -47,7 +45,7 @@ static class VlcVerb
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed), conditions);
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
-        var result = run.Run(files, cancel);
+        var result = run.Run(files, isStill: true, cancel);
         Tell(result);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Read.Count == 0) return status == ExitStatus.Done ? throw NothingRead(arguments, result) : status;
@@ -58,7 +56,13 @@ static class VlcVerb
         return status;
     }
 
-    static void Tell(VlcResult result)
+    public static Option<double> ReadoutOption() => NumberOption.Create(
+        "--readout-ms", "Rolling shutter: how much later the last row of a picture is exposed than the first", 0.0, -100, 100, "ms");
+
+    public static Option<double> ControlDelayOption() => NumberOption.Create(
+        "--control-delay-ms", "By how much what shows the control's code is late: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
+
+    public static void Tell(VlcResult result)
     {
         if (result.Read.Count == 0) return;
         var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
@@ -66,7 +70,7 @@ static class VlcVerb
         if (rejected.Count > MostTold) Console.Error.WriteLine($"nowpose: {rejected.Count - MostTold} more were rejected");
     }
 
-    static InputException NothingRead(string[] arguments, VlcResult result)
+    public static InputException NothingRead(string[] arguments, VlcResult result)
     {
         if (result.Pictures.Count == 1) return new InputException($"{result.Pictures[0].File}: {result.Pictures[0].Fault}");
         var (fault, count) = result.Faults().First();

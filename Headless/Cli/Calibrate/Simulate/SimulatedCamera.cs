@@ -19,8 +19,10 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
         var random = new RandomStream(settings.Seed, purpose: -1 - picture);
         var place = new SimulatedPlace(picture / settings.PicturesPerPlace, settings.Seed);
         double dx = Shake * (random.Next() - 0.5), dy = Shake * (random.Next() - 0.5);
-        double[][] control = Moved(place.Control, dx, dy), headset = Moved(place.Headset, dx, dy);
         var moment = sweep.Moments[picture];
+        var (control, headset, motion) = settings.HeadLatencyMs is double latencyMs
+            ? Turned(place, moment, latencyMs)
+            : (Moved(place.Control, dx, dy), Moved(place.Headset, dx, dy), [0, 0]);
         var (controlLit, headsetLit) = (ControlLight(moment, control, headset), HeadsetLight(moment, headset));
         var shot = new Shot(
             SimulatedPlace.Width, SimulatedPlace.Height, place.Scene, place.SceneLight,
@@ -28,10 +30,29 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
                 new DrawnCode(control, controlLit, place.ControlLight, place.Dot, place.Panel),
                 new DrawnCode(headset, headsetLit, place.HeadsetLight, 0, null),
             ],
-            place.Blur, [0, 0], [], [], place.Noise, picture);
+            place.Blur, motion, [], [], place.Noise, picture);
         spoiledBy = "";
         return random.Next() < settings.Spoiled ? Spoiling.Of(shot, random, out spoiledBy) : shot;
     }
+
+    /// <summary>Moves the room through the picture of a camera that turns with the headset, and the hologram after it.</summary>
+    /// <remarks>
+    /// While a frame is lit it stands still on the display. Here it is smeared with the room, which makes it harder to read than it is.
+    /// </remarks>
+    (double[][] Control, double[][] Headset, double[] Motion) Turned(SimulatedPlace place, SimulatedMoment moment, double latencyMs)
+    {
+        double middleX = (SimulatedPlace.Width - MeanOf(place.Control, 0) - MeanOf(place.Headset, 0)) / 2;
+        double middleY = (SimulatedPlace.Height - MeanOf(place.Control, 1) - MeanOf(place.Headset, 1)) / 2;
+        double[][] control = Moved(place.Control, middleX, middleY), headset = Moved(place.Headset, middleX, middleY);
+        var delay = settings.ReadoutMs * (MeanOf(control, 1) - MeanOf(headset, 1)) / SimulatedPlace.Height;
+        var room = HeadSwing.PlaceAt(moment.Middle + TimeSpan.FromMilliseconds(delay));
+        var shown = HeadSwing.PlaceAt(sweep.LightOf(moment.Frame) - TimeSpan.FromMilliseconds(latencyMs));
+        var speed = HeadSwing.SpeedAt(moment.Middle);
+        var seconds = moment.ExposureMs / 1000;
+        return (Moved(control, room.X, room.Y), Moved(headset, shown.X, shown.Y), [speed.X * seconds, speed.Y * seconds]);
+    }
+
+    static double MeanOf(double[][] corners, int axis) => corners.Average(corner => corner[axis]);
 
     /// <summary>Each cell's share of the exposure; rows of a rolling shutter are exposed one after the other.</summary>
     double[] ControlLight(SimulatedMoment moment, double[][] corners, double[][] headset)

@@ -14,6 +14,9 @@ sealed class SimulatedSweep
     /// <summary>From one picture to the next: about 8 pictures a second.</summary>
     const int FramesPerPicture = 7;
 
+    /// <summary>The same of a video, which a moving headset needs: 30 pictures a second.</summary>
+    const int FramesPerVideoPicture = 2;
+
     /// <summary>Frames before and after the pictures, so that each has neighbours.</summary>
     const int Margin = 12;
 
@@ -29,13 +32,15 @@ sealed class SimulatedSweep
     static readonly ControlTime Beginning = ControlTime.FromSeconds(86_400);
 
     readonly SimulationSettings _settings;
+    readonly int _framesPerPicture;
     readonly List<ControlTime> _starts = [], _lights = [];
 
     public SimulatedSweep(SimulationSettings settings)
     {
         _settings = settings;
+        _framesPerPicture = settings.HeadLatencyMs.HasValue ? FramesPerVideoPicture : FramesPerPicture;
         var pipeline = new DisplayPipeline(settings.Seed, new DisplayPipelineSettings(refreshMs: RefreshMs, plateauMs: settings.VisuMs));
-        var frames = settings.Pictures * FramesPerPicture + 2 * Margin;
+        var frames = settings.Pictures * _framesPerPicture + 2 * Margin;
         var rows = new List<SweepRow>(frames);
         var rendered = new Queue<PipelineFrame>();
         double? renderMs = null;
@@ -62,6 +67,9 @@ sealed class SimulatedSweep
 
     public ControlTime StartOf(int frame) => _starts[frame];
 
+    /// <summary>Middle of the time in which a frame is lit.</summary>
+    public ControlTime LightOf(int frame) => _lights[frame];
+
     /// <summary>Eq. (7) with true times, ms.</summary>
     public double VisuMsOf(SimulatedMoment moment) => (moment.Middle - _starts[moment.Frame]).TotalMilliseconds;
 
@@ -83,7 +91,7 @@ sealed class SimulatedSweep
 
     SimulatedMoment MomentOf(int picture, RandomStream random)
     {
-        var frame = Margin + picture * FramesPerPicture + (int)(random.Next() * FramesPerPicture);
+        var frame = Margin + picture * _framesPerPicture + (int)(random.Next() * _framesPerPicture);
         while (frame + 1 < _lights.Count && _lights[frame + 1] - _lights[frame] < TimeSpan.FromMilliseconds(_settings.LitMs / 2)) frame++;
         var exposure = 1 + (_settings.ExposureMs - 1) * random.Next();
         return new SimulatedMoment(_lights[frame] + TimeSpan.FromMilliseconds(_settings.LitMs * (random.Next() - 0.5)), exposure, frame);

@@ -23,6 +23,9 @@ sealed record SimulationSettings
     /// <summary>Rolling shutter: how much later the last row is exposed than the first.</summary>
     public double ReadoutMs { get; init; }
 
+    /// <summary>Latency for head motion of a headset that is turned to and fro with its camera; null for a still one.</summary>
+    public double? HeadLatencyMs { get; init; }
+
     /// <summary>After so many pictures the camera stands elsewhere.</summary>
     public int PicturesPerPlace { get; init; } = 50;
 

@@ -29,7 +29,7 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
         var led = Wrapped(lit.Ms + ControlDelayMs + later);
         var visu = Wrapped(led - shown.Ms + TimestampCode.PeriodMs / 2) - TimestampCode.PeriodMs / 2;
         return visu is >= Least and <= Greatest
-            ? new PictureResult(file, led, shown.Ms, visu, null)
+            ? new PictureResult(file, led, shown.Ms, visu, null) { Places = CodePlaces.Of(control, headset, later) }
             : PictureResult.Not(file, visu > Greatest
                 ? FormattableString.Invariant($"codes more than {Greatest} ms apart")
                 : FormattableString.Invariant($"headset code more than {-Least} ms ahead of the control code: ")

@@ -8,6 +8,9 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <param name="Fault">Why it was rejected; null when it counts.</param>
 sealed record PictureResult(string File, double LedMs, double HeadsetMs, double VisuMs, string Fault)
 {
+    /// <summary>Where both codes are; null when rejected.</summary>
+    public CodePlaces Places { get; init; }
+
     public bool IsRead => Fault == null;
 
     public static PictureResult Not(string file, string fault) => new(file, double.NaN, double.NaN, double.NaN, fault);

@@ -10,8 +10,9 @@ sealed class VlcRun(PictureReader reader)
     string _firstName;
 
     /// <summary>What there is when the pictures, or the user's patience, have ended.</summary>
+    /// <param name="isStill">Whether the headset must not move: pictures taken in motion are then rejected.</param>
     /// <exception cref="InputException">Pictures of several sizes: they are of several cameras, or one is none of the series.</exception>
-    public VlcResult Run(IReadOnlyList<string> files, CancellationToken cancellation)
+    public VlcResult Run(IReadOnlyList<string> files, bool isStill, CancellationToken cancellation)
     {
         var isVideo = PictureFiles.IsVideo(files[0]);
         string NameOf(int place) => isVideo ? FormattableString.Invariant($"{files[0]}#{place + 1}") : files[place];
@@ -25,7 +26,8 @@ sealed class VlcRun(PictureReader reader)
                 report(_results.Count);
             },
             cancellation));
-        return new VlcResult(Strays.Rejected([.. _results.Values]));
+        var pictures = Strays.Rejected([.. _results.Values]);
+        return new VlcResult(isStill ? MovingPictures.Rejected(pictures) : pictures);
     }
 
     void RequireSameSize(SeenPicture seen, string name)

@@ -1,0 +1,94 @@
+using MathNet.Numerics.LinearRegression;
+
+namespace Nowpose.Cli.Calibrate.Head;
+
+/// <summary>Fits the latency for head motion: how the offset between hologram and control's code grows with the speed of the head.</summary>
+/// <remarks>
+/// The hologram is where the control's code was a latency L ago: h(t) = a + (1 + b) c(t − L), where a is the distance of the codes and b
+/// comes from different distances to the camera. With the speed v of c: h − c = a + b c + k c² − (1 + b) L v. The square takes the
+/// distortion of lens and display. Over a motion to and fro, v and c do not depend on each other.
+/// </remarks>
+static class HeadMotionFit
+{
+    const int MinPictures = 60;
+
+    /// <summary>Changes of direction: two periods to and fro.</summary>
+    const int MinTurns = 3;
+
+    /// <summary>Greatest share of the pictures in one direction.</summary>
+    const double MaxShareOfDirection = 0.8;
+
+    /// <summary>Beyond this many standard deviations from the line a place was misjudged.</summary>
+    const double MaxDeviations = 4, PerMedianDeviation = 1.4826;
+
+    /// <summary>Least root mean square of the speed, px/s: below, a px of noise is as long as the latency that is sought.</summary>
+    const double MinSpeed = 60;
+
+    /// <summary>Motion of the hologram in the picture over that of the control's code. A hologram that stays on the display has 0.</summary>
+    const double MinScale = 0.7, MaxScale = 1.4;
+
+    /// <summary>Parts of the recording that are left out in turn, for the uncertainty.</summary>
+    const int Parts = 10;
+
+    /// <summary>Of Student's distribution with 9 degrees of freedom: 95 %.</summary>
+    const double Coverage = 2.26;
+
+    const int Place = 1, Speed = 3;
+
+    /// <exception cref="InputException">There is too little motion, or too few pictures of it.</exception>
+    public static (double LatencyMs, double UncertaintyMs, IReadOnlyList<HeadPicture> Used) Of(IReadOnlyList<HeadPicture> pictures)
+    {
+        RequireMotion(pictures);
+        var used = WithoutStrays(pictures);
+        RequireWorldLocked(1 + Fit(used)[Place]);
+        var latency = LatencyOf(used);
+        double[] parts = [.. Enumerable.Range(0, Parts).Select(part => LatencyOf([.. used.Where((_, i) => i * Parts / used.Count != part)]))];
+        var mean = parts.Average();
+        var deviation = Math.Sqrt((Parts - 1.0) / Parts * parts.Sum(each => (each - mean) * (each - mean)));
+        return (1000 * latency, 1000 * Coverage * deviation, used);
+    }
+
+    static void RequireMotion(IReadOnlyList<HeadPicture> pictures)
+    {
+        if (pictures.Count < MinPictures)
+            throw new InputException($"{pictures.Count} pictures have neighbours close enough in time to give a speed; at least {MinPictures} are "
+                + "needed: film for ten seconds or more, with 25 pictures a second or more");
+        var speed = Math.Sqrt(pictures.Average(picture => picture.Speed * picture.Speed));
+        if (speed < MinSpeed)
+            throw new InputException(FormattableString.Invariant(
+                $"the control's code moves at {speed:0} px/s in the pictures, at least {MinSpeed} px/s are needed: ")
+                + "turn headset and camera together, to and fro");
+        HeadPicture[] fast = [.. pictures.Where(picture => Math.Abs(picture.Speed) > speed / 2)];
+        var forward = fast.Count(picture => picture.Speed > 0) / (double)fast.Length;
+        var turns = fast.Zip(fast.Skip(1)).Count(pair => Math.Sign(pair.First.Speed) != Math.Sign(pair.Second.Speed));
+        if (turns < MinTurns || forward > MaxShareOfDirection || forward < 1 - MaxShareOfDirection)
+            throw new InputException($"the headset changes its direction {turns} times; turn it to and fro, at least twice each way");
+    }
+
+    static void RequireWorldLocked(double scale)
+    {
+        if (scale is >= MinScale and <= MaxScale) return;
+        throw new InputException(FormattableString.Invariant(
+            $"the hologram moves {scale:0.0} px where the control's code moves 1 px; it must stay beside it in the room: disable Body Follow, ")
+            + "and put the code as far away as the control's");
+    }
+
+    static List<HeadPicture> WithoutStrays(IReadOnlyList<HeadPicture> pictures)
+    {
+        var fit = Fit(pictures);
+        double[] rests = [.. pictures.Select(picture => picture.Offset - TermsOf(picture).Zip(fit).Sum(term => term.First * term.Second))];
+        var limit = MaxDeviations * PerMedianDeviation * Quantile.Of(rests.Select(Math.Abs), 0.5);
+        return [.. pictures.Where((_, i) => Math.Abs(rests[i]) <= limit)];
+    }
+
+    static double LatencyOf(IReadOnlyList<HeadPicture> pictures)
+    {
+        var fit = Fit(pictures);
+        return -fit[Speed] / (1 + fit[Place]);
+    }
+
+    static double[] Fit(IReadOnlyList<HeadPicture> pictures) =>
+        MultipleRegression.QR([.. pictures.Select(TermsOf)], [.. pictures.Select(picture => picture.Offset)]);
+
+    static double[] TermsOf(HeadPicture picture) => [1, picture.Place, picture.Place * picture.Place, picture.Speed];
+}

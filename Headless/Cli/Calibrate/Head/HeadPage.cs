@@ -1,0 +1,69 @@
+using System.Globalization;
+using Nowpose.Cli.Calibrate.Page;
+using Nowpose.Cli.Figures.Model;
+using Nowpose.Latency;
+
+namespace Nowpose.Cli.Calibrate.Head;
+
+/// <summary>The latency for head motion as a page: the offset of both codes over the speed.</summary>
+static class HeadPage
+{
+    /// <summary>L_visu of a moving and of a still headset differ by less.</summary>
+    const double MaxVisuDifferenceMs = 3;
+
+    /// <summary>Beyond, reprojection cannot be told from its absence.</summary>
+    const double MaxUncertaintyMs = 5;
+
+    /// <param name="profile">With the latency; null where it is not stored.</param>
+    /// <param name="conditions">Conditions of the measurement.</param>
+    public static CalibrationPageData Of(HeadResult result, LatencyProfile profile, DisplayConditions conditions) => new(
+        "Latency for head motion", Sentence(result),
+        [
+            ["Latency for head motion", $"{Ms(result.LatencyMs)} ± {Ms(result.UncertaintyMs)}"],
+            ["Age of the content (L_visu) in these pictures", Ms(result.VisuMs)],
+            ["Pictures in motion", Count(result.Used.Count)],
+            ["Pictures", Count(result.Pictures.Pictures.Count)],
+            ["Rejected", Count(result.Pictures.Rejected)],
+            ["Speed of the control's code (RMS)", result.SpeedPx.ToString("0", CultureInfo.InvariantCulture) + " px/s"],
+            .. profile == null ? [] : ProfileFacts.Of(profile).Select(fact => new[] { "Profile: " + fact[0], fact[1] }),
+        ])
+    {
+        Warnings = [.. Doubts(result, profile, conditions)],
+        Sections = [OverSpeed(result)],
+    };
+
+    static IEnumerable<string> Doubts(HeadResult result, LatencyProfile profile, DisplayConditions conditions)
+    {
+        if (profile == null)
+            yield return "no profile was written: give the profile of the still pictures (--profile), which gets the latency for head motion";
+        if (conditions.Reprojection == ReprojectionMode.Unknown)
+            yield return "the reprojection mode is not known: say it (--reprojection), for the latency holds for that mode only";
+        if (result.UncertaintyMs > MaxUncertaintyMs)
+            yield return FormattableString.Invariant($"the latency is uncertain by ± {result.UncertaintyMs:0.0} ms: ")
+                + "turn further or faster, or film longer";
+        if (profile?.Visualisation.Length.TotalMilliseconds is double still && Math.Abs(still - result.VisuMs) > MaxVisuDifferenceMs)
+            yield return FormattableString.Invariant($"L_visu of the moving pictures is {result.VisuMs:0.0} ms, of the still ones {still:0.0} ms, ")
+                + "which stays in the profile: are both of the same settings and of little load?";
+    }
+
+    static string Sentence(HeadResult result) => string.Create(CultureInfo.InvariantCulture,
+        $"For head motion the picture is {result.LatencyMs:0.0} ms ± {result.UncertaintyMs:0.0} ms late (95 %), its content {result.VisuMs:0.0} ms.");
+
+    static CalibrationSection OverSpeed(HeadResult result) => new(
+        "Offset of the codes over the speed", null,
+        "The slope is the latency for head motion: a picture that is late by L lies the way of L behind. Without any correction for head "
+        + "motion it is L_visu less the time by which the runtime predicts the head's pose; a display that corrects fully has a level line.",
+        [new("Over the speed", new("speed of the control's code", "px/s"), new("headset's code minus control's code", "px"),
+        [
+            new(
+                "pictures", Looks.Adaptive, [.. result.Used.Select(picture => picture.Speed)],
+                [.. result.Used.Select(picture => (double?)picture.Offset)])
+            {
+                Scattered = true,
+            },
+        ])]);
+
+    static string Ms(double value) => value.ToString("0.00", CultureInfo.InvariantCulture) + " ms";
+
+    static string Count(int count) => count.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,79 @@
+using MathNet.Numerics.LinearRegression;
+using MathNet.Numerics.Statistics;
+using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.VisibleLight;
+
+namespace Nowpose.Cli.Calibrate.Head;
+
+/// <summary>Times, places and speeds of the pictures of a moving headset.</summary>
+static class HeadPictures
+{
+    /// <summary>A frame that was shown again, or late, is not of the moment that its L_visu says.</summary>
+    const double MaxVisuDeviationMs = 10;
+
+    /// <summary>The speed is that of a cubic through the pictures this close.</summary>
+    const double HalfWindowSeconds = 0.15;
+
+    /// <summary>Pictures before and after, so that the cubic has no free end.</summary>
+    const int MinNeighbours = 2;
+
+    const int Cubic = 3;
+
+    /// <summary>Standard deviations of a normal distribution: 95 %.</summary>
+    const double Coverage = 1.96;
+
+    /// <param name="pictures">In the order in which they were taken.</param>
+    /// <param name="visu">L_visu of the pictures that were used: mean, and half of the mean's 95 % confidence interval, ms.</param>
+    /// <returns>Those whose speed is known; empty where there is none.</returns>
+    public static IReadOnlyList<HeadPicture> Of(IEnumerable<PictureResult> pictures, out (double MeanMs, double UncertaintyMs) visu)
+    {
+        PictureResult[] read = [.. pictures.Where(picture => picture.IsRead)];
+        var middle = read.Length == 0 ? double.NaN : Quantile.Of(read.Select(picture => picture.VisuMs), 0.5);
+        read = [.. InTime(read.Where(picture => Math.Abs(picture.VisuMs - middle) <= MaxVisuDeviationMs))];
+        visu = (double.NaN, double.NaN);
+        if (read.Length == 0) return [];
+        var (mean, deviation) = read.Select(picture => picture.VisuMs).MeanStandardDeviation();
+        visu = (mean, Coverage * deviation / Math.Sqrt(read.Length));
+        return [.. Along(read, mean)];
+    }
+
+    // A code that was misread goes back in time, or the pictures are not in their order.
+    static IEnumerable<PictureResult> InTime(IEnumerable<PictureResult> pictures)
+    {
+        PictureResult last = null;
+        foreach (var picture in pictures)
+        {
+            if (last != null && IntervalMs(last, picture) <= 0) continue;
+            yield return last = picture;
+        }
+    }
+
+    static IEnumerable<HeadPicture> Along(PictureResult[] read, double visuMs)
+    {
+        var seconds = new double[read.Length];
+        for (var i = 1; i < read.Length; i++) seconds[i] = seconds[i - 1] + IntervalMs(read[i - 1], read[i]) / 1000;
+        var axis = MotionAxis.Of([.. read.Select(picture => picture.Places.Control)]);
+        double[] places = [.. read.Select(picture => axis.PlaceOf(picture.Places.Control))];
+        for (var i = 0; i < read.Length; i++)
+        {
+            if (SpeedAt(i, seconds, places) is not double speed) continue;
+            // Both codes are seen at other moments than the middle of the light: the headset's code by the picture's own deviation.
+            var laterMs = read[i].Places.LaterMs - (read[i].VisuMs - visuMs);
+            var offset = axis.LengthOf(read[i].Places.Headset, read[i].Places.Control) - speed * laterMs / 1000;
+            yield return new HeadPicture(seconds[i], places[i], speed, offset);
+        }
+    }
+
+    static double? SpeedAt(int at, double[] seconds, double[] places)
+    {
+        int from = at, to = at;
+        while (from > 0 && seconds[at] - seconds[from - 1] <= HalfWindowSeconds) from--;
+        while (to + 1 < seconds.Length && seconds[to + 1] - seconds[at] <= HalfWindowSeconds) to++;
+        if (at - from < MinNeighbours || to - at < MinNeighbours) return null;
+        double[][] powers = [.. Enumerable.Range(from, to - from + 1).Select(i => seconds[i] - seconds[at])
+            .Select(t => Enumerable.Range(0, Cubic + 1).Select(power => Math.Pow(t, power)).ToArray())];
+        return MultipleRegression.QR(powers, places[from..(to + 1)])[1];
+    }
+
+    static double IntervalMs(PictureResult before, PictureResult after) => Math.IEEERemainder(after.LedMs - before.LedMs, TimestampCode.PeriodMs);
+}

@@ -1,0 +1,36 @@
+using Nowpose.Cli.Calibrate.Vlc;
+
+namespace Nowpose.Cli.Calibrate.Head;
+
+/// <summary>What pictures of a moving headset say.</summary>
+sealed class HeadResult
+{
+    /// <exception cref="InputException">There is too little motion, or too few pictures of it.</exception>
+    public HeadResult(VlcResult pictures)
+    {
+        Pictures = pictures;
+        var moving = HeadPictures.Of(pictures.Pictures, out var visu);
+        VisuMs = visu.MeanMs;
+        (LatencyMs, var uncertaintyMs, Used) = HeadMotionFit.Of(moving);
+        // A picture's deviation from the middle of the light is judged by the mean.
+        UncertaintyMs = Math.Sqrt(uncertaintyMs * uncertaintyMs + visu.UncertaintyMs * visu.UncertaintyMs);
+        SpeedPx = Math.Sqrt(Used.Average(picture => picture.Speed * picture.Speed));
+    }
+
+    public VlcResult Pictures { get; }
+
+    /// <summary>Latency for head motion.</summary>
+    public double LatencyMs { get; }
+
+    /// <summary>Half of the 95 % confidence interval.</summary>
+    public double UncertaintyMs { get; }
+
+    /// <summary>Age of the content of the same pictures, Eq. (7).</summary>
+    public double VisuMs { get; }
+
+    /// <summary>Root mean square of the speed, px/s.</summary>
+    public double SpeedPx { get; }
+
+    /// <summary>Pictures of the fit.</summary>
+    public IReadOnlyList<HeadPicture> Used { get; }
+}

@@ -1,0 +1,80 @@
+using Nowpose.Cli.Calibrate.Head;
+using Nowpose.Cli.Calibrate.Vlc;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>Latency for head motion and age of the content, each by itself, from simulated readings with known truth.</summary>
+public sealed class HeadResultTests
+{
+    static HeadResult ResultOf(SwungPictures pictures) => new(new VlcResult(pictures.Take()));
+
+    // With late-stage reprojection some ms remain, without all of L_visu; a runtime that predicts too far is ahead.
+    [Test]
+    public void HeadResult_AnyLatencyAndLVisu_FindsEachByItself(
+        [Values(-3, 0, 2, 5, 20, 40)] double latencyMs, [Values(25, 40, 60)] double visuMs, [Values(1, 2)] int seed)
+    {
+        var result = ResultOf(new SwungPictures { LatencyMs = latencyMs, VisuMs = visuMs, Seed = seed });
+
+        Assert.That(result.LatencyMs, Is.EqualTo(latencyMs).Within(0.5), "seed " + seed);
+        Assert.That(result.VisuMs, Is.EqualTo(visuMs).Within(0.5));
+        Assert.That(result.UncertaintyMs, Is.LessThan(0.6));
+    }
+
+    [Test]
+    public void HeadResult_TwoHundredRecordings_CoversTheTruthInNineteenOfTwenty()
+    {
+        var covered = Enumerable.Range(0, 200).Count(seed =>
+        {
+            var result = ResultOf(new SwungPictures { LatencyMs = 10, Seed = seed, NoisePx = 1 });
+            return Math.Abs(result.LatencyMs - 10) <= result.UncertaintyMs;
+        });
+
+        Assert.That(covered, Is.GreaterThanOrEqualTo(180));
+    }
+
+    [Test]
+    public void HeadResult_RollingShutterOtherDistanceAndDistortion_AreNotTakenForLatency()
+    {
+        var result = ResultOf(new SwungPictures { LatencyMs = 12, LaterMs = 6, Scale = 1.1, Distortion = 1e-4 });
+
+        Assert.That(result.LatencyMs, Is.EqualTo(12).Within(0.7));
+    }
+
+    [Test]
+    public void HeadResult_PicturesRejectedMisreadAndOfLateFrames_AreLeftOut()
+    {
+        var pictures = new SwungPictures { LatencyMs = 12 }.Take().ToArray();
+        for (var i = 0; i < pictures.Length; i += 12) pictures[i] = PictureResult.Not(pictures[i].File, "undecided");
+        for (var i = 5; i < pictures.Length; i += 30)
+            pictures[i] = pictures[i] with { VisuMs = pictures[i].VisuMs + 17, HeadsetMs = pictures[i].HeadsetMs - 17 };
+        for (var i = 7; i < pictures.Length; i += 60)
+            pictures[i] = pictures[i] with { Places = pictures[i].Places with { Headset = (900, 600) } };
+
+        var result = new HeadResult(new VlcResult(pictures));
+
+        Assert.That(result.LatencyMs, Is.EqualTo(12).Within(0.6));
+        Assert.That(result.Used, Has.Count.InRange(200, 270));
+    }
+
+    // Body Follow is on.
+    [Test]
+    public void HeadResult_HologramThatFollowsTheHead_IsRefused()
+    {
+        Assert.That(() => ResultOf(new SwungPictures { Scale = 0 }),
+            Throws.TypeOf<InputException>().With.Message.Contains("it must stay beside it in the room: disable Body Follow"));
+    }
+
+    static readonly object[][] TooLittle =
+    [
+        [new SwungPictures { AmplitudePx = 2 }, "the control's code moves at "],
+        [new SwungPictures { Count = 40 }, "36 pictures have neighbours close enough in time"],
+        [new SwungPictures { PeriodSeconds = 60, AmplitudePx = 3000 }, "turn it to and fro, at least twice each way"],
+    ];
+
+    [TestCaseSource(nameof(TooLittle))]
+    public void HeadResult_TooLittleMotion_IsRefused(object pictures, string message)
+    {
+        Assert.That(() => ResultOf((SwungPictures)pictures), Throws.TypeOf<InputException>().With.Message.Contains(message));
+    }
+}

@@ -1,0 +1,54 @@
+using Nowpose.Cli.Calibrate.Vlc;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>What is read of pictures of a headset that is turned to and fro with its camera, from the law of the motion, without rendering.</summary>
+sealed record SwungPictures
+{
+    const double RefreshMs = 1000 / 59.94, LitMs = 4, Side = 120;
+
+    public double LatencyMs { get; init; }
+
+    public double VisuMs { get; init; } = 40;
+
+    public double AmplitudePx { get; init; } = 150;
+
+    public double PeriodSeconds { get; init; } = 3;
+
+    /// <summary>Standard deviation of both places.</summary>
+    public double NoisePx { get; init; } = 0.3;
+
+    /// <summary>How much later the headset's rows are exposed than the control's.</summary>
+    public double LaterMs { get; init; }
+
+    /// <summary>The hologram's motion in the picture over that of the control's code: another distance to the camera.</summary>
+    public double Scale { get; init; } = 1;
+
+    /// <summary>Of the offset, per px² of the place: distortion of lens or display.</summary>
+    public double Distortion { get; init; }
+
+    public int Count { get; init; } = 300;
+
+    public int Seed { get; init; } = 1;
+
+    /// <summary>30 pictures a second; the headset's code is in whole milliseconds.</summary>
+    public IReadOnlyList<PictureResult> Take()
+    {
+        var random = new Random(Seed);
+        double Noise() => NoisePx * (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5) * 2;
+        double PlaceAt(double ms) => AmplitudePx * Math.Sin(2 * Math.PI * ms / 1000 / PeriodSeconds);
+        return [.. Enumerable.Range(0, Count).Select(i =>
+        {
+            var start = 1000 + 2 * i * RefreshMs;
+            var light = start + VisuMs;
+            var middle = light + LitMs * (random.NextDouble() - 0.5);
+            double control = PlaceAt(middle - LaterMs) + Noise();
+            double shown = PlaceAt(light - LatencyMs);
+            var headset = 200 + Scale * shown + Distortion * shown * shown + Noise();
+            return new PictureResult($"p{i}", middle, Math.Floor(start), middle - Math.Floor(start) - 0.5, null)
+            {
+                Places = new CodePlaces((640 + control, 360 + 0.2 * control), (640 + headset, 360 + 0.2 * headset), Side, LaterMs),
+            };
+        })];
+    }
+}
