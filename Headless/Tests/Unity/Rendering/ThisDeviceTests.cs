@@ -76,6 +76,14 @@ public sealed class ThisDeviceTests
         Assert.That(ThisDevice.Conditions, Is.EqualTo(new DisplayConditions("Stand-in", 72, "Vulkan", "NativeGraphicsJobs", "SomePipelineAsset")));
     }
 
+    [Test]
+    public void OneLine_NameThatNoProfileMayHave_IsMadeUsable()
+    {
+        var name = ThisDevice.OneLine("PC\n" + new string('x', 200));
+
+        Assert.That(new DisplayConditions(name).Device, Is.EqualTo("PC " + new string('x', 125)));
+    }
+
     [TestCase(typeof(SettingsWithProperty), "PrioritizeInputPolling")]
     [TestCase(typeof(SettingsWithField), "PrioritizeInputPolling")]
     [TestCase(typeof(SettingsWithout), null)]

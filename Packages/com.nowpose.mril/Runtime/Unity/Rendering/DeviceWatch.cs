@@ -1,13 +1,16 @@
+using System.Collections.Generic;
 using Nowpose.Session;
+using UnityEngine.XR;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Reports the conditions of this device to a session: at its start, and again while the display starts.</summary>
-    struct DeviceWatch
+    /// <summary>Reports the conditions of this device to a session: at its start, and again when the display has begun to report its rate.</summary>
+    sealed class DeviceWatch
     {
-        /// <summary>A display begins some frames after the scene, and only then reports its rate.</summary>
+        /// <summary>A display begins some frames after the scene.</summary>
         const int FramesBetweenLooks = 60, MaxLooks = 10;
 
+        readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
         int _frames;
 
         public void Begin(CompensationSession session)
@@ -16,10 +19,12 @@ namespace Nowpose.Unity
             session.Conditions = ThisDevice.Conditions;
         }
 
-        /// <summary>Once a frame. Allocates only in the frames in which it looks.</summary>
+        /// <summary>Once a frame. Allocates only where the rate is another one.</summary>
         public void Follow(CompensationSession session)
         {
-            if (_frames < FramesBetweenLooks * MaxLooks && ++_frames % FramesBetweenLooks == 0) session.Conditions = ThisDevice.Conditions;
+            if (_frames >= FramesBetweenLooks * MaxLooks || ++_frames % FramesBetweenLooks != 0) return;
+            var hertz = ThisDevice.DisplayHz(_displays);
+            if (hertz.HasValue && hertz != session.Conditions.DisplayHz) session.Conditions = ThisDevice.Conditions;
         }
     }
 }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Nowpose.Latency;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -13,19 +14,23 @@ namespace Nowpose.Unity
 
         /// <summary>Conditions of device, display and player. The display may report its rate some frames after the scene begins.</summary>
         public static DisplayConditions Conditions => new DisplayConditions(
-            SystemInfo.deviceModel, DisplayHz, SystemInfo.graphicsDeviceType.ToString(), SystemInfo.renderingThreadingMode.ToString(),
-            RenderPipeline, latencyOptimization: OpenXrRenderSettings.LatencyOptimization);
+            OneLine(SystemInfo.deviceModel), DisplayHz(new List<XRDisplaySubsystem>()), SystemInfo.graphicsDeviceType.ToString(),
+            SystemInfo.renderingThreadingMode.ToString(), RenderPipeline, latencyOptimization: OpenXrRenderSettings.LatencyOptimization);
 
-        /// <summary>Null where no display runs or where it does not report its rate.</summary>
-        static double? DisplayHz
+        /// <summary>Refresh rate; null where no display runs or where it does not report its rate.</summary>
+        /// <param name="displays">Overwritten with the displays that there are.</param>
+        public static double? DisplayHz(List<XRDisplaySubsystem> displays)
         {
-            get
-            {
-                var displays = new List<XRDisplaySubsystem>();
-                SubsystemManager.GetSubsystems(displays);
-                return displays.Count > 0 && displays[0].TryGetDisplayRefreshRate(out var hertz) && hertz >= 1 && hertz <= 1000
-                    ? hertz : (double?)null;
-            }
+            SubsystemManager.GetSubsystems(displays);
+            return displays.Count > 0 && displays[0].TryGetDisplayRefreshRate(out var hertz) && hertz >= 1 && hertz <= 1000
+                ? hertz : (double?)null;
+        }
+
+        /// <summary>Replaces what a profile does not accept: a session must not fail because of a device name.</summary>
+        internal static string OneLine(string name)
+        {
+            var line = string.Concat(name.Select(letter => char.IsControl(letter) ? ' ' : letter));
+            return line.Length <= DisplayConditions.MaxTextLength ? line : line.Substring(0, DisplayConditions.MaxTextLength);
         }
 
         static string RenderPipeline

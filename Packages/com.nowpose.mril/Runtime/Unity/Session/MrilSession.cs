@@ -56,6 +56,7 @@ namespace Nowpose.Unity
 
         readonly SessionWatch _watch = new SessionWatch();
         readonly SessionStatistics _statistics = new SessionStatistics();
+        readonly DeviceWatch _device = new DeviceWatch();
         // With room from the start: no frame allocates.
         readonly Queue<SessionChange> _changes = new Queue<SessionChange>(4);
         SessionLog _log;
@@ -67,7 +68,6 @@ namespace Nowpose.Unity
         DepthSubmission _depth;
         ApplicationPresence _presence;
         DescriptionWatch _description;
-        DeviceWatch _device;
         bool _isRunning, _isWanted, _isFilled;
 
         /// <summary>
@@ -235,8 +235,8 @@ namespace Nowpose.Unity
         void LateUpdate()
         {
             if (Session == null) return;
-            if (_description.Follow(Session, Robot, _robot, _log)) Restart();
             _device.Follow(Session);
+            if (_description.Follow(Session, Robot, _robot, _log)) Restart();
             var frame = Show(isLast: !_used.RewriteBeforeRender);
             if (frame == null) return;
             _log.Follow(Session);

@@ -9,8 +9,10 @@ namespace Nowpose.Latency
     /// <remarks>Immutable.</remarks>
     public sealed class DisplayConditions : IEquatable<DisplayConditions>
     {
+        /// <summary>Maximum length of a text, characters.</summary>
+        public const int MaxTextLength = 128;
+
         internal const double MaxDisplayHz = 1000;
-        internal const int MaxTextLength = 128;
         internal const string On = "on", Off = "off";
 
         /// <summary>Rates this close belong to the same display: 60 Hz is also reported as 59.94 Hz.</summary>

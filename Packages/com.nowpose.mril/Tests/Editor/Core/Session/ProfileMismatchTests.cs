@@ -56,7 +56,7 @@ namespace Nowpose.Tests
 
             session.Calibrate(Profile(new DisplayConditions(rewritesBeforeRender: true)));
 
-            Assert.That(FieldsOf(session), Is.EqualTo(rewrites ? new string[0] : new[] { "rewrite_before_render" }));
+            Assert.That(FieldsOf(session), Is.EqualTo(rewrites ? Array.Empty<string>() : new[] { "rewrite_before_render" }));
         }
 
         [Test]
