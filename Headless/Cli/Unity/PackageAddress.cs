@@ -34,7 +34,9 @@ static class PackageAddress
     {
         if (given.Contains("/OWNER/", StringComparison.Ordinal))
             throw new InputException("--package: put the host of your copy of the repository in the place of OWNER");
-        var isWhole = given.Contains('?', StringComparison.Ordinal) || given.Contains('#', StringComparison.Ordinal);
-        return isWhole ? given : $"{given}?path=/Packages/{ProjectNeeds.Package}#v{version}";
+        var hash = given.IndexOf('#', StringComparison.Ordinal);
+        var repository = hash < 0 ? given : given[..hash];
+        if (repository.Contains('?', StringComparison.Ordinal)) return given;
+        return $"{repository}?path=/Packages/{ProjectNeeds.Package}{(hash < 0 ? "#v" + version : given[hash..])}";
     }
 }

@@ -11,14 +11,9 @@ sealed class PackageFolder
     PackageFolder(string root, JsonElement description)
     {
         Root = root;
-        DisplayName = description.GetProperty("displayName").GetString();
-        Version = description.GetProperty("version").GetString();
-        Samples =
-        [
-            .. description.GetProperty("samples").EnumerateArray().Select(sample => new PackageSample(
-                sample.GetProperty("displayName").GetString(), sample.GetProperty("description").GetString(),
-                Path.Combine(root, sample.GetProperty("path").GetString()))),
-        ];
+        DisplayName = Text(description, "displayName");
+        Version = Text(description, "version");
+        Samples = ReadSamples(description);
     }
 
     /// <summary>Absolute path.</summary>
@@ -38,13 +33,53 @@ sealed class PackageFolder
     }
 
     /// <returns>Null if the folder does not contain the package.</returns>
+    /// <exception cref="InputException">Its package.json is not valid; the message names the file and the field.</exception>
     public static PackageFolder Open(string root)
     {
         var file = Path.Combine(root, "package.json");
         if (!File.Exists(file)) return null;
-        using var description = JsonDocument.Parse(File.ReadAllText(file));
-        return description.RootElement.GetProperty("name").GetString() == ProjectNeeds.Package
-            ? new PackageFolder(Path.GetFullPath(root), description.RootElement)
-            : null;
+        try
+        {
+            using var description = JsonDocument.Parse(File.ReadAllText(file));
+            if (description.RootElement.ValueKind != JsonValueKind.Object) throw new FormatException("a JSON object is expected");
+            return Text(description.RootElement, "name") == ProjectNeeds.Package
+                ? new PackageFolder(Path.GetFullPath(root), description.RootElement)
+                : null;
+        }
+        catch (JsonException e)
+        {
+            throw new InputException(FormattableString.Invariant($"{file}:{e.LineNumber + 1}: not a JSON object"), e);
+        }
+        catch (FormatException e)
+        {
+            throw new InputException($"{file}: {e.Message}", e);
+        }
+    }
+
+    IReadOnlyList<PackageSample> ReadSamples(JsonElement description)
+    {
+        if (!description.TryGetProperty("samples", out var samples)) return [];
+        if (samples.ValueKind != JsonValueKind.Array) throw new FormatException("samples must be an array");
+        return [.. samples.EnumerateArray().Select((sample, i) => ReadSample(sample, FormattableString.Invariant($"samples[{i}]")))];
+    }
+
+    PackageSample ReadSample(JsonElement sample, string at)
+    {
+        if (sample.ValueKind != JsonValueKind.Object) throw new FormatException(at + " must be an object");
+        return new PackageSample(
+            Text(sample, "displayName", at + "."), Text(sample, "description", at + "."), Path.Combine(Root, Text(sample, "path", at + ".")));
+    }
+
+    static string Text(JsonElement parent, string name, string at = "")
+    {
+        try
+        {
+            if (parent.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.String) return value.GetString();
+        }
+        catch (InvalidOperationException)
+        {
+            // Half of a surrogate pair, written as an escape.
+        }
+        throw new FormatException($"{at}{name} must be a string");
     }
 }

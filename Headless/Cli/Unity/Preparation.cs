@@ -35,6 +35,9 @@ sealed class Preparation
     /// <summary>Notes for the user.</summary>
     public IReadOnlyList<string> Notes => _notes;
 
+    /// <summary>Why <see cref="Apply"/> would be refused as things are, in one line; null where nothing is known to be in the way.</summary>
+    public string Obstacle => _merge.Changes.Count > 0 ? _file.Obstacle : null;
+
     /// <summary>Steps that the user has to do.</summary>
     public IReadOnlyList<string> NextSteps => _changes.Count == 0 ? [] : _settings.HasMrtk3 ? [.. AfterMrtk3, InUnity] : [InUnity];
 
@@ -47,12 +50,13 @@ sealed class Preparation
     }
 
     /// <returns>The path of the copy of the manifest that was there; null where it was not changed.</returns>
-    /// <exception cref="InputException">The manifest is read-only.</exception>
+    /// <exception cref="InputException">The manifest is read-only, or a sample cannot be copied; the manifest is not changed.</exception>
     public string Apply()
     {
-        var backup = _merge.Changes.Count > 0 ? _file.Write(_merge.Text) : null;
+        if (Obstacle is { } obstacle) throw new InputException(obstacle);
+        // The manifest last: it stays as it is where a sample cannot be copied.
         foreach (var sample in _samples) sample.Apply();
-        return backup;
+        return _merge.Changes.Count > 0 ? _file.Write(_merge.Text) : null;
     }
 
     void PlanAll()
@@ -115,9 +119,11 @@ sealed class Preparation
     void Report(IReadOnlyList<string> conflicts)
     {
         if (_settings.OnConflict != ConflictRule.Keep)
-            throw new InputException($"{string.Join("; ", conflicts)}. Change it there, or say --on-conflict keep or replace.");
+            throw new InputException($"{string.Join("; ", conflicts)}. Change it there, or use --on-conflict {Rules()}.");
         _notes.AddRange(conflicts.Select(conflict => conflict + "; it stays"));
     }
+
+    string Rules() => _settings.OnConflict == ConflictRule.Refuse && _merge.CanReplaceAll ? "keep or replace" : "keep";
 
     void PlanSample(SampleCopy sample)
     {

@@ -22,7 +22,9 @@ sealed class SampleCopy
     /// <summary>Description of the change.</summary>
     public string Change => FormattableString.Invariant($"sample: {Sample.Name}, {_missing.Count} files to {_target}");
 
-    /// <exception cref="InputException">The package has no such sample, or the project has changed files in its place.</exception>
+    /// <exception cref="InputException">
+    /// The package has no such sample, or the project has a file in the place of a folder, or changed files.
+    /// </exception>
     public static SampleCopy Plan(UnityProject project, PackageFolder package, string name)
     {
         var sample = package.Samples.FirstOrDefault(s => string.Equals(s.Name, name, StringComparison.OrdinalIgnoreCase))
@@ -31,6 +33,9 @@ sealed class SampleCopy
         if (!Directory.Exists(sample.Folder))
             throw new InputException($"--sample: the files of '{sample.Name}' are missing: {sample.Folder}");
         var target = Path.Combine(project.Root, "Assets", "Samples", package.DisplayName, package.Version, sample.Name);
+        for (var folder = target; folder != project.Root; folder = Path.GetDirectoryName(folder))
+            if (File.Exists(folder))
+                throw new InputException($"{folder}: is a file where the sample needs a folder; rename or delete it, and try again");
         var files = Directory.EnumerateFiles(sample.Folder, "*", SearchOption.AllDirectories)
             .Select(file => Path.GetRelativePath(sample.Folder, file)).Order(StringComparer.Ordinal).ToList();
         var present = files.Where(file => File.Exists(Path.Combine(target, file))).ToList();
@@ -43,7 +48,22 @@ sealed class SampleCopy
     }
 
     /// <summary>Copies what is missing. A folder that is new appears whole.</summary>
+    /// <exception cref="InputException">A file cannot be copied.</exception>
     public void Apply()
+    {
+        try
+        {
+            Copy();
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new InputException(
+                $"{_target}: the sample '{Sample.Name}' cannot be copied: {e.Message.TrimEnd('.')}; the manifest is not changed; "
+                + "remove the cause, and try again", e);
+        }
+    }
+
+    void Copy()
     {
         if (Directory.Exists(_target))
         {

@@ -30,7 +30,7 @@ static class UnityVerb
             HelpName = "refuse|keep|replace",
         };
         onConflict.AcceptOnlyFromAmong("refuse", "keep", "replace");
-        var check = new Option<bool>("--check") { Description = "Say what would be done, and change nothing; exit status 1 if there is something." };
+        var check = new Option<bool>("--check") { Description = "List the changes without making them; exit status 1 if there are any." };
         var json = new Option<bool>("--json") { Description = "Print JSON instead of text." };
         var verb = new Command("unity", "Prepare a Unity project: registries, dependencies, testables and the package in its Packages/manifest.json.")
         {
@@ -52,6 +52,7 @@ static class UnityVerb
         {
             var preparation = Preparation.Plan(UnityProject.Open(path), settings);
             var backup = isCheck ? null : preparation.Apply();
+            if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine("nowpose: without --check this would fail: " + obstacle);
             foreach (var note in preparation.Notes) Console.Error.WriteLine("nowpose: " + note);
             Console.Out.Write(isJson ? PreparationOutput.Json(preparation, isCheck, backup) : PreparationOutput.Text(preparation, isCheck, backup));
             return isCheck && preparation.Changes.Count > 0 ? ExitStatus.Failed : ExitStatus.Done;
@@ -62,10 +63,18 @@ static class UnityVerb
         }
     }
 
-    // Help works where the package's files are missing, too.
+    // Help works where the package's files are missing or damaged, too.
     static string SampleNames()
     {
-        var folder = PackageFolder.Find();
-        return folder == null ? "see its package.json" : string.Join(", ", folder.Samples.Select(sample => sample.Name));
+        const string unknown = "see its package.json";
+        try
+        {
+            var folder = PackageFolder.Find();
+            return folder == null ? unknown : string.Join(", ", folder.Samples.Select(sample => sample.Name));
+        }
+        catch (InputException)
+        {
+            return unknown;
+        }
     }
 }

@@ -248,6 +248,21 @@ public class UnityVerbTests
         Assert.That(project.Manifest, Does.Contain("https://unitynuget-registry.openupm.com").And.Not.Contain("azurewebsites"));
     }
 
+    [TestCase(
+        """ "url": "https://own.example", "scopes": ["org.nuget"] """, "refuse", "Change it there, or use --on-conflict keep or replace.")]
+    [TestCase(
+        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "refuse", "its url stays. Change it there, or use --on-conflict keep.")]
+    [TestCase(
+        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "its url stays. Change it there, or use --on-conflict keep.")]
+    [TestCase(""" "scopes": ["org.nuget"] """, "replace", "comes from a registry without url; ")]
+    public async Task Unity_OtherRegistry_OffersTheRulesThatWork(string registry, string rule, string offer)
+    {
+        using var project = new UnityProjectFolder($$"""{ "scopedRegistries": [{ "name": "x", {{registry}} }] }""");
+
+        AssertRefused(await project.RunAsync("--on-conflict", rule), offer);
+        Assert.That((await project.RunAsync("--on-conflict", "keep")).ExitStatus, Is.EqualTo(0));
+    }
+
     [TestCase("{\n  \"dependencies\": {\n    \"a\": \"1.0.0\",\n  }\n}", ":4: not a JSON object: a name in double quotes is expected")]
     [TestCase("{\n  // packages\n  \"dependencies\": {}\n}", ":2: not a JSON object: a name in double quotes is expected (JSON has no comments)")]
     [TestCase("", ":1: not a JSON object: { is expected")]
@@ -279,11 +294,40 @@ public class UnityVerbTests
         File.SetAttributes(manifest, FileAttributes.ReadOnly);
 
         var run = await project.RunAsync("--sample", "Virtual Robot Cell");
+        var check = await project.RunAsync("--check");
         File.SetAttributes(manifest, FileAttributes.Normal);
+        var writable = await project.RunAsync("--check");
 
         AssertRefused(run, manifest + ": the file is read-only");
+        Assert.That(check.ExitStatus, Is.EqualTo(1));
+        Assert.That(check.Errors, Does.Contain("without --check this would fail: " + manifest + ": the file is read-only"));
+        Assert.That(writable.Errors, Is.Empty);
         Assert.That(project.Manifest, Is.EqualTo(Empty));
         Assert.That(Directory.Exists(project.At("Assets")), Is.False, "nothing of the rest is done");
+    }
+
+    [Test]
+    public async Task Unity_ManifestIsALink_StaysOneAndItsTargetIsWritten()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        var link = project.At("Packages/manifest.json");
+        var target = project.At("shared.json");
+        File.Move(link, target);
+        try
+        {
+            File.CreateSymbolicLink(link, target);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            Assert.Ignore("this account must not create symbolic links: " + e.Message);
+        }
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(new FileInfo(link).LinkTarget, Is.EqualTo(target));
+        Assert.That(project.Read("shared.json"), Does.Contain("org.nuget.mathnet.numerics"));
+        Assert.That(project.Read("Packages/manifest.json.backup"), Is.EqualTo(Empty));
     }
 
     [Test]
@@ -382,6 +426,7 @@ public class UnityVerbTests
     }
 
     [TestCase("https://git.example/me/nowpose.git", "https://git.example/me/nowpose.git?path=/Packages/com.nowpose.mril#v0.1.0")]
+    [TestCase("https://git.example/me/nowpose.git#main", "https://git.example/me/nowpose.git?path=/Packages/com.nowpose.mril#main")]
     [TestCase(
         "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main",
         "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main")]
@@ -419,6 +464,36 @@ public class UnityVerbTests
 
         AssertRefused(await project.RunAsync("--package", given), "--package: ");
         AssertRefused(await project.RunAsync("--package", given), reason);
+    }
+
+    [TestCase("{ 'name': ", ":1: not a JSON object")]
+    [TestCase("[]", ": a JSON object is expected")]
+    [TestCase("{ 'displayName': 'x' }", ": name must be a string")]
+    [TestCase("{ 'name': '\\ud800' }", ": name must be a string")]
+    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': 1 }", ": version must be a string")]
+    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': {} }", ": samples must be an array")]
+    [TestCase("{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': [1] }", ": samples[0] must be an object")]
+    [TestCase(
+        "{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': [{ 'displayName': 'a', 'description': 'b' }] }",
+        ": samples[0].path must be a string")]
+    public async Task Unity_PackageJsonNotValid_IsNamedByItsFileAndField(string json, string reason)
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("package/package.json", json.Replace('\'', '"'));
+
+        AssertRefused(await project.RunAsync("--package", project.At("package")), project.At("package/package.json") + reason);
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+    }
+
+    [Test]
+    public async Task Unity_PackageWithoutSamples_IsTaken()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("package/package.json", """{ "name": "com.nowpose.mril", "displayName": "Nowpose", "version": "0.1.0" }""");
+
+        var run = await project.RunAsync("--package", project.At("package"));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
     }
 
     [Test]
@@ -461,6 +536,36 @@ public class UnityVerbTests
 
         AssertRefused(run, project.At(changed) + ": differs from the sample's file");
         Assert.That(project.Read(changed), Is.EqualTo("mine"));
+    }
+
+    [TestCase("Assets/Samples", "--check")]
+    [TestCase("Assets/Samples")]
+    [TestCase("Assets/Samples/Nowpose/0.1.0/Virtual Robot Cell")]
+    public async Task Sample_FileInThePlaceOfAFolder_IsNamedAndNothingIsChanged(string path, params string[] options)
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write(path, "mine");
+
+        var run = await project.RunAsync(["--sample", "Virtual Robot Cell", .. options]);
+
+        AssertRefused(run, project.At(path) + ": is a file where the sample needs a folder; rename or delete it");
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+        Assert.That(project.Backups, Is.Empty);
+    }
+
+    [Test]
+    public async Task Sample_CannotBeCopied_LeavesTheManifestUnchanged()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        // In the way of the unfinished folder.
+        project.Write("Assets/Samples/Nowpose/0.1.0/.Virtual Robot Cell", "mine");
+
+        var run = await project.RunAsync("--sample", "Virtual Robot Cell");
+
+        AssertRefused(run, "the sample 'Virtual Robot Cell' cannot be copied: ");
+        Assert.That(run.Errors, Does.Contain("the manifest is not changed; remove the cause, and try again"));
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+        Assert.That(project.Backups, Is.Empty);
     }
 
     [Test]

@@ -6,7 +6,7 @@ using System.Text;
 
 namespace Nowpose.Editor
 {
-    /// <summary>A manifest on disk. Writing is atomic and keeps a backup.</summary>
+    /// <summary>A manifest on disk. Writing keeps a backup, and is atomic unless the file is a symbolic link.</summary>
     sealed class ManifestFile
     {
         const int LargestSize = 1 << 20;
@@ -28,6 +28,30 @@ namespace Nowpose.Editor
         /// <summary>Without the byte order mark, if the file has one.</summary>
         public string Text { get; }
 
+        /// <summary>Why the file cannot be written, in one line that says what to do; null where nothing is known to be in the way.</summary>
+        public string Obstacle => IsReadOnly
+            ? _path + ": the file is read-only; make it writable, or check it out of version control, and try again"
+            : null;
+
+        bool IsLink => (File.GetAttributes(_path) & FileAttributes.ReparsePoint) != 0;
+
+        bool IsReadOnly
+        {
+            get
+            {
+                if ((File.GetAttributes(_path) & FileAttributes.ReadOnly) != 0) return true;
+                try
+                {
+                    // The attributes of a link are not those of its target; nothing is written.
+                    using (new FileStream(_path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite)) return false;
+                }
+                catch (UnauthorizedAccessException)
+                {
+                    return true;
+                }
+            }
+        }
+
         bool HasBom => _content.Take(Bom.Length).SequenceEqual(Bom);
 
         /// <exception cref="InputException">The file is too large or is not UTF-8.</exception>
@@ -46,24 +70,47 @@ namespace Nowpose.Editor
         /// <exception cref="UnauthorizedAccessException">The file must not be written.</exception>
         public string Write(string text)
         {
-            if ((File.GetAttributes(_path) & FileAttributes.ReadOnly) != 0)
-                throw new InputException(_path + ": the file is read-only; make it writable, or check it out of version control, and try again");
+            if (Obstacle is string obstacle) throw new InputException(obstacle);
             if (!File.ReadAllBytes(_path).SequenceEqual(_content))
                 throw new InputException(_path + ": the file was changed by another program meanwhile; try again");
 
             var backup = Backup();
-            var written = Utf8.GetBytes(text);
+            if (IsLink) WriteThroughLink(text, backup);
+            else Replace(text);
+            return backup;
+        }
+
+        void Replace(string text)
+        {
             var next = _path + NewEnding;
             // A copy first: the new file has the permissions of the old one.
             File.Copy(_path, next, overwrite: true);
-            using (var stream = new FileStream(next, FileMode.Create, FileAccess.Write))
+            WriteTo(next, text);
+            File.Replace(next, _path, null);
+        }
+
+        // A replaced link would be a regular file, and its target would keep the old text.
+        void WriteThroughLink(string text, string backup)
+        {
+            try
+            {
+                WriteTo(_path, text);
+            }
+            catch (IOException e)
+            {
+                throw new InputException(_path + ": not written completely (" + e.Message + "); copy " + backup + " over it, and try again", e);
+            }
+        }
+
+        void WriteTo(string path, string text)
+        {
+            var written = Utf8.GetBytes(text);
+            using (var stream = new FileStream(path, FileMode.Create, FileAccess.Write))
             {
                 if (HasBom) stream.Write(Bom, 0, Bom.Length);
                 stream.Write(written, 0, written.Length);
                 stream.Flush(flushToDisk: true);
             }
-            File.Replace(next, _path, null);
-            return backup;
         }
 
         // A copy of the same content serves again; any other is kept.

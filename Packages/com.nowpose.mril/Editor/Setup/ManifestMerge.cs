@@ -33,6 +33,9 @@ namespace Nowpose.Editor
         /// <remarks>With <see cref="ConflictRule.Refuse"/> the text must not be used if there are any.</remarks>
         public IReadOnlyList<string> Conflicts => _conflicts;
 
+        /// <summary>Whether <see cref="ConflictRule.Replace"/> would leave none of the conflicts.</summary>
+        public bool CanReplaceAll { get; private set; } = true;
+
         /// <summary>Descriptions of entries whose version cannot be read; they stay.</summary>
         public IReadOnlyList<string> Notes => _notes;
 
@@ -111,16 +114,18 @@ namespace Nowpose.Editor
         {
             var url = UrlOf(other);
             var scopes = ScopesOf(other).ToList();
-            var isReplaceable = scopes.All(scope => package.Registry.Scopes.Contains(scope));
-            if (_rule == ConflictRule.Replace && isReplaceable && other["url"]?.Text != null)
+            var isReplaceable = url != null && scopes.All(scope => package.Registry.Scopes.Contains(scope));
+            if (_rule == ConflictRule.Replace && isReplaceable)
             {
                 _manifest.Replace(other["url"], package.Registry.Url);
                 _changes.Add(Registries + ": " + package.Registry.Url + " in place of " + url);
                 return true;
             }
             _conflicts.Add(
-                _manifest.PlaceOf(other) + ": " + package.Name + " comes from the registry " + url + "; " + package.Registry.Url + " is needed"
-                + (isReplaceable ? "" : "; the registry has other scopes too, so change it by hand"));
+                _manifest.PlaceOf(other) + ": " + package.Name + " comes from " + (url == null ? "a registry without url" : "the registry " + url)
+                + "; " + package.Registry.Url + " is needed"
+                + (isReplaceable || url == null ? "" : "; the registry has other scopes too, so its url stays"));
+            CanReplaceAll &= isReplaceable;
             return _rule == ConflictRule.Keep;
         }
 

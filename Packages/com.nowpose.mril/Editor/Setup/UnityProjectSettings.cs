@@ -135,7 +135,7 @@ namespace Nowpose.Editor
 
         public void OpenProjectSettings() => EditorApplication.ExecuteMenuItem("Edit/Project Settings...");
 
-        // The Package Manager adds no registry by API; it reads the manifest again when told to resolve.
+        // The Package Manager adds no registry by API; it reads the manifest again when it resolves.
         void AddToManifest(PackageOrigin package)
         {
             try
@@ -143,7 +143,7 @@ namespace Nowpose.Editor
                 var file = ManifestFile.Read(Manifest);
                 var merge = new ManifestMerge(file.Text, Manifest, ConflictRule.Replace);
                 merge.Need(package);
-                if (merge.Conflicts.Count > 0) throw new InputException(string.Join("; ", merge.Conflicts));
+                if (merge.Conflicts.Count > 0) throw new InputException(string.Join("; ", merge.Conflicts) + ". Change it there.");
                 if (merge.Changes.Count > 0) file.Write(merge.Text);
                 Client.Resolve();
             }

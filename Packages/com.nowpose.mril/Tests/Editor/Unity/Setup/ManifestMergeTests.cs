@@ -146,6 +146,7 @@ namespace Nowpose.Tests
             Assert.That(
                 refused.Conflicts.Single(),
                 Does.StartWith(File + ":3: com.microsoft.mixedreality.openxr comes from the registry https://old.example"));
+            Assert.That(refused.CanReplaceAll);
             Assert.That(kept.Text, Does.Contain("https://old.example").And.Contain("\"com.microsoft.mixedreality.openxr\":\"1.11.2\""));
             Assert.That(((JArray)JObject.Parse(kept.Text)["scopedRegistries"]).Count, Is.EqualTo(1));
             Assert.That(replaced.Text, Does.Contain(Url).And.Not.Contain("old.example"));
@@ -160,7 +161,8 @@ namespace Nowpose.Tests
             var merge = Merge(before, OpenXr, ConflictRule.Replace);
 
             Assert.That(merge.Text, Is.EqualTo(before));
-            Assert.That(merge.Conflicts.Single(), Does.Contain("change it by hand"));
+            Assert.That(merge.Conflicts.Single(), Does.EndWith("; the registry has other scopes too, so its url stays"));
+            Assert.That(merge.CanReplaceAll, Is.False);
         }
 
         [TestCase("{\"testables\":[\"a\"]}", "{\"testables\":[\"a\",\"b\"]}")]
