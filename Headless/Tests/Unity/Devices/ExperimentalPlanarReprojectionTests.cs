@@ -112,6 +112,39 @@ public sealed class ExperimentalPlanarReprojectionTests
     }
 
     [Test]
+    public void Update_RigNoLongerPosed_ReportsTheEarlierModeUntilItIsPosedAgain()
+    {
+        Play();
+        Run(3);
+        var during = _session.Reprojection;
+
+        _rig.enabled = false;
+        Run(2.5 * FrameSeconds);
+        var paused = (_session.Reprojection, _session.Statistics.Reprojection);
+        var problem = _plane.Problem;
+        _rig.enabled = true;
+        Run(1);
+
+        Assert.That(during, Is.EqualTo(ReprojectionMode.PlanarManual));
+        Assert.That(paused, Is.EqualTo((ReprojectionMode.Depth, ReprojectionMode.Depth)));
+        Assert.That(problem, Does.Contain("paused: the rig is not moved"));
+        Assert.That(_session.Reprojection, Is.EqualTo(ReprojectionMode.PlanarManual));
+        Assert.That(_plane.Problem, Is.Null);
+    }
+
+    [Test]
+    public void Update_RigPosedEachFrame_ReportsPlanarManualInEachFrame()
+    {
+        Play();
+        Run(3);
+        var other = 0;
+
+        _cell.Run(1, _session, () => other += _session.Reprojection == ReprojectionMode.PlanarManual ? 0 : 1);
+
+        Assert.That(other, Is.Zero);
+    }
+
+    [Test]
     public void Posed_RuntimeWithoutPlanarManual_RefusesOnceWithWords()
     {
         Play(PluginMode.Depth, PluginMode.OrientationOnly);

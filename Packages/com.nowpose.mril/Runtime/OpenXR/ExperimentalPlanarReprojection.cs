@@ -22,6 +22,8 @@ namespace Nowpose.OpenXR
     [RequireComponent(typeof(ReprojectionCheck))]
     public sealed class ExperimentalPlanarReprojection : MonoBehaviour
     {
+        const string Paused = "planar reprojection is paused: the rig is not moved, so nothing is requested; enable the rig and its session";
+
         [SerializeField, Tooltip("Experiment. The rig whose tool the plane goes through. Empty: the one on this object or below.")]
         RobotRig _rig = null;
 
@@ -34,6 +36,7 @@ namespace Nowpose.OpenXR
         RobotRig _source;
         CompensationSession _session;
         bool _isMissing;
+        int _requestFrame;
 
         /// <summary>Why the plane is not in use, in one line; null when it is, or the runtime's session has not begun.</summary>
         public string Problem { get; private set; }
@@ -67,10 +70,19 @@ namespace Nowpose.OpenXR
             Problem = null;
         }
 
+        // A request lasts one frame. The rig may move after this component does, so the frame before still counts.
+        void Update()
+        {
+            if (_check.Imposed == null || Time.frameCount - _requestFrame <= 1) return;
+            _check.Imposed = null;
+            Problem = Paused;
+        }
+
         // Each time the pose was computed: a second time right before rendering, where the session does that.
         void Ask()
         {
             if (_isMissing) return;
+            if (Problem == Paused) Problem = null;
             FollowVelocity();
             try
             {
@@ -102,6 +114,7 @@ namespace Nowpose.OpenXR
                 settings.ReprojectionPlaneOverrideVelocity = _source.transform.TransformDirection(UnityFrame.DirectionToUnity(velocity).Vector());
             view.SetReprojectionSettings(settings);
             Problem = null;
+            _requestFrame = Time.frameCount;
             _check.Imposed = ReprojectionMode.PlanarManual;
         }
 
