@@ -15,7 +15,7 @@ namespace Nowpose.Editor
             {
                 case false: return Good("off");
                 case true: return new CheckResult(CheckState.Advice, "on");
-                default: return new CheckResult(CheckState.Unknown, "Unity tells it for the active build target only; switch that first");
+                default: return new CheckResult(CheckState.Unknown, "Unity shows it for the active build target only; switch that first");
             }
         }
 

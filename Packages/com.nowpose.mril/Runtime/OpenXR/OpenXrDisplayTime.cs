@@ -14,7 +14,7 @@ namespace Nowpose.OpenXR
     /// <remarks>
     /// The runtime's times are counts of the performance counter of Windows, at that counter's own frequency. They are converted to
     /// <see cref="System.Diagnostics.Stopwatch"/>, which Unity scales to 10 MHz, and so to the session's clock. The calibrated L_visu counts
-    /// wherever the runtime tells nothing (in the Editor, before its session runs), where the platform has no such counter, and when the
+    /// wherever the runtime gives no time (in the Editor, before its session runs), where the platform has no such counter, and when the
     /// session's clock does not run with the stopwatch.
     /// </remarks>
     [AddComponentMenu("Nowpose/Display Time")]

@@ -15,7 +15,7 @@ namespace Nowpose.OpenXR
     /// Reports how the display corrects finished frames for head motion, and whether the depth buffer that it needs is really submitted;
     /// needs Microsoft's Mixed Reality OpenXR plugin.
     /// </summary>
-    /// <remarks>No runtime tells the mode in use. It is concluded from what was asked for, and is unknown where that does not suffice.</remarks>
+    /// <remarks>No runtime reports the mode in use. It is concluded from what was asked for, and is unknown where that does not suffice.</remarks>
     [AddComponentMenu("Nowpose/Reprojection Check")]
     [DisallowMultipleComponent]
     public sealed class ReprojectionCheck : MonoBehaviour

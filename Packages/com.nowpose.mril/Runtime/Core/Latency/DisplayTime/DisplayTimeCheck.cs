@@ -5,7 +5,7 @@ namespace Nowpose.Latency
     /// <summary>Finds a lasting difference between the display times that a runtime predicts and those that were calibrated.</summary>
     /// <remarks>
     /// Either the calibration is of something else (another mode of the display, an update of the runtime) or the prediction
-    /// leaves something out. Single frames that are predicted badly are not told. Allocates nothing; not thread-safe.
+    /// leaves something out. Single frames with a bad prediction are ignored. Allocates nothing; not thread-safe.
     /// </remarks>
     public sealed class DisplayTimeCheck
     {
