@@ -24,7 +24,7 @@ public sealed class ShaderStructureTests
         ["Queue"] = ["Background", "Geometry-10", "Geometry", "AlphaTest", "Transparent"],
         ["IgnoreProjector"] = ["True"],
         ["DisableBatching"] = ["True"],
-        ["PoseAppearance"] = ["Ignore"],
+        ["PoseAppearance"] = ["Ignore", "Alpha"],
     };
 
     static IEnumerable<ShaderSource> All => ShaderFiles.Shipped.Concat(ShaderFiles.Examples);
@@ -159,5 +159,21 @@ public sealed class ShaderStructureTests
 
         Assert.That(include, Does.Contain("#define NOWPOSE_STRIPE_METRES 0.01").And.Contain("UNITY_MATRIX_M"));
         Assert.That(Regex.Matches(include, "SV_Position|VPOS|screen", RegexOptions.IgnoreCase), Is.Empty);
+    }
+
+    /// <summary>
+    /// The columns of the object-to-world matrix are the object's axes in the world; their lengths are its scale. Without it the stripes of a
+    /// part of millimetres scaled by 0.001 would be 10 m wide.
+    /// </summary>
+    [Test]
+    public void NowposeMetres_Position_IsScaledByTheLengthsOfTheObjectsAxes()
+    {
+        var include = RepositoryFiles.Read(Shaders + "NowposePose.hlsl");
+
+        var function = Regex.Match(include, @"float3 NowposeMetres\(float3 objectPosition\)\s*\{(?<body>.*?)\}", RegexOptions.Singleline);
+
+        Assert.That(Regex.Replace(function.Groups["body"].Value, @"\s+", " ").Trim(), Is.EqualTo(
+            "float3x3 axes = transpose((float3x3)UNITY_MATRIX_M); "
+            + "return objectPosition * float3(length(axes[0]), length(axes[1]), length(axes[2]));"));
     }
 }

@@ -8,7 +8,7 @@ public sealed class MaterialPropertyBlock
     readonly MaterialProperties<Vector4> _vectors = new();
     readonly MaterialProperties<Texture> _textures = new();
 
-    internal bool IsEmpty => _floats.Count == 0 && _vectors.Count == 0 && _textures.Count == 0;
+    public bool isEmpty => _floats.Count == 0 && _vectors.Count == 0 && _textures.Count == 0;
 
     public void Clear()
     {

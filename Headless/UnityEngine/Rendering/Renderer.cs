@@ -8,6 +8,7 @@ public class Renderer : Component
     [SerializeField, SerializedName("m_Materials")] Material[] _materials = new Material[1];
     [SerializeField, SerializedName("m_ReceiveShadows")] bool _receiveShadows = true;
     readonly MaterialPropertyBlock _block = new();
+    readonly System.Collections.Generic.List<MaterialPropertyBlock> _blocks = new();
     Bounds? _bounds;
 
     public bool enabled
@@ -81,7 +82,7 @@ public class Renderer : Component
         foreach (var material in _materials) m.Add(material);
     }
 
-    public bool HasPropertyBlock() => !_block.IsEmpty;
+    public bool HasPropertyBlock() => !_block.isEmpty || _blocks.Exists(b => !b.isEmpty);
 
     public void SetPropertyBlock(MaterialPropertyBlock properties)
     {
@@ -93,5 +94,19 @@ public class Renderer : Component
     {
         ThrowIfDestroyed();
         properties.CopyFrom(_block);
+    }
+
+    /// <summary>Sets the block of one material, which is used instead of the renderer's. Null removes it.</summary>
+    public void SetPropertyBlock(MaterialPropertyBlock properties, int materialIndex)
+    {
+        ThrowIfDestroyed();
+        while (_blocks.Count <= materialIndex) _blocks.Add(new MaterialPropertyBlock());
+        _blocks[materialIndex].CopyFrom(properties);
+    }
+
+    public void GetPropertyBlock(MaterialPropertyBlock properties, int materialIndex)
+    {
+        ThrowIfDestroyed();
+        properties.CopyFrom(materialIndex < _blocks.Count ? _blocks[materialIndex] : null);
     }
 }

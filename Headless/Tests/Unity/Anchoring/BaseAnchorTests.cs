@@ -70,7 +70,7 @@ public class BaseAnchorTests
     {
         var appearance = _anchor.GetComponentInChildren<PoseAppearance>();
         var block = new MaterialPropertyBlock();
-        appearance.GetComponentsInChildren<MeshRenderer>().First(r => r.name != "Words").GetPropertyBlock(block);
+        appearance.GetComponentsInChildren<MeshRenderer>().First(r => r.sharedMaterial.HasProperty("_Hatch")).GetPropertyBlock(block);
         return (
             block.GetFloat(Shader.PropertyToID("_Fade")), block.GetFloat(Shader.PropertyToID("_Hatch")),
             appearance.GetComponentsInChildren<TextMesh>().Single(text => text.name == "Words").text);
@@ -258,7 +258,7 @@ public class BaseAnchorTests
 
         Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Restored));
         Assert.That(OffFrom(Base).Metres, Is.LessThan(1e-6));
-        Assert.That(Look(), Is.EqualTo((0f, 1f, "base not confirmed")));
+        Assert.That(Look(), Is.EqualTo((0.2f, 1f, "base not confirmed")));
         _markers.IsBlind = false;
         _cell.Run(3, _session);
         Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Locked));
@@ -316,7 +316,7 @@ public class BaseAnchorTests
         hand.transform.SetPositionAndRotation(new Vector3(0.4f, 1, 2), Quaternion.Euler(0, 30, 0));
         _cell.Run(0.1, _session);
         Assert.That(_anchor.transform.position, Is.EqualTo(new Vector3(0.4f, 1, 2)).Using<Vector3>((a, b) => Vector3.Distance(a, b) < 1e-5));
-        Assert.That(Look(), Is.EqualTo((0f, 1f, "being placed")));
+        Assert.That(Look(), Is.EqualTo((0.2f, 1f, "being placed")));
         hand.EndMove();
         _cell.Run(0.1, _session);
 

@@ -30,7 +30,7 @@ public class PoseAppearanceTests
         _eachFrame = null;
         _frames = 0;
         _rig = Child("Robot", _session.gameObject.transform).AddComponent<RobotRig>();
-        _tool = Child("Tool", _rig.transform).AddComponent<MeshRenderer>();
+        _tool = Part("Tool", _rig.transform);
         _words = Child("Words", _rig.transform).AddComponent<TextMesh>();
         _words.gameObject.AddComponent<MeshRenderer>();
         _words.fontSize = 64;
@@ -55,6 +55,16 @@ public class PoseAppearanceTests
         var child = new GameObject(name);
         child.transform.SetParent(parent, false);
         return child;
+    }
+
+    static Renderer Part(string name, Transform parent)
+    {
+        var material = new Material((Shader)null) { name = name };
+        material.SetFloat("_Fade", 0);
+        material.SetFloat("_Hatch", 0);
+        var part = Child(name, parent).AddComponent<MeshRenderer>();
+        part.sharedMaterial = material;
+        return part;
     }
 
     (float Fade, float Hatch) Look(Renderer renderer)
@@ -164,7 +174,7 @@ public class PoseAppearanceTests
     [Test]
     public void Show_NeverHadARig_IsDrawnAsThePoseIs()
     {
-        var sign = Child("Sign", _session.transform).AddComponent<MeshRenderer>();
+        var sign = Part("Sign", _session.transform);
         sign.gameObject.AddComponent<PoseAppearance>();
 
         BeCurrent();
@@ -176,7 +186,7 @@ public class PoseAppearanceTests
     (VirtualGripper Gripper, Renderer Part, TextMesh Words) MountElsewhere(string flange = "")
     {
         var gripper = Child("Gripper", _session.transform).AddComponent<VirtualGripper>().With("_rig", _rig).With("_flangeLink", flange);
-        var part = Child("Palm", gripper.transform).AddComponent<MeshRenderer>();
+        var part = Part("Palm", gripper.transform);
         var words = Child("Gripper's Words", gripper.transform).AddComponent<TextMesh>();
         words.gameObject.AddComponent<MeshRenderer>();
         gripper.gameObject.AddComponent<PoseAppearance>().With("_words", words);
@@ -220,7 +230,7 @@ public class PoseAppearanceTests
     public void Show_GripperBelowTheRigIsDisabled_TheArmAloneIsDrawn([Values] bool destroyed)
     {
         var gripper = Child("Gripper", _rig.transform).AddComponent<VirtualGripper>();
-        var part = Child("Palm", gripper.transform).AddComponent<MeshRenderer>();
+        var part = Part("Palm", gripper.transform);
         BeCurrent();
         Assert.That(part.isVisible, Is.True);
 

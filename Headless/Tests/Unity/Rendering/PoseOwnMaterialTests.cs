@@ -1,4 +1,6 @@
 using Nowpose.Headless.Tests.Repository;
+using Nowpose.Latency;
+using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
 using Nowpose.UnityPlayer;
@@ -12,6 +14,9 @@ public sealed class PoseOwnMaterialTests
 {
     const string Materials = RepositoryFiles.Package + "/Runtime/Materials/";
 
+    /// <summary>Values of <c>_SrcBlend</c>.</summary>
+    const int One = 1, SourceAlpha = 5;
+
     PlayedCell _cell;
     MrilSession _session;
     PoseAppearance _appearance;
@@ -21,14 +26,17 @@ public sealed class PoseOwnMaterialTests
     /// <summary>Shaders as users have them: the package's own with a pattern, blended ones, opaque ones.</summary>
     public enum Sort
     {
-        Patterned, Blended, BlendedUniversal, Opaque, OpaqueWithColour, Several,
+        Patterned, Blended, BlendedUniversal, Premultiplied, BlendedUnknown, OpaqueDrawnLate, Opaque, OpaqueWithColour, OppositeFade, Several,
+        SeveralOppositeFade, Missing,
     }
 
     [SetUp]
     public void Begin()
     {
         _cell = new PlayedCell();
-        _session = _cell.NewSession();
+        _session = _cell.NewSession(settings: new SessionSettings(
+            new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime), outsideRange: OutsideRangeResponse.GoOn));
         var rig = Child("Robot", _session.transform).AddComponent<RobotRig>();
         _tool = Child("Tool", rig.transform).AddComponent<MeshRenderer>();
         _substitute = NewMaterial("Substitute", ("_Fade", 0), ("_Hatch", 0));
@@ -52,10 +60,11 @@ public sealed class PoseOwnMaterialTests
         return material;
     }
 
-    static Material Blended(string colour, float alpha)
+    static Material Blended(string colour, float alpha, int? sourceBlend = SourceAlpha)
     {
         var material = NewMaterial("Glass");
         material.renderQueue = 3000;
+        if (sourceBlend.HasValue) material.SetFloat("_SrcBlend", sourceBlend.Value);
         material.SetColor(colour, new Color(1, 0.5f, 0.25f, alpha));
         return material;
     }
@@ -69,6 +78,12 @@ public sealed class PoseOwnMaterialTests
             case Sort.Patterned: return [NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0))];
             case Sort.Blended: return [Blended("_Color", 0.8f)];
             case Sort.BlendedUniversal: return [Blended("_BaseColor", 0.8f)];
+            case Sort.Premultiplied: return [Blended("_Color", 0.8f, One)];
+            case Sort.BlendedUnknown: return [Blended("_Color", 0.8f, null)];
+            case Sort.OpaqueDrawnLate: return [Blended("_Color", 1, One)];
+            case Sort.OppositeFade: return [NewMaterial("Brass", ("_Fade", 1))];
+            case Sort.SeveralOppositeFade: return [NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0)), NewMaterial("Brass", ("_Fade", 1))];
+            case Sort.Missing: return [null];
             case Sort.Opaque: return [NewMaterial("Steel")];
             case Sort.OpaqueWithColour: return [coloured];
             default: return [coloured, Blended("_Color", 1), NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0))];
@@ -95,9 +110,17 @@ public sealed class PoseOwnMaterialTests
     string Seen()
     {
         if (!_tool.isVisible) return "nothing";
+        return string.Join(" | ", _tool.sharedMaterials.Select(Seen));
+    }
+
+    string Seen(Material material, int index)
+    {
+        if (material == null) return "magenta";
+        // A block of the material's is used instead of the renderer's.
         var block = new MaterialPropertyBlock();
-        _tool.GetPropertyBlock(block);
-        return string.Join(" | ", _tool.sharedMaterials.Select(m => Seen(m, block)));
+        _tool.GetPropertyBlock(block, index);
+        if (block.isEmpty) _tool.GetPropertyBlock(block);
+        return Seen(material, block);
     }
 
     static string Seen(Material material, MaterialPropertyBlock block)
@@ -107,7 +130,8 @@ public sealed class PoseOwnMaterialTests
             if (material.HasProperty(name)) seen += " " + name + (block.HasFloat(name) ? block.GetFloat(name) : material.GetFloat(name));
         foreach (var name in new[] { "_Color", "_BaseColor" })
         {
-            if (!material.HasProperty(name) || material.renderQueue < 2500) continue;
+            // Only a material that is blended by its alpha shows a lower alpha.
+            if (!material.HasProperty(name) || !material.HasProperty("_SrcBlend") || material.GetFloat("_SrcBlend") != SourceAlpha) continue;
             seen += " " + (block.HasColor(Shader.PropertyToID(name)) ? block.GetColor(name) : material.GetColor(name));
         }
         return seen;
@@ -157,6 +181,108 @@ public sealed class PoseOwnMaterialTests
         var block = new MaterialPropertyBlock();
         _tool.GetPropertyBlock(block);
         Assert.That(block.GetColor(colour), Is.EqualTo(new Color(1, 0.5f, 0.25f, 0.8f * (1 - 0.8f * 0.5f))));
+    }
+
+    [Test]
+    public void Show_BlendedInTheFaintestStripedLook_LosesAtLeastFortyPercent()
+    {
+        _tool.sharedMaterial = Blended("_Color", 1);
+        BeCurrent();
+
+        for (var i = 0; i < 20; i++) _session.Session.Rendered(TimeSpan.FromMilliseconds(25), RenderTimeSourceKind.DisplayGpuTime);
+        _cell.Frame(_session);
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.OutsideRange));
+        Assert.That(_appearance.Look.Fade, Is.LessThan(0.5f));
+
+        var block = new MaterialPropertyBlock();
+        _tool.GetPropertyBlock(block);
+
+        Assert.That(block.GetColor("_Color").a, Is.EqualTo(0.6f).Within(1e-6));
+    }
+
+    /// <summary>Graphics Tools Standard has such a _Fade: 1 is fully visible, the opposite of this package's.</summary>
+    [Test]
+    public void Show_FadeWithoutHatch_IsLeftToTheUser([Values] bool several)
+    {
+        var brass = NewMaterial("Brass", ("_Fade", 1));
+        _tool.sharedMaterials = several ? [NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0)), brass] : [brass];
+        BeCurrent();
+        Assert.That(_tool.HasPropertyBlock(), Is.False);
+
+        Hold();
+        Assert.That(Seen(), Does.EndWith("Substitute _Fade0.5 _Hatch1"), "as faint as the state says, not as the user's _Fade");
+        if (several) Assert.That(Seen(), Does.StartWith("Hologram _Fade0.5 _Hatch1"));
+        _cell.IsPlantUp = true;
+        Run(1);
+        brass.SetFloat("_Fade", 0.5f);
+
+        Assert.That(Seen(), Does.EndWith("Brass _Fade0.5"), "the material's own value counts");
+    }
+
+    [Test]
+    public void Show_SubstituteWithAFadeOfItsOwn_KeepsIt()
+    {
+        _substitute.SetFloat("_Fade", 0.7f);
+        _tool.sharedMaterial = NewMaterial("Brass", ("_Fade", 1));
+        BeCurrent();
+
+        Hold();
+
+        Assert.That(Seen(), Is.EqualTo("Substitute _Fade0.7 _Hatch1"));
+    }
+
+    [Test]
+    public void Show_OpaqueWithBlocksOfTheUsers_HasThemAgain([Values] bool changed)
+    {
+        _tool.sharedMaterials = [NewMaterial("Brass", ("_Fade", 1)), NewMaterial("Steel")];
+        var (whole, single) = (new MaterialPropertyBlock(), new MaterialPropertyBlock());
+        whole.SetFloat("_Fade", 0.75f);
+        single.SetFloat("_Fade", 0.25f);
+        _tool.SetPropertyBlock(whole);
+        _tool.SetPropertyBlock(single, 1);
+        BeCurrent();
+
+        Hold();
+        Assert.That(Seen(), Is.EqualTo("Substitute _Fade0.5 _Hatch1 | Substitute _Fade0.5 _Hatch1"));
+        if (changed) _tool.sharedMaterials = [NewMaterial("Paint", ("_Fade", 1)), NewMaterial("Paint", ("_Fade", 1))];
+        _cell.IsPlantUp = true;
+        Run(1);
+
+        var block = new MaterialPropertyBlock();
+        _tool.GetPropertyBlock(block);
+        Assert.That(block.GetFloat("_Fade"), Is.EqualTo(0.75f));
+        Assert.That(block.HasFloat(Shader.PropertyToID("_Hatch")), Is.False);
+        _tool.GetPropertyBlock(block, 0);
+        Assert.That(block.isEmpty, Is.True);
+        _tool.GetPropertyBlock(block, 1);
+        Assert.That(block.GetFloat("_Fade"), Is.EqualTo(0.25f));
+    }
+
+    [Test]
+    public void Show_PatternReplacedByAnOppositeFade_LeavesTheNewMaterialAsItIs()
+    {
+        _tool.sharedMaterial = NewMaterial("Hologram", ("_Fade", 0), ("_Hatch", 0));
+        BeCurrent();
+
+        _tool.sharedMaterial = NewMaterial("Brass", ("_Fade", 1));
+        Hold();
+        _cell.IsPlantUp = true;
+        Run(1);
+
+        Assert.That(Seen(), Is.EqualTo("Brass _Fade1"));
+    }
+
+    [Test]
+    public void Show_MissingMaterial_WarnsWithThePartsName([Values] bool substitute)
+    {
+        if (!substitute) _appearance.With("_substitute", null);
+        BeCurrent();
+
+        Hold();
+
+        Assert.That(Seen(), Is.EqualTo(substitute ? "Substitute _Fade0.5 _Hatch1" : "nothing"));
+        var said = _cell.Player.Logs.Where(l => l.Message.Contains("a material of 'Tool' is missing", StringComparison.Ordinal));
+        Assert.That(said.Count(), Is.EqualTo(1));
     }
 
     [Test]
@@ -257,6 +383,7 @@ public sealed class PoseOwnMaterialTests
 
     [TestCase("Occluder.mat", "Occluder")]
     [TestCase("Solid.mat", "Solid _Fade0.5 _Hatch1")]
+    [TestCase("Text.mat", "Text")]
     public void Show_MaterialOfThePackage_KeepsIt(string file, string expected)
     {
         _tool.sharedMaterial = new AssetLibrary(RepositoryFiles.Root).Load<Material>(Materials + file);
@@ -269,7 +396,7 @@ public sealed class PoseOwnMaterialTests
     }
 
     [Test]
-    public void Show_StatesComingAndGoing_AllocatesNothing([Values(Sort.Blended, Sort.Opaque, Sort.Several)] Sort sort)
+    public void Show_StatesComingAndGoing_AllocatesNothing([Values(Sort.Blended, Sort.Opaque, Sort.Several, Sort.SeveralOppositeFade)] Sort sort)
     {
         _tool.sharedMaterials = Of(sort);
         _session.gameObject.SetActive(true);

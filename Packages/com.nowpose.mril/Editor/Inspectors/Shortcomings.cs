@@ -34,8 +34,8 @@ namespace Nowpose.Editor
                 "There is no session on it or above whose pose it would show. Assign one.", Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_substitute", null,
-                "Opaque parts below it have shaders without _Fade and _Hatch. They are hidden while the pose is not current. Assign a substitute, "
-                + "or add NowposePose.hlsl to their shaders.",
+                "Parts below it have materials that cannot be drawn fainter: their shaders lack _Hatch or _Fade. They are hidden while the "
+                + "pose is not current. Assign a substitute, or add NowposePose.hlsl to their shaders.",
                 _ => PackageAsset.Hologram.Load<Material>(), appearance => ((PoseAppearance)appearance).NeedsSubstitute),
             new ReferenceRule(
                 typeof(StatusPanel), "_session", typeof(MrilSession),

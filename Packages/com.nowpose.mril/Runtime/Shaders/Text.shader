@@ -17,7 +17,7 @@ Shader "Nowpose/Text"
         }
         Tags
         {
-            "RenderPipeline" = "UniversalPipeline" "RenderType" = "TransparentCutout" "Queue" = "Transparent" "IgnoreProjector" = "True"
+            "RenderPipeline" = "UniversalPipeline" "RenderType" = "TransparentCutout" "Queue" = "Transparent" "IgnoreProjector" = "True" "PoseAppearance" = "Alpha"
         }
 
         Pass
@@ -41,7 +41,7 @@ Shader "Nowpose/Text"
 
     SubShader
     {
-        Tags { "RenderType" = "TransparentCutout" "Queue" = "Transparent" "IgnoreProjector" = "True" }
+        Tags { "RenderType" = "TransparentCutout" "Queue" = "Transparent" "IgnoreProjector" = "True" "PoseAppearance" = "Alpha" }
 
         Pass
         {

@@ -5,14 +5,14 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Makes a pose that is not current look different, and one whose base is not certain: everything below this object is
-    /// striped and fainter, and words say why. Before the first joint positions nothing is drawn but the words, nor is what a rig or gripper leaves standing that
-    /// does not follow the session any more.
+    /// Makes a pose that is not current, or whose base is not certain, look different. Everything below this object is striped and
+    /// fainter, and words say why. Before the first joint positions only the words are drawn. Parts of a rig or gripper that no longer
+    /// follows the session are hidden.
     /// </summary>
     /// <remarks>
     /// Sets <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1) of the materials' shaders, which the package's have, by property
-    /// blocks: the materials stay as they are. A blended material without them gets a lower alpha; an opaque one is replaced by the
-    /// substitute, or hidden, while the pose is not current. Once disabled, everything has the values again that it had before.
+    /// blocks: the materials stay as they are. A material without both gets a lower alpha if it is blended by its alpha. Any other is
+    /// replaced by the substitute, or hidden, while the pose is not current. Once disabled, everything has the values again that it had before.
     /// </remarks>
     [AddComponentMenu("Nowpose/Pose Appearance")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
@@ -25,12 +25,12 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Where the words are written. They turn to the viewer, and are as large as it takes to read them. Empty: no words.")]
         TextMesh _words = null;
 
-        [SerializeField, Tooltip("Drawn in place of opaque materials whose shader has no _Fade and _Hatch, while the pose is not current. It needs "
+        [SerializeField, Tooltip("Drawn in place of opaque materials whose shader lacks _Hatch or _Fade, while the pose is not current. It needs "
             + "both itself, as the package's Hologram has. Empty: such parts are hidden then.")]
         Material _substitute = null;
 
         readonly PoseMaterials _materials = new PoseMaterials();
-        readonly HashSet<Material> _reported = new HashSet<Material>();
+        readonly HashSet<Object> _reported = new HashSet<Object>();
         readonly List<Renderer> _found = new List<Renderer>();
         readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
         readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
@@ -84,7 +84,7 @@ namespace Nowpose.Unity
         /// <summary>Renderers that take part, the words' apart.</summary>
         internal int PartCount => _parts.Count;
 
-        /// <summary>Whether something below is opaque and cannot show a pose that is not current by its own material.</summary>
+        /// <summary>Whether something below cannot show a pose that is not current by its own material.</summary>
         internal bool NeedsSubstitute
         {
             get
@@ -115,7 +115,7 @@ namespace Nowpose.Unity
                 if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block, _materials));
                 part.Take();
                 Follow(part.Carrier);
-                if (part.Helpless is Material material) Report(material, each);
+                if (part.IsHelpless) Report(part.Helpless, each);
             }
             Draw();
         }
@@ -215,12 +215,18 @@ namespace Nowpose.Unity
         // Of a component that is edited, too.
         bool IsWords(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
 
+        /// <param name="material">Null for a missing one.</param>
         void Report(Material material, Renderer part)
         {
-            if (!_reported.Add(material)) return;
-            var problem = "pose appearance '" + name + "': material '" + material.name + "' of '" + part.name + "' is opaque, or one of several, and "
-                + "its shader has no _Fade and _Hatch. While the pose is not current, the part is ";
-            const string remedy = "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
+            var isMissing = material == null;
+            if (!_reported.Add(isMissing ? (Object)part : material)) return;
+            var problem = "pose appearance '" + name + "': " + (isMissing
+                ? "a material of '" + part.name + "' is missing"
+                : "material '" + material.name + "' of '" + part.name + "' is opaque, not blended by its alpha, or one of several, "
+                    + "and its shader lacks _Hatch or _Fade") + ". While the pose is not current, the part is ";
+            var remedy = isMissing
+                ? "assign a material to the part"
+                : "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
             if (_materials.Substitute != null)
                 ConsoleLog.Say(this, problem + "drawn with '" + _materials.Substitute.name + "'. To keep its own look, " + remedy);
             else ConsoleLog.Warn(this, problem + "hidden. Assign a Substitute with _Fade and _Hatch, or " + remedy);

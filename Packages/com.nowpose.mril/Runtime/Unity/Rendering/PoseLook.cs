@@ -9,12 +9,17 @@ namespace Nowpose.Unity
         /// <summary>No frame is computed any more; what was drawn last stays.</summary>
         public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
 
+        /// <summary>
+        /// Minimum fade of a striped look: a part smaller than a stripe (1 cm) may lie wholly between two stripes, where only the fade shows.
+        /// </summary>
+        const float MinFadeWithStripes = 0.2f;
+
         PoseLook(string words, string reason, float fade, bool isDrawn = true, bool isHatched = true)
         {
             IsHatched = isHatched;
             Reason = reason;
             Words = words;
-            Fade = fade;
+            Fade = isHatched ? Mathf.Max(fade, MinFadeWithStripes) : fade;
             IsDrawn = isDrawn;
         }
 

@@ -7,16 +7,24 @@ namespace Nowpose.Unity
     {
         public static readonly PoseMaterial Patterned = new PoseMaterial(PoseMeans.Pattern, 0);
         public static readonly PoseMaterial Helpless = new PoseMaterial(PoseMeans.None, 0);
+        public static readonly PoseMaterial NotNeeded = new PoseMaterial(PoseMeans.NotNeeded, 0);
 
         public static readonly int FadeId = Shader.PropertyToID("_Fade");
         public static readonly int HatchId = Shader.PropertyToID("_Hatch");
 
-        /// <summary>A SubShader or material with this tag is drawn the same in every state: it writes no colour.</summary>
-        const string Tag = "PoseAppearance", Ignored = "Ignore";
+        /// <summary>
+        /// Tag of a SubShader or material. <c>Ignore</c>: it writes no colour, so it is drawn the same in every state. <c>Alpha</c>: the alpha
+        /// of its colour is its opacity, which a blend factor written in the shader does not tell.
+        /// </summary>
+        const string Tag = "PoseAppearance", Ignored = "Ignore", Alpha = "Alpha";
 
         /// <summary>Render queues beyond this one are drawn back to front, which blended materials need.</summary>
         const int LastOpaqueQueue = 2500;
 
+        /// <summary>Value of <c>_SrcBlend</c> with which the alpha governs how much is seen: <c>SrcAlpha</c>.</summary>
+        const float SourceAlpha = 5;
+
+        static readonly int SourceBlendId = Shader.PropertyToID("_SrcBlend");
         static readonly int ColourId = Shader.PropertyToID("_Color");
         static readonly int BaseColourId = Shader.PropertyToID("_BaseColor");
 
@@ -34,12 +42,18 @@ namespace Nowpose.Unity
         /// <param name="material">Null for none, which Unity draws magenta.</param>
         public static PoseMaterial Of(Material material)
         {
-            if (material == null || material.HasProperty(FadeId) && material.HasProperty(HatchId)) return Patterned;
-            if (material.GetTag(Tag, false, "") == Ignored) return new PoseMaterial(PoseMeans.NotNeeded, 0);
+            if (material == null) return Helpless;
+            if (material.HasProperty(FadeId) && material.HasProperty(HatchId)) return Patterned;
+            var tag = material.GetTag(Tag, false, "");
+            if (tag == Ignored) return NotNeeded;
             // URP's shaders have both; the base colour is the one that they draw with.
             var colour = material.HasProperty(BaseColourId) ? BaseColourId : ColourId;
-            var isBlended = material.renderQueue > LastOpaqueQueue && material.HasProperty(colour);
+            var isBlended = (tag == Alpha || IsBlendedByAlpha(material)) && material.HasProperty(colour);
             return isBlended ? new PoseMaterial(PoseMeans.Alpha, colour) : Helpless;
         }
+
+        // The queue alone does not say it: a premultiplied material (One) and an opaque one with a late queue ignore a lower alpha.
+        static bool IsBlendedByAlpha(Material material) =>
+            material.renderQueue > LastOpaqueQueue && material.HasProperty(SourceBlendId) && material.GetFloat(SourceBlendId) == SourceAlpha;
     }
 }

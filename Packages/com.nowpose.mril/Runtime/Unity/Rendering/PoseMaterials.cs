@@ -30,7 +30,7 @@ namespace Nowpose.Unity
         /// <param name="material">Null for none.</param>
         public PoseMaterial Of(Material material)
         {
-            if (material == null) return PoseMaterial.Patterned;
+            if (material == null) return PoseMaterial.Helpless;
             if (!_known.TryGetValue(material, out var known)) _known.Add(material, known = PoseMaterial.Of(material));
             return known;
         }
@@ -40,9 +40,14 @@ namespace Nowpose.Unity
         {
             if (materials.Count == 1) return Of(materials[0]);
             // A property block has one colour for all of a renderer's materials.
+            var all = PoseMaterial.NotNeeded;
             foreach (var material in materials)
-                if (NeedsSubstitute(Of(material).Means)) return PoseMaterial.Helpless;
-            return PoseMaterial.Patterned;
+            {
+                var means = Of(material).Means;
+                if (NeedsSubstitute(means)) return PoseMaterial.Helpless;
+                if (means == PoseMeans.Pattern) all = PoseMaterial.Patterned;
+            }
+            return all;
         }
 
         /// <summary>Fills in the materials to draw instead, each in the place of one that cannot show the state.</summary>

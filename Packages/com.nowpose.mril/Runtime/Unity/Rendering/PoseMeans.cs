@@ -6,7 +6,7 @@ namespace Nowpose.Unity
         /// <summary>Its shader declares <c>_Fade</c> and <c>_Hatch</c>.</summary>
         Pattern,
 
-        /// <summary>The material is blended, and its shader has a colour whose alpha can be lowered.</summary>
+        /// <summary>The material is blended by its alpha (<c>_SrcBlend</c> or its tag says so), and its shader has a colour.</summary>
         Alpha,
 
         /// <summary>Neither: the part is drawn with another material, or not at all.</summary>

@@ -17,9 +17,10 @@ namespace Nowpose.Unity
         readonly PoseMaterials _materials;
         PoseMaterial _material;
         Material[] _own, _substitutes;
+        MaterialPropertyBlock[] _ownBlocks;
         Color? _ownColour;
         float _ownFade, _ownHatch;
-        bool _isOwnOff, _isTaken, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _hadBlock;
+        bool _isOwnOff, _isTaken, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _isPatternSet, _hadBlock;
 
         /// <param name="block">To work with: shared by all parts.</param>
         public PosePart(Renderer renderer, MaterialPropertyBlock block, PoseMaterials materials)
@@ -34,12 +35,14 @@ namespace Nowpose.Unity
         /// <summary>Null for what nothing ever carried.</summary>
         public PoseCarrier Carrier { get; private set; }
 
-        /// <summary>The first material that cannot show a pose that is not current; null where all can.</summary>
+        /// <summary>Whether its materials cannot show a pose that is not current.</summary>
+        public bool IsHelpless => _material.Means == PoseMeans.None;
+
+        /// <summary>The first material that cannot show a pose that is not current, for a part that is helpless; null for a missing one.</summary>
         public Material Helpless
         {
             get
             {
-                if (_material.Means != PoseMeans.None) return null;
                 foreach (var material in _isSubstituted ? new List<Material>(_own) : _materials.In(_renderer))
                     if (_materials.Of(material).Means == PoseMeans.None) return material;
                 return _renderer.sharedMaterial;
@@ -55,9 +58,6 @@ namespace Nowpose.Unity
             if (_isTaken) return;
             _isTaken = true;
             _isOwnOff = _renderer.forceRenderingOff;
-            _renderer.GetPropertyBlock(_block);
-            _ownFade = Own(PoseMaterial.FadeId);
-            _ownHatch = Own(PoseMaterial.HatchId);
         }
 
         public void Draw(PoseLook look, float opacity)
@@ -76,10 +76,11 @@ namespace Nowpose.Unity
             {
                 RestoreMaterials();
                 if (_material.Means == PoseMeans.Alpha) SetAlpha(0);
-                else SetPattern(_ownFade, _ownHatch);
+                else if (_isPatternSet) SetPattern(_ownFade, _ownHatch);
                 _renderer.forceRenderingOff = _isOwnOff;
             }
             _isTaken = false;
+            _isPatternSet = false;
             _isHidden = false;
             _isPoseDrawn = true;
         }
@@ -98,26 +99,33 @@ namespace Nowpose.Unity
             Examine();
             _isHidden = false;
             var fade = look.FadeAt(opacity);
-            if (_material.Means == PoseMeans.Alpha)
+            switch (_material.Means)
             {
-                SetAlpha(look.IsHatched ? Mathf.Max(fade, MinFadeWithoutStripes) : fade);
-            }
-            else
-            {
-                if (_material.Means == PoseMeans.None && look.IsHatched) _isHidden = !Substitute();
-                else RestoreMaterials();
-                SetPattern(Mathf.Max(_ownFade, fade), look.IsHatched ? 1 : _ownHatch);
+                case PoseMeans.Pattern:
+                    TakePattern();
+                    SetPattern(Mathf.Max(_ownFade, fade), look.IsHatched ? 1 : _ownHatch);
+                    break;
+                case PoseMeans.Alpha:
+                    SetAlpha(look.IsHatched ? Mathf.Max(fade, MinFadeWithoutStripes) : fade);
+                    break;
+                case PoseMeans.None:
+                    if (!look.IsHatched) RestoreMaterials();
+                    else if (Substitute()) SetSubstitutePattern(fade);
+                    else _isHidden = true;
+                    break;
             }
             _renderer.forceRenderingOff = _isOwnOff || !IsDrawn;
         }
 
-        // Materials may be others than at the last look; those of the user's that replaced the substitutes are the part's own now.
+        // The user may have assigned other materials since the last frame, also while the substitutes were drawn. They are the part's own then.
         void Examine()
         {
             var materials = _materials.In(_renderer);
             if (_isSubstituted && IsSame(materials, _substitutes)) return;
+            if (_isSubstituted) RestoreBlocks(materials.Count);
             _isSubstituted = false;
             _material = _materials.Of(materials);
+            if (_isPatternSet && _material.Means != PoseMeans.Pattern) RemovePattern();
         }
 
         bool Substitute()
@@ -129,15 +137,65 @@ namespace Nowpose.Unity
             {
                 _own = materials.ToArray();
                 _substitutes = _materials.SubstitutesFor(_own);
+                _ownBlocks = new MaterialPropertyBlock[_own.Length];
+                for (var i = 0; i < _own.Length; i++) _ownBlocks[i] = new MaterialPropertyBlock();
             }
+            for (var i = 0; i < _own.Length; i++) _renderer.GetPropertyBlock(_ownBlocks[i], i);
             _renderer.sharedMaterials = _substitutes;
             return _isSubstituted = true;
         }
 
         void RestoreMaterials()
         {
-            if (_isSubstituted) _renderer.sharedMaterials = _own;
+            if (!_isSubstituted) return;
             _isSubstituted = false;
+            _renderer.sharedMaterials = _own;
+            RestoreBlocks(_own.Length);
+        }
+
+        void RestoreBlocks(int materialCount)
+        {
+            for (var i = 0; i < Mathf.Min(materialCount, _ownBlocks.Length); i++)
+                _renderer.SetPropertyBlock(_ownBlocks[i].isEmpty ? null : _ownBlocks[i], i);
+        }
+
+        // By a block per material: the renderer's own block would reach the user's materials too, whose _Fade may mean the opposite.
+        void SetSubstitutePattern(float fade)
+        {
+            for (var i = 0; i < _substitutes.Length; i++)
+            {
+                var drawn = _substitutes[i];
+                if (_materials.Of(drawn).Means != PoseMeans.Pattern) continue;
+                var own = _ownBlocks[i];
+                _renderer.GetPropertyBlock(_block);
+                var ownFade = drawn.GetFloat(PoseMaterial.FadeId);
+                if (ReferenceEquals(drawn, _own[i]))
+                {
+                    if (own.HasFloat(PoseMaterial.FadeId)) ownFade = own.GetFloat(PoseMaterial.FadeId);
+                    else if (_block.HasFloat(PoseMaterial.FadeId)) ownFade = _block.GetFloat(PoseMaterial.FadeId);
+                }
+                if (!own.isEmpty) _renderer.GetPropertyBlock(_block, i);
+                _block.SetFloat(PoseMaterial.FadeId, Mathf.Max(ownFade, fade));
+                _block.SetFloat(PoseMaterial.HatchId, 1);
+                _renderer.SetPropertyBlock(_block, i);
+            }
+        }
+
+        void TakePattern()
+        {
+            if (_isPatternSet) return;
+            _isPatternSet = true;
+            _hadBlock = _renderer.HasPropertyBlock();
+            _renderer.GetPropertyBlock(_block);
+            _ownFade = Own(PoseMaterial.FadeId);
+            _ownHatch = Own(PoseMaterial.HatchId);
+        }
+
+        void RemovePattern()
+        {
+            _isPatternSet = false;
+            if (_hadBlock) SetPattern(_ownFade, _ownHatch);
+            else _renderer.SetPropertyBlock(null);
         }
 
         void SetPattern(float fade, float hatch)

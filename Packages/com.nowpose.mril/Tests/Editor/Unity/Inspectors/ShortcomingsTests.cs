@@ -98,7 +98,7 @@ namespace Nowpose.Tests
 
             part.sharedMaterial = _scene.Material("Steel");
             var shortcoming = Of(appearance).Single();
-            Assert.That(shortcoming.Message, Does.StartWith("Opaque parts below it"));
+            Assert.That(shortcoming.Message, Does.StartWith("Parts below it have materials that cannot be drawn fainter"));
             Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'Hologram'"));
             shortcoming.Fix();
 

@@ -34,7 +34,7 @@ namespace Nowpose.Tests
         }
 
         [TestCase(OutsideRangeResponse.Fade, 0.3f)]
-        [TestCase(OutsideRangeResponse.GoOn, 0)]
+        [TestCase(OutsideRangeResponse.GoOn, 0.2f)]
         [TestCase(OutsideRangeResponse.Hold, 0.5f)]
         public void Of_OutsideRange_IsStripedAndInWordsWhateverItsFade(OutsideRangeResponse response, float fade)
         {
@@ -44,6 +44,15 @@ namespace Nowpose.Tests
             Assert.That(look.IsDrawn, Is.True);
             Assert.That(look.IsHatched, Is.True);
             Assert.That(look.Words, Does.Contain("outside range"));
+        }
+
+        [Test]
+        public void Also_WithoutAFade_IsFainterThanCurrentToo()
+        {
+            var look = PoseLook.Of(PoseState.Current).Also("being placed", "a marker is moved", 0);
+
+            Assert.That(look.IsHatched, Is.True);
+            Assert.That(look.Fade, Is.EqualTo(0.2f), "a part smaller than a stripe may show no stripe");
         }
 
         [Test]
