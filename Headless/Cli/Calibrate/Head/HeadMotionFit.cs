@@ -30,7 +30,7 @@ static class HeadMotionFit
     /// <summary>Parts of the recording that are left out in turn, for the uncertainty.</summary>
     const int Parts = 10;
 
-    /// <summary>Of Student's distribution with 9 degrees of freedom: 95 %.</summary>
+    /// <summary>Quantile of Student's distribution with 9 degrees of freedom for 95 %.</summary>
     const double Coverage = 2.26;
 
     const int Place = 1, Speed = 3;

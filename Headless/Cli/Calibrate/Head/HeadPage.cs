@@ -11,7 +11,7 @@ static class HeadPage
     /// <summary>L_visu of a moving and of a still headset differ by less.</summary>
     const double MaxVisuDifferenceMs = 3;
 
-    /// <summary>Beyond, reprojection cannot be told from its absence.</summary>
+    /// <summary>Above this uncertainty, the result does not show whether the display corrects for head motion.</summary>
     const double MaxUncertaintyMs = 5;
 
     /// <param name="profile">With the latency; null where it is not stored.</param>
@@ -28,11 +28,11 @@ static class HeadPage
             .. profile == null ? [] : ProfileFacts.Of(profile).Select(fact => new[] { "Profile: " + fact[0], fact[1] }),
         ])
     {
-        Warnings = [.. Doubts(result, profile, conditions)],
+        Warnings = [.. WarningsOf(result, profile, conditions)],
         Sections = [OverSpeed(result)],
     };
 
-    static IEnumerable<string> Doubts(HeadResult result, LatencyProfile profile, DisplayConditions conditions)
+    static IEnumerable<string> WarningsOf(HeadResult result, LatencyProfile profile, DisplayConditions conditions)
     {
         if (profile == null)
             yield return "no profile was written: give the profile of the still pictures (--profile), which gets the latency for head motion";

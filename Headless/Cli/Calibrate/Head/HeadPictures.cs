@@ -1,7 +1,6 @@
 using MathNet.Numerics.LinearRegression;
 using MathNet.Numerics.Statistics;
 using Nowpose.Cli.Calibrate.Vlc;
-using Nowpose.VisibleLight;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
@@ -43,7 +42,7 @@ static class HeadPictures
         PictureResult last = null;
         foreach (var picture in pictures)
         {
-            if (last != null && IntervalMs(last, picture) <= 0) continue;
+            if (last != null && PictureResult.IntervalMs(last, picture) <= 0) continue;
             yield return last = picture;
         }
     }
@@ -51,7 +50,7 @@ static class HeadPictures
     static IEnumerable<HeadPicture> Along(PictureResult[] read, double visuMs)
     {
         var seconds = new double[read.Length];
-        for (var i = 1; i < read.Length; i++) seconds[i] = seconds[i - 1] + IntervalMs(read[i - 1], read[i]) / 1000;
+        for (var i = 1; i < read.Length; i++) seconds[i] = seconds[i - 1] + PictureResult.IntervalMs(read[i - 1], read[i]) / 1000;
         var axis = MotionAxis.Of([.. read.Select(picture => picture.Places.Control)]);
         double[] places = [.. read.Select(picture => axis.PlaceOf(picture.Places.Control))];
         for (var i = 0; i < read.Length; i++)
@@ -74,6 +73,4 @@ static class HeadPictures
             .Select(t => Enumerable.Range(0, Cubic + 1).Select(power => Math.Pow(t, power)).ToArray())];
         return MultipleRegression.QR(powers, places[from..(to + 1)])[1];
     }
-
-    static double IntervalMs(PictureResult before, PictureResult after) => Math.IEEERemainder(after.LedMs - before.LedMs, TimestampCode.PeriodMs);
 }

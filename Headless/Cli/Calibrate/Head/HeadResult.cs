@@ -2,7 +2,7 @@ using Nowpose.Cli.Calibrate.Vlc;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
-/// <summary>What pictures of a moving headset say.</summary>
+/// <summary>Result of the evaluation of pictures of a moving headset.</summary>
 sealed class HeadResult
 {
     /// <exception cref="InputException">There is too little motion, or too few pictures of it.</exception>

@@ -1,5 +1,3 @@
-using Nowpose.VisibleLight;
-
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Pictures of a series that were taken while the headset moved: L_visu is measured with a still one.</summary>
@@ -18,7 +16,7 @@ static class MovingPictures
     /// <summary>Pictures further apart say nothing about the speed.</summary>
     const double MaxIntervalMs = 500;
 
-    /// <summary>Of all that are read; beyond, what is left is no still series.</summary>
+    /// <summary>Maximum share of the read pictures that may be moving; above it the rest is not a still series.</summary>
     const double MaxShare = 0.5;
 
     /// <summary>The same pictures in their order, those rejected that were taken in motion.</summary>
@@ -42,7 +40,7 @@ static class MovingPictures
     /// <returns>Sides per second; 0 where it is not known.</returns>
     static (double X, double Y) VelocityOf(PictureResult from, PictureResult to)
     {
-        var ms = Math.IEEERemainder(to.LedMs - from.LedMs, TimestampCode.PeriodMs);
+        var ms = PictureResult.IntervalMs(from, to);
         if (ms <= 0 || ms > MaxIntervalMs) return default;
         var scale = 1000 / (ms * from.Places.ControlSide);
         return (scale * (to.Places.Control.X - from.Places.Control.X), scale * (to.Places.Control.Y - from.Places.Control.Y));

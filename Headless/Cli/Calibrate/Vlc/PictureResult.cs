@@ -1,3 +1,5 @@
+using Nowpose.VisibleLight;
+
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>What one picture says.</summary>
@@ -12,6 +14,9 @@ sealed record PictureResult(string File, double LedMs, double HeadsetMs, double 
     public CodePlaces Places { get; init; }
 
     public bool IsRead => Fault == null;
+
+    /// <summary>Control time from one read picture to another, ms; the shorter way round the period of the code, negative backward.</summary>
+    public static double IntervalMs(PictureResult from, PictureResult to) => Math.IEEERemainder(to.LedMs - from.LedMs, TimestampCode.PeriodMs);
 
     public static PictureResult Not(string file, string fault) => new(file, double.NaN, double.NaN, double.NaN, fault);
 }

@@ -2,7 +2,7 @@ using Nowpose.Cli.Calibrate.Vlc;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>What is read of pictures of a headset that is turned to and fro with its camera, from the law of the motion, without rendering.</summary>
+/// <summary>Simulated readings of pictures of a headset that is turned to and fro with its camera, computed without rendering.</summary>
 sealed record SwungPictures
 {
     const double RefreshMs = 1000 / 59.94, LitMs = 4, Side = 120;
