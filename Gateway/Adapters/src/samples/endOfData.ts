@@ -1,0 +1,154 @@
+import { type Nanoseconds, NS_PER_S } from '../times';
+
+/** Samples of the current motion that are kept, and those that are needed to judge its end. */
+const WINDOW = 24, MIN_SAMPLES = 4;
+
+/** A motion ends with a gap that is longer than this, in seconds, and than this multiple of the median interval. */
+const GAP_S = 0.3, GAP_INTERVALS = 6;
+
+/** Second differences before the end in which braking is looked for, and those whose residuals show the resolution of the positions. */
+const BRAKING = 2, RESIDUALS = 12;
+
+/** The motion is steady when no speed so far was below this part of the newest one. Steps are equal up to this part of their size. */
+const STEADY = 0.7, EQUAL = 1e-9;
+
+/** An interval below this multiple of the shortest one left no look out. */
+const EACH_LOOK = 1.6;
+
+/** Intervals whose median the next one is assumed to have: one that was late must not hide the end of the data. */
+const RECENT = 5;
+
+/** Consecutive second differences that must all oppose the motion to count as a deceleration: noise changes its sign more often. */
+const SUSTAINED = 3;
+
+/** A stop may need this multiple of the deceleration that its last samples show: sampling shows only a part of a short stop. */
+const BRAKING_MARGIN = 4;
+
+/** A deadband hides the end of a stop: the joint may move on by q after the last sample, and the sample before may be off by q. */
+const RESOLUTION_MARGIN = 2;
+
+/** Margin on the largest deceleration that was seen, because it is measured between samples. */
+const SEEN_MARGIN = 1.5;
+
+interface Point {
+  /** Seconds since the first sample of the joint. */
+  time: number;
+  /** rad or m. */
+  position: number;
+}
+
+/**
+ * Decides whether the data of one joint ended while the joint moved. A source that sends changes only is silent when the joint rests, and
+ * also when the source has failed.
+ * @remarks
+ * If the joint rests since the last sample xₙ at tₙ, its mean velocity is v = (xₙ − xₙ₋₁) / h₁ in the last interval h₁ and 0 in the next
+ * interval h₂. The means belong to the middles of the intervals, which are (h₁ + h₂) / 2 apart. By the mean value theorem for divided
+ * differences the deceleration therefore was, at some moment, at least
+ *
+ *   a = (|v| − 2 (q/h₁ + q/h₂)) / ((h₁ + h₂) / 2)      in rad/s² or m/s²
+ *
+ * where q is the resolution of the positions (quantisation or deadband). The data ended in mid-motion when the joint cannot have braked
+ * that hard. Without a configured limit the joint can brake with the floor, 1.5 times the largest deceleration that was seen, and 4 times
+ * the deceleration that the last samples show: a constant deceleration that lasts 0.4 h or longer shows at least a quarter of a there, and
+ * a shorter one of size A has a ≤ 0.32 A, so that the floor admits each stop with A ≤ 3 times the floor.
+ */
+export class EndOfData {
+  readonly #points: Point[] = [];
+  #start: Nanoseconds | null = null;
+  /** Smallest change of the position between two samples, and smallest mean speed between them, so far. */
+  #smallestStep = Infinity;
+  #smallestSpeed = Infinity;
+  #largestSeen = 0;
+
+  /**
+   * @param floor Deceleration that each joint is capable of, in rad/s² or m/s².
+   * @param configured Largest deceleration of the joint in the same unit; replaces floor and observation. Null: not known.
+   */
+  constructor(readonly floor: number, readonly configured: number | null = null) {}
+
+  /** Takes a sample that is newer than the one before. */
+  add(stamp: Nanoseconds, position: number): void {
+    this.#start ??= stamp;
+    const time = Number(stamp - this.#start) / Number(NS_PER_S), last = this.#points.at(-1);
+    if (last !== undefined && (time <= last.time || this.#isGap(time - last.time))) this.#points.length = 0;
+    const step = last === undefined ? 0 : Math.abs(position - last.position);
+    if (step > 0 && time > last!.time) {
+      this.#smallestStep = Math.min(this.#smallestStep, step);
+      this.#smallestSpeed = Math.min(this.#smallestSpeed, step / (time - last!.time));
+    }
+    this.#points.push({ time, position });
+    if (this.#points.length > WINDOW) this.#points.shift();
+    this.#largestSeen = Math.max(this.#largestSeen, this.#sustained());
+  }
+
+  /** Forgets the motion, but not what was learned about the joint: another connection begins. */
+  restart(): void {
+    this.#points.length = 0;
+    this.#start = null;
+  }
+
+  /**
+   * Returns why the joint cannot have stopped at its last sample; null when it can.
+   * @param samplingS Seconds between two looks of the source at the joint; 0 when unknown.
+   */
+  verdict(samplingS: number): { required: number; limit: number } | null {
+    if (this.#points.length < MIN_SAMPLES) return null;
+    const required = this.#required(samplingS), limit = this.configured ?? this.#limit();
+    return required > limit ? { required, limit } : null;
+  }
+
+  #limit(): number {
+    return Math.max(this.floor, SEEN_MARGIN * this.#largestSeen, BRAKING_MARGIN * Math.max(...this.#decelerations(BRAKING)));
+  }
+
+  #required(samplingS: number): number {
+    const intervals = this.#intervals(), h1 = intervals.at(-1)!, h2 = Math.max(samplingS, median(intervals.slice(-RECENT)));
+    const [before, last] = this.#points.slice(-2);
+    const speed = Math.abs(last.position - before.position) / h1;
+    const q = this.#resolution(speed, h1 < EACH_LOOK * Math.max(samplingS, Math.min(...intervals)));
+    return (speed - RESOLUTION_MARGIN * (q / h1 + q / h2)) / ((h1 + h2) / 2);
+  }
+
+  /**
+   * The smallest step so far. A joint that was seen at one speed only, at each look, has made no small one: then twice the deviation of its
+   * positions from a line, unless its steps are equal, as steps of a quantised value are.
+   */
+  #resolution(speed: number, isAtEachLook: boolean): number {
+    const differences = this.#differences(RESIDUALS), residual = Math.max(...differences.map(difference => Math.abs(difference.residual)));
+    const isSteady = isAtEachLook && differences.length === RESIDUALS && this.#smallestSpeed > STEADY * speed;
+    return isSteady && residual > EQUAL * this.#smallestStep ? Math.min(this.#smallestStep, 2 * residual) : this.#smallestStep;
+  }
+
+  /** The newest second differences, positive where they oppose the motion. */
+  #decelerations(count: number): number[] {
+    return this.#differences(count).map(({ acceleration, direction }) => Math.max(0, -direction * acceleration));
+  }
+
+  #sustained(): number {
+    const newest = this.#decelerations(SUSTAINED);
+    return newest.length < SUSTAINED ? 0 : Math.min(...newest);
+  }
+
+  #differences(count: number): { acceleration: number; residual: number; direction: number }[] {
+    return this.#points.slice(-count - 2).flatMap((last, i, points) => {
+      if (i < 2) return [];
+      const [first, middle] = [points[i - 2], points[i - 1]], h1 = middle.time - first.time, h2 = last.time - middle.time;
+      const v1 = (middle.position - first.position) / h1, v2 = (last.position - middle.position) / h2;
+      return [{ acceleration: (v2 - v1) / ((h1 + h2) / 2), residual: (v2 - v1) * h2, direction: Math.sign(v1 + v2) }];
+    });
+  }
+
+  #isGap(interval: number): boolean {
+    if (interval <= GAP_S) return false;
+    return interval > GAP_INTERVALS * median(this.#intervals());
+  }
+
+  #intervals(): number[] {
+    return this.#points.slice(1).map(({ time }, i) => time - this.#points[i].time);
+  }
+}
+
+/** Zero for none. */
+function median(values: number[]): number {
+  return values.length === 0 ? 0 : [...values].sort((a, b) => a - b)[values.length >> 1];
+}

@@ -1,0 +1,115 @@
+// Whether the data of a joint ended in mid-motion, in virtual time: no false alarm in stops, and an alarm in cut motions.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { changes, smooth, trapezoid } from './motions.mjs';
+import { parts } from './parts.mjs';
+import { seeded } from './seeded.mjs';
+
+const { EndOfData } = await parts('samples/endOfData');
+
+const SEED = 4711, STOPS = 1000, FLOOR = 12;
+const INTERVALS = [0.01, 0.02, 0.05, 0.1];
+const START = 1_700_000_000n * 1_000_000_000n;
+const stampOf = time => START + BigInt(Math.round((time + 10) * 1e9));
+const logarithmic = (random, from, to) => from * (to / from) ** random();
+
+/** Resolutions and errors of sources, for one interval between two looks. */
+const SOURCES = {
+  Exact: interval => ({ interval }),
+  Quantised: (interval, random) => ({ interval, quantum: logarithmic(random, 1e-5, 3e-3) }),
+  WithDeadband: (interval, random) => ({ interval, deadband: logarithmic(random, 1e-4, 1e-2) }),
+  Noisy: (interval, random) => {
+    const noise = logarithmic(random, 1e-6, 3e-4);
+    return { interval, noise, quantum: noise, deadband: 8.5 * noise };
+  },
+  WithJitter: (interval, random) => ({ interval, jitter: 0.5 * random(), stampError: 0.01 * interval, quantum: 1e-5 }),
+  WithLooksLeftOut: interval => ({ interval, jitter: 0.1, skip: 0.15, quantum: 1e-5 }),
+};
+
+const MOTIONS = {
+  Normal: random => smooth({ v: logarithmic(random, 0.02, 2), duration: 0.5 + 2 * random() }),
+  Trapezoidal: random => {
+    const v = logarithmic(random, 0.02, 3), a = logarithmic(random, 0.5, 10);
+    return trapezoid({ v, a, brakeAt: v / a * (1 + random()) + random(), brake: a });
+  },
+  Emergency: random => {
+    const v = logarithmic(random, 0.02, 3), a = logarithmic(random, 0.5, 10);
+    return trapezoid({ v, a, brakeAt: v / a * (1 + random()) + random(), brake: logarithmic(random, 10, 30) });
+  },
+};
+
+function judgeOf(samples, judge = new EndOfData(FLOOR)) {
+  for (const { time, value } of samples) judge.add(stampOf(time), value);
+  return judge;
+}
+
+describe('end of data', () => {
+  for (const [motion, make] of Object.entries(MOTIONS))
+    for (const [name, source] of Object.entries(SOURCES))
+      it(`Verdict_${motion}Stops${name}_NoFalseAlarm`, () => {
+        const random = seeded(SEED);
+        for (let i = 0; i < STOPS; i++) {
+          const interval = INTERVALS[i % INTERVALS.length], move = make(random), options = source(interval, random);
+          const samples = [...changes(move, random, { ...options, until: move.end + 2 })];
+
+          const verdict = judgeOf(samples).verdict(interval);
+
+          assert.equal(verdict, null, `stop ${i} of seed ${SEED}: ${JSON.stringify(options)} ${JSON.stringify(samples.slice(-4))}`);
+        }
+      });
+
+  for (const [interval, speed] of [[0.01, 0.25], [0.02, 0.5], [0.05, 1.2], [0.1, 2.4]])
+    it(`Verdict_SineCutAt${speed}RadPerSecondEvery${1000 * interval}Ms_IsEndInMotion`, () => {
+      const random = seeded(SEED), peak = 1.2 * speed, amplitude = peak / 2;
+      let found = 0;
+      for (let i = 0; i < 200; i++) {
+        // After at least one reversal, where it is as fast as `speed` or faster.
+        const cut = (Math.PI * (3 + i % 3) + (random() - 0.5)) / 2, sine = { position: t => amplitude * Math.sin(2 * t) };
+        const judge = judgeOf(changes(sine, random, { interval, from: 0, until: cut, jitter: 0.2, quantum: 1e-5 }));
+        if (judge.verdict(interval) !== null) found++;
+      }
+      // Short last intervals and the rounding of the positions hide a few.
+      assert.ok(found >= 190, `${found} of 200`);
+    });
+
+  it('Verdict_ConstantSpeed_NeedsSpeedByInterval', () => {
+    const judge = judgeOf(changes(trapezoid({ v: 1, a: 2, brakeAt: 100, brake: 1 }), () => 0, { interval: 0.02, until: 2 }));
+
+    const { required, limit } = judge.verdict(0.02);
+
+    // v / h, less the resolution: the smallest step at the start is far below that of the motion.
+    assert.ok(required > 45 && required <= 50, `${required}`);
+    assert.equal(limit, FLOOR);
+  });
+
+  it('Verdict_ConfiguredDeceleration_ReplacesWhatWasSeen', () => {
+    const samples = [...changes(trapezoid({ v: 1, a: 2, brakeAt: 100, brake: 1 }), () => 0, { interval: 0.02, until: 2 })];
+
+    assert.equal(judgeOf(samples, new EndOfData(FLOOR, 60)).verdict(0.02), null);
+    assert.equal(judgeOf(samples, new EndOfData(FLOOR, 30)).verdict(0.02).limit, 30);
+  });
+
+  it('Verdict_DecelerationSeenBefore_RaisesTheLimit', () => {
+    const random = seeded(SEED), judge = new EndOfData(FLOOR);
+    const braked = trapezoid({ v: 4, a: 5, brakeAt: 1, brake: 40 });
+    judgeOf(changes(braked, random, { interval: 0.01, until: braked.end + 0.5 }), judge);
+    for (const { time, value } of changes(trapezoid({ v: 0.5, a: 2, brakeAt: 100, brake: 1 }), random, { interval: 0.01, from: 5, until: 7 }))
+      judge.add(stampOf(time), value);
+
+    assert.equal(judge.verdict(0.01), null);
+  });
+
+  it('Verdict_FewSamples_IsUnknown', () => {
+    const judge = judgeOf([0, 1, 2].map(i => ({ time: 0.01 * i, value: i })));
+
+    assert.equal(judge.verdict(0.01), null);
+  });
+
+  it('Verdict_StepAfterRest_IsNotAMotion', () => {
+    const rest = [...Array(20).keys()].map(i => ({ time: 0.02 * i, value: 0.001 * i }));
+
+    const judge = judgeOf([...rest, { time: 5, value: 2 }]);
+
+    assert.equal(judge.verdict(0.02), null);
+  });
+});
