@@ -1,5 +1,5 @@
 import { PlantClock } from './clock/plantClock';
-import type { Configuration } from './configuration/configuration';
+import { type Configuration, faultAfterMs } from './configuration/configuration';
 import { GatewayLink } from './gateway/link';
 import { description, DIAGNOSTICS, diagnostics, ROBOT_DESCRIPTION } from './gateway/messages';
 import { AdapterStatus } from './gateway/status';
@@ -8,7 +8,10 @@ import { Log } from './log';
 import { JointOutput } from './samples/jointOutput';
 import { type Nanoseconds, ofMilliseconds, toMilliseconds } from './times';
 
-const DIAGNOSTICS_MS = 1000;
+const DIAGNOSTICS_MS = 1000, SILENCE_CHECK_MS = 250;
+
+/** A change is sent after this time, together with those that follow it at once. */
+const CHANGE_MS = 100;
 const GROUP_MS = 0.5, OLDEST_MS = 10_000;
 
 /** Runs one adapter until a signal, or the end of the gateway that started it, stops it. Returns the exit status. */
@@ -16,28 +19,42 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   const { plant, joints, robot } = configuration;
   const log = new Log(`plant/${plant.name}`, configuration.secrets);
   const ending = new Ending();
-  const status = new AdapterStatus(plant.kind, log);
+  let changed: NodeJS.Timeout | null = null;
+  const status = new AdapterStatus(plant.kind, log, () => { changed ??= setTimeout(tell, CHANGE_MS); });
   const gateway = new GatewayLink(configuration.gateway, log, 'gateway', {
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
   });
   const { clock_resolution_us: resolutionUs, group_ms: groupMs, oldest_ms: oldestMs } = plant;
   const fixed = resolutionUs === undefined ? null : ofMilliseconds(Number(resolutionUs) / 1000);
   const clock = new PlantClock(gateway, plant.name, fixed, undefined, coarse => tellCoarse(status, log, coarse));
-  const limits = { tolerance: ofMilliseconds(Number(groupMs ?? GROUP_MS)), oldest: ofMilliseconds(Number(oldestMs ?? OLDEST_MS)) };
+  const limits = {
+    tolerance: ofMilliseconds(Number(groupMs ?? GROUP_MS)),
+    oldest: ofMilliseconds(Number(oldestMs ?? OLDEST_MS)),
+    faultAfterMs: faultAfterMs(plant.silence),
+  };
   const output = new JointOutput(joints, limits, clock, gateway, status);
+  for (const { joint } of joints) status.joints.expect(joint);
   const run = await load(plant.kind);
   if (robot !== null) gateway.publishKept(ROBOT_DESCRIPTION, description(robot));
 
   const link = gateway.run(ending.signal);
-  const told = setInterval(() => gateway.publish(DIAGNOSTICS, diagnosticsOf(plant.name, status, gateway)), DIAGNOSTICS_MS);
+  const told = setInterval(tell, DIAGNOSTICS_MS), checks = setInterval(() => output.checkSilence(), SILENCE_CHECK_MS);
   try {
     await run({ configuration, gateway, clock, output, status, log, stopping: ending.signal });
   } finally {
     clearInterval(told);
+    clearInterval(checks);
+    clearTimeout(changed ?? undefined);
     ending.now();
     await link;
   }
   return ending.status;
+
+  function tell(): void {
+    clearTimeout(changed ?? undefined);
+    changed = null;
+    gateway.publish(DIAGNOSTICS, diagnosticsOf(plant.name, status, gateway));
+  }
 }
 
 function tellCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null): void {
@@ -50,7 +67,7 @@ function tellCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null)
 
 function diagnosticsOf(name: string, status: AdapterStatus, gateway: GatewayLink): object {
   const values = { ...status.values(), dropped: String(gateway.dropped) };
-  return diagnostics(`plant/${name}`, status.state === 'connected', status.state, values);
+  return diagnostics(`plant/${name}`, status.level, status.message, values);
 }
 
 /** What ends the process: SIGTERM, SIGINT, and for a child the end of its parent, whose pipe then closes. */

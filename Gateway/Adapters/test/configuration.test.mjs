@@ -3,8 +3,11 @@ import { chmodSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, it } from 'node:test';
 import { wrongIn } from './checking.mjs';
+import { parts } from './parts.mjs';
 import { check } from './program.mjs';
 import { temporaryFile } from './temporary.mjs';
+
+const { readConfiguration } = await parts('configuration/configuration');
 
 const GOOD = `gateway:
   url: ws://127.0.0.1:47011
@@ -79,6 +82,10 @@ describe('configuration', () => {
     ['WrongPin', 'plant:', '  pin: sha256/abc\nplant:', /^line 3: gateway\.pin: value "sha256\/abc"; allowed is the pin/],
     ['TokenInFile', 'plant:', '  token: hush-hush\nplant:', /^line 3: gateway\.token: not known here; did you mean token_file\?/],
     ['NoTokenFile', 'plant:', '  token_file: none\nplant:', /^line 3: gateway\.token_file: value "none"; the file cannot be read \(ENOENT\)/],
+    ['SilenceMisspelt', 'joints:', '  silence: rset\njoints:', /^line 6: plant\.silence: value "rset"; allowed is .*rest .*fault_after_s: SECONDS/],
+    ['SilenceWithoutTime', 'joints:', '  silence: {}\njoints:', /^line 6: plant\.silence\.fault_after_s: missing; add a time from 0\.5 to 3600 s$/],
+    ['SilenceTooShort', 'unit: deg', 'unit: deg\n    silence: {fault_after_s: 0.1}', /^line 10: joints\[0\]\.silence\.fault_after_s: value 0\.1; allowed is a time from 0\.5 to 3600 s$/],
+    ['DecelerationOfZero', 'unit: deg', 'unit: deg\n    max_deceleration: 0', /^line 10: joints\[0\]\.max_deceleration: value 0; allowed is a number above 0/],
     ['NoRobotFile', 'plant:', 'robot: none.urdf\nplant:', /^line 3: robot: value "none\.urdf"; the file cannot be read/],
   ]) {
     it(`Check_${name}_NamesLineAndCure`, () => {
@@ -88,6 +95,25 @@ describe('configuration', () => {
       assert.doesNotMatch(lines.join('\n'), /hush-hush|word@|wo\/rd/);
     });
   }
+
+  it('Joint_Silence_WinsOverThePlants', () => {
+    const joints = `joints:
+  - { joint: a, node: i=1, unit: mm, silence: rest, max_deceleration: 2 }
+  - { joint: b, node: i=2 }
+`;
+    const path = temporaryFile('plant.yaml', GOOD.replace(/joints:[^]*/, `  silence: {fault_after_s: 3}\n  max_deceleration: 15\n${joints}`));
+
+    const read = readConfiguration(path, {}, {}).joints.map(({ faultAfterMs, maxDeceleration, isLinear }) => [faultAfterMs, maxDeceleration, isLinear]);
+
+    assert.deepEqual(read, [[null, 2, true], [3000, 15, false]]);
+  });
+
+  it('Silence_NotConfigured_IsRestForChangesAndFaultForPeriodicSources', () => {
+    const silenceOf = text => readConfiguration(temporaryFile('plant.yaml', text), {}, {}).plant.silence;
+
+    assert.equal(silenceOf(GOOD), 'rest');
+    assert.deepEqual(silenceOf('plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n'), { fault_after_s: 1 });
+  });
 
   it('Check_Tab_IsTheOnlyThingThatIsTold', () => {
     const lines = linesOf('  endpoint', '\tendpoint');

@@ -55,6 +55,15 @@ export class RosbridgeDouble {
     return status && Object.fromEntries(status.values.map(({ key, value }) => [key, value]));
   }
 
+  /** The newest DiagnosticStatus without its values. */
+  get status() { return this.published('/nowpose/diagnostics').at(-1)?.status[0]; }
+
+  /** State, Unix time in seconds and reason that the newest diagnostics have of a joint. */
+  joint(name) {
+    const [, state, since, reason = ''] = /^(\w+) (\d+\.\d{3})(?: (.*))?$/.exec(this.state?.[`joint/${name}`] ?? '') ?? [];
+    return state === undefined ? undefined : { state, since: Number(since), reason };
+  }
+
   /** Asks a service and gives the response. */
   async call(service) {
     const id = `call-${++this.#calls}`;

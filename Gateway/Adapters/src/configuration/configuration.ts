@@ -20,14 +20,26 @@ export interface Joint {
   joint: string;
   scale: number;
   offset: number;
+  /** Whether the position is a length in m; an angle in rad otherwise. */
+  isLinear?: boolean;
+  /** rad/s² or m/s²; left out where it is not known. */
+  maxDeceleration?: number;
+  /** Silence in ms that is a fault; left out or null where a silent joint is at rest. */
+  faultAfterMs?: number | null;
   [own: string]: unknown;
 }
+
+/** Kinds whose sources send each joint again and again, at rest too: what silence means there unless the file says something else. */
+const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
+
+/** What it means when nothing comes of a joint. */
+export type SilenceEntry = 'rest' | { fault_after_s: number };
 
 export interface Configuration {
   file: string;
   gateway: GatewayAddress;
   /** Its name, its kind and what is the kind's own, as the schema allows it. */
-  plant: { kind: string; name: string; [own: string]: unknown };
+  plant: { kind: string; name: string; silence: SilenceEntry; [own: string]: unknown };
   joints: Joint[];
   /** The URDF's text. */
   robot: string | null;
@@ -41,8 +53,8 @@ export interface Configuration {
 
 interface Sections {
   gateway?: { url?: string; token_file?: string; pin?: string };
-  plant: { kind: string; name?: string };
-  joints?: { joint: string; unit?: string; scale?: number; offset?: number }[];
+  plant: { kind: string; name?: string; silence?: SilenceEntry; max_deceleration?: number };
+  joints?: { joint: string; unit?: string; scale?: number; offset?: number; silence?: SilenceEntry; max_deceleration?: number }[];
   robot?: string;
 }
 
@@ -59,12 +71,12 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   checkAgainstSchema(file, kind);
   file.throwIfWrong();
   const sections = file.value as Sections;
-  const gateway = gatewayOf(file, sections, environment);
+  const gateway = gatewayOf(file, sections, environment), silence = sections.plant.silence ?? PERIODIC[kind] ?? 'rest';
   const configuration: Configuration = {
     file: path,
     gateway,
-    plant: { ...sections.plant, name: sections.plant.name ?? kind },
-    joints: jointsOf(file, sections),
+    plant: { ...sections.plant, name: sections.plant.name ?? kind, silence },
+    joints: jointsOf(file, sections, silence),
     robot: sections.robot === undefined ? null : robotOf(file, sections.robot),
     secrets: gateway.token === null ? [] : [gateway.token],
     isSupervised: environment.NOWPOSE_SUPERVISED === '1',
@@ -118,7 +130,7 @@ function gatewayOf(file: YamlFile, sections: Sections, environment: NodeJS.Proce
   return { url, token, pin: environment.NOWPOSE_PIN ?? section.pin ?? null };
 }
 
-function jointsOf(file: YamlFile, sections: Sections): Joint[] {
+function jointsOf(file: YamlFile, sections: Sections, silence: SilenceEntry): Joint[] {
   const lines = new Map<string, number>();
   return (sections.joints ?? []).map((entry, i) => {
     const path: Path = ['joints', i];
@@ -127,9 +139,20 @@ function jointsOf(file: YamlFile, sections: Sections): Joint[] {
     lines.set(entry.joint, file.lineOf([...path, 'joint']));
     if (entry.unit !== undefined && entry.scale !== undefined)
       file.report([...path, 'scale'], 'the unit tells the scale already; keep one of the two');
-    return { ...entry, scale: entry.scale ?? UNITS[entry.unit ?? 'rad'], offset: entry.offset ?? 0 };
+    return {
+      ...entry,
+      scale: entry.scale ?? UNITS[entry.unit ?? 'rad'],
+      offset: entry.offset ?? 0,
+      isLinear: entry.unit === 'm' || entry.unit === 'mm',
+      maxDeceleration: entry.max_deceleration ?? sections.plant.max_deceleration,
+      faultAfterMs: faultAfterMs(entry.silence ?? silence),
+    };
   });
 }
+
+/** Silence in ms that is a fault; null where it means rest. */
+export const faultAfterMs = (silence: SilenceEntry): number | null =>
+  typeof silence === 'object' ? 1000 * silence.fault_after_s : null;
 
 /** Of a summary. */
 export const passedJoints = (joints: Joint[], none: string): string => joints.length === 0 ? none : `joints ${joints.map(j => j.joint).join(', ')}`;

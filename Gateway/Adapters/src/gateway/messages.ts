@@ -18,12 +18,13 @@ export const jointState = (stamp: Nanoseconds, names: string[], positions: numbe
 
 export const description = (urdf: string): object => ({ data: urdf });
 
-export const diagnostics = (name: string, isGood: boolean, state: string, values: Record<string, string>): object => ({
+/** @param level As in DiagnosticStatus: 0 ok, 1 warning, 2 error. */
+export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, values: Record<string, string>): object => ({
   header: { stamp: toRosTime(machineTime()), frame_id: '' },
   status: [{
-    level: isGood ? 0 : 2,
+    level,
     name,
-    message: state,
+    message,
     hardware_id: name,
     values: Object.entries(values).map(([key, value]) => ({ key, value })),
   }],

@@ -1,4 +1,5 @@
 import { Log } from '../log';
+import { JointConditions } from './jointConditions';
 
 /** Of the connection to the plant; waiting means between two attempts. */
 export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
@@ -13,9 +14,14 @@ export class AdapterStatus {
   #reconnects = 0;
   readonly #refused = new Map<string, number>();
   readonly #details: Record<string, string> = {};
+  /** Why the plant is not connected since the last connection, or the start; empty before the first failure. */
+  #failure = '';
+  readonly joints: JointConditions;
 
-  constructor(kind: string, readonly log: Log) {
+  /** @param changed Called after each change of the plant's state or of a joint's. */
+  constructor(kind: string, readonly log: Log, readonly changed: () => void = () => {}) {
     this.#details.kind = kind;
+    this.joints = new JointConditions(log, changed);
   }
 
   get state(): PlantState { return this.#state; }
@@ -27,8 +33,31 @@ export class AdapterStatus {
     const clean = this.log.clean(reason);
     // An attempt is no news: what comes of it is.
     if (state !== 'connecting') this.log.change('plant', clean === '' ? state : `${state}: ${clean}`);
+    if (state === 'waiting' || state === 'refused') {
+      this.#failure = clean === '' ? 'the plant is not connected' : clean;
+      this.joints.disconnected(this.#failure);
+    } else if (state === 'connected') {
+      this.#failure = '';
+    }
+    const isChanged = this.#state !== state || this.#reason !== clean;
     this.#state = state;
     this.#reason = clean;
+    if (isChanged) this.changed();
+  }
+
+  /** Level of a DiagnosticStatus: 0 when the plant is connected and each joint is live or at rest, 1 while connecting, 2 otherwise. */
+  get level(): 0 | 1 | 2 {
+    if (this.#state === 'connecting' && this.#failure === '') return 1;
+    return this.#state === 'connected' && this.joints.trouble === null ? 0 : 2;
+  }
+
+  /** The plant's state or, while it is connected, the first joint with a trouble. */
+  get message(): string {
+    if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
+    if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
+    if (this.joints.trouble === null) return this.#state;
+    const [joint, { state, reason }] = this.joints.trouble;
+    return `${joint} ${state}: ${reason}`;
   }
 
   /** A fact that does not change often, such as security or sampling_ms; null: it is none any more. */
@@ -48,6 +77,7 @@ export class AdapterStatus {
    */
   refuse(reason: string, subject: string, what: string): void {
     this.count(reason);
+    if (this.joints.has(subject)) this.joints.refused(subject, what);
     this.log.change(`value of ${subject}`, reason, `${subject} refused (${reason}): ${what}`);
   }
 
@@ -74,6 +104,7 @@ export class AdapterStatus {
       refused: String(refused.reduce((sum, [, count]) => sum + count, 0)),
       ...Object.fromEntries(refused.map(([reason, count]) => [`refused/${reason}`, String(count)])),
       reconnects: String(this.#reconnects),
+      ...this.joints.values(),
     };
   }
 }

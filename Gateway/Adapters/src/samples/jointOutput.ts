@@ -4,8 +4,10 @@ import { JOINT_STATES, jointState } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { shown } from '../configuration/problem';
 import type { Nanoseconds } from '../times';
+import { EndOfData } from './endOfData';
 import { grouped, type Sample } from './grouping';
-import { StampRule } from './stampRule';
+import { Silence } from './silence';
+import { type Refusal, StampRule } from './stampRule';
 import { Standing } from './standing';
 
 /** A value as the control system gave it. */
@@ -17,16 +19,25 @@ export interface JointValue {
   stamp: Nanoseconds | null;
   /** The first of a connection: it tells how things are, and its stamp may be of long ago. */
   isFirst?: boolean;
+  /** Why the source itself calls the value unusable. */
+  refusal?: Refusal;
+  /** The source has the joint no more, for the reason that `refusal` has. */
+  isLost?: boolean;
 }
 
 export interface JointOutputOptions {
   /** Stamps that are not further apart count as one moment. */
   tolerance: Nanoseconds;
   oldest: Nanoseconds;
+  /** Silence in ms that is a fault of a joint that is not configured; left out or null: it rests. */
+  faultAfterMs?: number | null;
 }
 
 /** What a value's stamp may be that was written before anybody listened. */
 const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
+
+/** Deceleration that each joint is capable of: rad/s², and m/s² where its value is a length. A third of a hard emergency stop. */
+const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
 
 interface Publisher {
   publish(topic: string, msg: object): void;
@@ -36,13 +47,24 @@ interface Publisher {
 export class JointOutput {
   readonly #rule: StampRule;
   readonly #standing: Standing;
+  readonly #ends: EndOfData[];
+  /** Joints whose end of data was judged since their last sample. */
+  readonly #judged = new Set<number>();
+  /** Seconds between two looks of the source; 0 when unknown. */
+  samplingS = 0;
+  readonly silence: Silence;
 
+  /** @param counter Milliseconds that never jump; this machine's where left out. */
   constructor(
     readonly joints: Joint[], readonly options: JointOutputOptions,
     readonly clock: Pick<PlantClock, 'now' | 'isSettled'>, readonly gateway: Publisher, readonly status: AdapterStatus,
+    counter?: () => number,
   ) {
     this.#rule = new StampRule(joints.length, options.oldest);
     this.#standing = new Standing(joints.length);
+    this.#ends = joints.map(joint => new EndOfData(joint.isLinear === true ? FLOOR_LINEAR : FLOOR_ROTARY, joint.maxDeceleration ?? null));
+    const limits = new Map(joints.map(joint => [joint.joint, joint.faultAfterMs ?? null]));
+    this.silence = new Silence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
   }
 
   /** Passes on what arrived together; of one joint oldest first. */
@@ -63,20 +85,52 @@ export class JointOutput {
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     const { now, isSettled } = this.clock;
     if (!isSettled || now === null) return;
-    const standing = this.#standing.at(time, silence).filter(({ joint }) => !except.has(joint) && this.#rule.judge(joint, time, now) === null);
-    for (const sample of standing) this.#standing.heard(sample);
+    const silent = this.#standing.at(time, silence).filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint));
+    const standing = silent.filter(({ joint }) => this.#rule.judge(joint, time, now) === null);
+    for (const sample of standing) {
+      this.#standing.heard(sample);
+      this.silence.confirm(this.joints[sample.joint].joint);
+    }
     this.#send(standing);
+  }
+
+  /** Gives joints that were silent for too long their state; those with a fault are not repeated any more. */
+  checkSilence(): void {
+    const faults = new Set(this.silence.check());
+    this.joints.forEach(({ joint }, i) => { if (faults.has(joint)) this.#standing.forget(i); });
+  }
+
+  /** The source has this joint no more. */
+  lose(joint: number, reason: string): void {
+    this.#standing.forget(joint);
+    this.status.joints.fault(this.joints[joint].joint, reason);
   }
 
   /** The connection is another: what stood then may have moved since. */
   startAnew(): void {
-    for (let joint = 0; joint < this.joints.length; joint++) this.#standing.forget(joint);
+    for (let joint = 0; joint < this.joints.length; joint++) {
+      this.#standing.forget(joint);
+      this.#ends[joint].restart();
+    }
   }
 
   /** Counts a value that its source itself calls unusable. */
   refuse(joint: number, reason: string, text: string): void {
     this.#standing.forget(joint);
     this.status.refuse(reason, this.joints[joint].joint, text);
+  }
+
+  /** Judges, once for each silence, whether the data of the joint ended while it moved. */
+  #hasEnded(joint: number): boolean {
+    if (this.#judged.has(joint)) return false;
+    this.#judged.add(joint);
+    const verdict = this.#ends[joint].verdict(this.samplingS);
+    if (verdict === null) return false;
+    const { joint: name, isLinear } = this.joints[joint], unit = isLinear === true ? 'm/s²' : 'rad/s²';
+    this.#standing.forget(joint);
+    this.status.joints.fault(name, `its data ended in mid-motion: to stop there needs ${verdict.required.toFixed(1)} ${unit}, `
+      + `more than the ${verdict.limit.toFixed(1)} ${unit} that it is capable of (max_deceleration in plant.yaml)`, this.silence.lastSample(name));
+    return true;
   }
 
   #send(samples: Sample[]): void {
@@ -87,7 +141,16 @@ export class JointOutput {
     }
   }
 
-  #sample({ joint, value, stamp, isFirst }: JointValue, now: Nanoseconds | null): Sample | null {
+  #sample({ joint, value, stamp, isFirst, refusal: unusable, isLost }: JointValue, now: Nanoseconds | null): Sample | null {
+    if (unusable !== undefined) {
+      if (isLost === true) {
+        this.status.count(unusable.reason);
+        this.lose(joint, unusable.text);
+      } else {
+        this.refuse(joint, unusable.reason, unusable.text);
+      }
+      return null;
+    }
     const { scale, offset } = this.joints[joint];
     const raw = typeof value === 'bigint' ? Number(value) : value;
     if (typeof raw !== 'number') {
@@ -103,6 +166,7 @@ export class JointOutput {
     if (refusal !== null && isFirst === true && now !== null && OF_LONG_AGO.includes(refusal.reason)) {
       // Shown when it turns out to stand: the next may bear such a stamp too, by another clock than the control clock.
       this.#standing.heard({ joint, position, stamp: now });
+      this.silence.arrived(this.joints[joint].joint);
       return null;
     }
     if (refusal !== null) {
@@ -111,7 +175,10 @@ export class JointOutput {
     }
     const sample = { joint, position, stamp: stamp! };
     this.#standing.heard(sample);
+    this.#judged.delete(joint);
+    this.#ends[joint].add(stamp!, position);
     this.status.accept(this.joints[joint].joint);
+    this.silence.heard(this.joints[joint].joint);
     return sample;
   }
 }

@@ -1,0 +1,94 @@
+import type { Log } from '../log';
+
+/**
+ * live: samples come. rest: silent and assumed at rest. refused: values come but cannot be used. fault: the data ended. missing: no usable
+ * value since the start.
+ */
+export type JointState = 'live' | 'rest' | 'refused' | 'fault' | 'missing';
+
+export interface JointCondition {
+  state: JointState;
+  /** Unix time of this machine in milliseconds. */
+  since: number;
+  /** One sentence; empty while live. */
+  reason: string;
+}
+
+const isGood = ({ state }: JointCondition): boolean => state === 'live' || state === 'rest';
+
+/** State of each joint with its reason. Logs each trouble once, and its end once. */
+export class JointConditions {
+  readonly #joints = new Map<string, JointCondition>();
+
+  /**
+   * @param changed Called after each change of a state or a reason.
+   * @param now Unix time in milliseconds.
+   */
+  constructor(readonly log: Log, readonly changed: () => void = () => {}, readonly now: () => number = Date.now) {}
+
+  /** Expects a joint, which is missing until its first usable value. */
+  expect(joint: string): void {
+    if (!this.#joints.has(joint)) this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has come since the start' });
+  }
+
+  has(joint: string): boolean { return this.#joints.has(joint); }
+
+  stateOf(joint: string): JointState | undefined { return this.#joints.get(joint)?.state; }
+
+  /** The first joint that is neither live nor at rest; null when there is none. */
+  get trouble(): [string, JointCondition] | null {
+    return [...this.#joints].find(([, condition]) => !isGood(condition)) ?? null;
+  }
+
+  live(joint: string): void {
+    if (this.stateOf(joint) === 'live') return;
+    this.#enter(joint, 'live', '', this.now());
+    this.log.resume(`joint ${joint}`, `${joint} is live again`);
+  }
+
+  /** @param since Time of the last sample. */
+  rest(joint: string, since: number): void {
+    if (this.stateOf(joint) === 'rest') return;
+    this.#enter(joint, 'rest', 'no change is reported; the joint is assumed at rest', since);
+    this.log.resume(`joint ${joint}`, `${joint} is at rest, without fault`);
+  }
+
+  fault(joint: string, reason: string, since = this.now()): void {
+    this.#trouble(joint, 'fault', reason, since, true);
+  }
+
+  missing(joint: string, reason: string): void {
+    this.#trouble(joint, 'missing', reason, this.now(), true);
+  }
+
+  /** The caller logs the refusal. */
+  refused(joint: string, reason: string): void {
+    this.#trouble(joint, 'refused', reason, this.now(), false);
+  }
+
+  /** The connection to the source ended: what was good is not known any more. */
+  disconnected(reason: string): void {
+    for (const [joint, condition] of this.#joints) if (isGood(condition)) this.#enter(joint, 'fault', reason, this.now());
+  }
+
+  /** Key and value of each joint for the diagnostics; joints with a trouble first, in case the receiver keeps a part only. */
+  values(): Record<string, string> {
+    const sorted = [...this.#joints].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
+    return Object.fromEntries(sorted.map(([joint, { state, since, reason }]) =>
+      [`joint/${joint}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`]));
+  }
+
+  #trouble(joint: string, state: JointState, text: string, since: number, isLogged: boolean): void {
+    const reason = this.log.clean(text), { state: before, reason: told } = this.#joints.get(joint) ?? {};
+    // A joint without any usable value stays missing; the reason says what came instead.
+    const entered = before === 'missing' ? 'missing' : state;
+    if (before === entered && told === reason) return;
+    this.#enter(joint, entered, reason, since);
+    if (isLogged) this.log.change(`joint ${joint}`, `${entered} ${reason}`, `${joint} ${entered}: ${reason}`);
+  }
+
+  #enter(joint: string, state: JointState, reason: string, since: number): void {
+    this.#joints.set(joint, { state, since, reason });
+    this.changed();
+  }
+}

@@ -1,0 +1,82 @@
+import type { AdapterStatus } from '../gateway/status';
+
+/** A joint is called at rest after this time without a sample, so that slow motion does not change the state with each sample. */
+const REST_MS = 1000;
+
+interface Heard {
+  /** Times of the last sample, and of the last confirmation that the joint still has that value. */
+  sample: number;
+  confirmed: number;
+}
+
+/** Watches how long nothing has come of each joint, and decides what that means. */
+export class Silence {
+  /** Limit for a joint that is silent and not confirmed by the source; null where the source cannot confirm. */
+  unconfirmedMs: number | null = 1500;
+  readonly #heard = new Map<string, Heard>();
+
+  /**
+   * @param faultAfterMs Silence of a joint that is a fault; null: the joint is at rest.
+   * @param now Milliseconds of a counter that never jumps.
+   */
+  constructor(
+    readonly status: AdapterStatus, readonly faultAfterMs: (joint: string) => number | null, readonly now: () => number = () => performance.now(),
+  ) {}
+
+  /** A usable sample came. */
+  heard(joint: string): void {
+    this.arrived(joint);
+    this.status.joints.live(joint);
+  }
+
+  /** A value came that shows the joint only once it is confirmed. */
+  arrived(joint: string): void {
+    const now = this.now();
+    this.#heard.set(joint, { sample: now, confirmed: now });
+  }
+
+  /** The source has sent all changes up to now, and none of this joint: it still has its last value. */
+  confirm(joint: string): void {
+    const heard = this.#heard.get(joint);
+    if (heard === undefined) return;
+    heard.confirmed = this.now();
+    if (this.status.joints.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard);
+  }
+
+  /** Wall clock time of the last sample in milliseconds. */
+  lastSample(joint: string): number {
+    const heard = this.#heard.get(joint);
+    return this.status.joints.now() - (heard === undefined ? 0 : this.now() - heard.sample);
+  }
+
+  /** Gives each joint that was silent for too long its state. Returns those that stay a fault until their next sample. */
+  check(): string[] {
+    if (this.status.state !== 'connected') return [];
+    return [...this.#heard].flatMap(([joint, heard]) => {
+      const state = this.status.joints.stateOf(joint);
+      return state === 'live' || state === 'rest' ? this.#check(joint, heard, state) : [];
+    });
+  }
+
+  #check(joint: string, heard: Heard, state: 'live' | 'rest'): string[] {
+    const silent = this.now() - heard.sample, limit = this.faultAfterMs(joint), unconfirmed = this.now() - heard.confirmed;
+    if (limit !== null && silent > limit) {
+      this.#fault(joint, `no new value for more than ${limit / 1000} s, which is a fault here (silence in plant.yaml)`);
+      return [joint];
+    }
+    if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs)
+      this.#fault(joint, `no value for more than ${this.unconfirmedMs / 1000} s, and the source does not confirm the last one`);
+    else if (state === 'live' && this.unconfirmedMs === null && silent >= REST_MS)
+      this.#rest(joint, heard);
+    return [];
+  }
+
+  #fault(joint: string, reason: string): void {
+    this.status.joints.fault(joint, reason, this.lastSample(joint));
+  }
+
+  #rest(joint: string, heard: Heard): void {
+    const limit = this.faultAfterMs(joint);
+    if (limit === null || this.now() - heard.sample <= limit) this.status.joints.rest(joint, this.lastSample(joint));
+  }
+}

@@ -1,0 +1,175 @@
+// What silence means, in virtual time, and what the diagnostics say of it.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { parts } from './parts.mjs';
+
+const { AdapterStatus, Log, JointOutput, diagnostics } =
+  await parts('gateway/status', 'log', 'samples/jointOutput', 'gateway/messages');
+
+const MS = 1_000_000n, S = 1000n * MS;
+const T = 1_700_000_000n * S;
+
+/** An adapter's output whose clocks are at `ms` after their start. */
+function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
+  const lines = [], sent = [], time = { ms: 0 };
+  const status = new AdapterStatus('opcua', new Log('plant/test', [], line => lines.push(line), () => {}));
+  const clock = { get now() { return T + BigInt(time.ms) * MS; }, isSettled: true };
+  const output = new JointOutput(joints.map(joint => ({ scale: 1, offset: 0, ...joint })), { tolerance: MS, oldest: 10n * S, ...options },
+    clock, { publish: (topic, msg) => sent.push(msg) }, status, () => time.ms);
+  for (const { joint } of joints) status.joints.expect(joint);
+  status.enter('connected');
+  const value = (joint, position) => output.publish([{ joint, value: position, stamp: clock.now }]);
+  const stateOf = joint => /^\w+/.exec(status.values()[`joint/${joint}`])[0];
+  return { output, status, clock, lines, sent, time, value, stateOf };
+}
+
+/** Joint a moves with 1 rad/s for half a second and then sends nothing; b moves on. */
+function moveAndStop(cell, seconds, hold = true) {
+  for (; cell.time.ms < 1000 * seconds; cell.time.ms += 10) {
+    const s = cell.time.ms / 1000;
+    if (s < 0.5) cell.value(0, s < 0.1 ? 5 * s * s : s - 0.05);
+    cell.value(1, Math.sin(s));
+    if (hold) cell.output.hold(cell.clock.now - 10n * MS, 30n * MS, new Set([1]));
+    cell.output.checkSilence();
+  }
+}
+
+describe('silence', () => {
+  it('Motion_CutByItsSource_IsFaultAndNotRepeated', () => {
+    const cell = plant();
+
+    moveAndStop(cell, 1);
+
+    assert.equal(cell.stateOf('a'), 'fault');
+    assert.ok(cell.sent.filter(({ name }) => name.includes('a')).every(({ header: { stamp } }) => stamp.sec === 1_700_000_000 && stamp.nanosec < 0.5e9));
+    assert.equal(cell.stateOf('b'), 'live');
+    assert.match(cell.status.message, /^a fault: its data ended in mid-motion: to stop there needs \d+\.\d rad\/s²/);
+    assert.equal(cell.status.level, 2);
+    assert.equal(cell.lines.filter(line => line.includes('a fault')).length, 1);
+  });
+
+  it('Motion_GoesOn_IsLiveAtOnce', () => {
+    const cell = plant();
+    moveAndStop(cell, 1);
+
+    cell.value(0, 0.9);
+
+    assert.deepEqual([cell.stateOf('a'), cell.status.level], ['live', 0]);
+    assert.ok(cell.lines.some(line => line.includes('a is live again')));
+  });
+
+  it('Motion_CutWithinItsConfiguredDeceleration_IsRest', () => {
+    const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b' }]);
+
+    moveAndStop(cell, 2);
+
+    const [state, since] = cell.status.values()['joint/a'].split(' ');
+    assert.equal(state, 'rest');
+    // Since the last sample, which came 1 s before.
+    assert.ok(Number(since) < Date.now() / 1000 - 0.9, since);
+    assert.equal(cell.status.level, 0);
+  });
+
+  it('Silence_LongerThanConfigured_IsFault', () => {
+    const cell = plant([{ joint: 'a', maxDeceleration: 200, faultAfterMs: 2000 }, { joint: 'b' }]);
+
+    moveAndStop(cell, 2.4);
+    const before = cell.stateOf('a');
+    moveAndStop(cell, 2.6);
+
+    assert.deepEqual([before, cell.stateOf('a')], ['rest', 'fault']);
+    const count = cell.sent.filter(({ name }) => name.includes('a')).length;
+    moveAndStop(cell, 3);
+    assert.equal(cell.sent.filter(({ name }) => name.includes('a')).length, count);
+  });
+
+  it('Silence_ThatNothingConfirms_IsFault', () => {
+    const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b' }]);
+
+    moveAndStop(cell, 1.9, false);
+    const before = cell.stateOf('a');
+    moveAndStop(cell, 2.1, false);
+
+    assert.deepEqual([before, cell.stateOf('a')], ['live', 'fault']);
+    cell.output.hold(cell.clock.now - 10n * MS, 30n * MS);
+    assert.equal(cell.stateOf('a'), 'rest', 'confirmed again');
+  });
+
+  it('Joint_NeverReceived_IsMissingWithTheReason', () => {
+    const cell = plant();
+
+    cell.value(0, NaN);
+    cell.output.lose(1, 'plant.yaml, line 3: no such node');
+
+    assert.match(cell.status.values()['joint/a'], /^missing \d+\.\d{3} value NaN is no position$/);
+    assert.match(cell.status.values()['joint/b'], /^missing \d+\.\d{3} plant\.yaml, line 3: no such node$/);
+    assert.equal(cell.status.level, 2);
+  });
+
+  it('Value_RefusedThenGood_IsRefusedThenLive', () => {
+    const cell = plant();
+    cell.value(0, 1);
+    cell.value(1, 1);
+
+    cell.time.ms = 10;
+    cell.value(0, NaN);
+    const refused = cell.status.values()['joint/a'];
+    cell.time.ms = 20;
+    cell.value(0, 1);
+
+    assert.match(refused, /^refused \d+\.\d{3} value NaN/);
+    assert.deepEqual([cell.stateOf('a'), cell.status.level], ['live', 0]);
+  });
+
+  it('Batch_GoodValueBeforeARefusal_EndsRefused', () => {
+    const cell = plant();
+
+    cell.output.publish([{ joint: 0, value: 1, stamp: T - MS }, { joint: 0, value: null, stamp: null, refusal: { reason: 'node-gone', text: 'gone' }, isLost: true }]);
+
+    assert.equal(cell.stateOf('a'), 'fault');
+  });
+
+  it('Plant_ConnectingThenAway_HasLevelOneThenTwo', () => {
+    const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}));
+    status.joints.expect('a');
+    const levels = [status.level];
+
+    status.enter('waiting', 'no server answers');
+    status.enter('connecting');
+    levels.push(status.level);
+    status.enter('connected');
+    status.joints.live('a');
+    levels.push(status.level);
+    status.enter('waiting', 'the connection was lost');
+
+    assert.deepEqual([...levels, status.level], [1, 2, 0, 2]);
+    assert.match(status.values()['joint/a'], /^fault \d+\.\d{3} the connection was lost$/);
+    assert.equal(status.message, 'waiting: the connection was lost');
+    assert.deepEqual(diagnostics('plant/p', status.level, status.message, { k: 'v' }).status[0],
+      { level: 2, name: 'plant/p', message: 'waiting: the connection was lost', hardware_id: 'plant/p', values: [{ key: 'k', value: 'v' }] });
+  });
+
+  it('Values_ManyJoints_TroublesComeFirst', () => {
+    const { status, value } = plant([{ joint: 'a' }, { joint: 'b' }, { joint: 'c' }]);
+    value(0, 1);
+    value(2, 1);
+
+    const keys = Object.keys(status.values()).filter(key => key.startsWith('joint/'));
+
+    assert.deepEqual(keys, ['joint/b', 'joint/a', 'joint/c']);
+  });
+
+  it('Source_ThatSendsEachJointPeriodically_SilenceIsFault', () => {
+    const { output, stateOf, time } = plant([], { faultAfterMs: 1000 });
+    output.silence.unconfirmedMs = null;
+    output.silence.heard('x');
+
+    time.ms = 900;
+    output.checkSilence();
+    const before = stateOf('x');
+    time.ms = 1100;
+    output.checkSilence();
+
+    assert.deepEqual([before, stateOf('x')], ['live', 'fault']);
+  });
+});
