@@ -11,11 +11,15 @@ import { folderTrouble } from './security/folder';
 import { ownCertificate, type OwnCertificate } from './security/ownCertificate';
 import { thumbprints, TrustList } from './security/trustList';
 import { type OpcUaSettings, settingsOf } from './settings';
+import { SilentNodes } from './silentNodes';
 import { Refused, refusalOf } from './troubles';
 import { Watch } from './watch';
 
 /** A server looks and sends a little later than it grants. */
 const SLACK_MS = 100;
+
+/** A joint that rests is confirmed twice a second: one that is not for this long has a fault. */
+const UNCONFIRMED_MS = 1500;
 
 /** Reads an OPC UA server, and again after every end of the connection, until it is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
@@ -72,20 +76,24 @@ async function attempt(
     const watch = new Watch();
     await context.clock.attach(await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log), stopping);
     reader.startAnew();
-    let delayMs = Infinity;
-    const monitoring = await session.monitor(nodes, values => reader.read(values), isQuiet => {
-      watch.alive();
-      const time = isQuiet ? watch.settledTime(delayMs) : null;
-      if (time !== null) reader.hold(time);
-    });
+    const silent = new SilentNodes(session, reader, reader.jointNodes.map((_, i) => nodes[i]), node => whereIs(context, reader.nodes[node]));
+    const monitoring = await session.monitor(nodes, values => {
+      silent.heard(values);
+      reader.read(values);
+    }, () => watch.alive());
     reader.samplingMs = monitoring.samplingMs;
-    delayMs = SLACK_MS + monitoring.samplingMs + monitoring.publishingMs;
-    refuseUnknown(context, reader, monitoring.refusals);
+    const delayMs = silent.delayMs = SLACK_MS + monitoring.samplingMs + monitoring.publishingMs;
+    context.output.silence.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
+    refuseUnknown(context, reader, silent, monitoring.refusals);
     if (reader.nodes.length > 0) status.detail('sampling_ms', monitoring.samplingMs);
     status.detail('publishing_ms', monitoring.publishingMs);
     isConnected = true;
     status.enter('connected');
-    const reason = await Promise.race([session.ended, watch.silence(context.clock, monitoring.keepAliveMs, session.ended)]);
+    const look = async (): Promise<void> => {
+      const unchanged = await silent.read(), time = watch.settledTime(delayMs);
+      if (time !== null) reader.holdNodes(time, unchanged);
+    };
+    const reason = await Promise.race([session.ended, watch.silence(context.clock, monitoring.keepAliveMs, session.ended, look)]);
     if (!stopping.aborted) status.enter('waiting', reason);
   } catch (error) {
     const trouble = refusalOf(error as Error, trust, settings, own);
@@ -113,10 +121,13 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
   return configuration.where(joint >= 0 ? ['joints', joint, 'node'] : ['plant', 'time', 'node']);
 }
 
-function refuseUnknown(context: AdapterContext, { nodes }: NotificationReader, refusals: (string | null)[]): void {
-  const wrong = refusals.flatMap((refusal, i) =>
-    refusal === null ? [] : [`${whereIs(context, nodes[i])}: value ${nodes[i]}; the server says ${refusal}`]);
-  if (wrong.length > 0) throw new Refused(`${wrong.join('; ')}; take the id of the node from an OPC UA browser`);
+/** Joints of unknown nodes are missing while the others go on; without any other, or without the time, there is nothing to read. */
+function refuseUnknown(context: AdapterContext, { nodes, jointNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
+  const wrong = refusals.flatMap((refusal, node) => refusal === null ? []
+    : [{ node, text: `${whereIs(context, nodes[node])}: value ${nodes[node]}; the server says ${refusal}; take the id of the node from an OPC UA browser` }]);
+  if (wrong.some(({ node }) => node >= jointNodes.length) || wrong.length > 0 && wrong.length >= jointNodes.length)
+    throw new Refused(wrong.map(({ text }) => text).join('; '));
+  for (const { node, text } of wrong) silent.refused(node, text);
 }
 
 function identity({ user, userCertificate }: OpcUaSettings): UserIdentityInfo {

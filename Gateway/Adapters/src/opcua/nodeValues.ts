@@ -17,6 +17,11 @@ const severity = (status: StatusCode): number => status.value >>> 30;
 
 export const isGood = (status: StatusCode): boolean => severity(status) === 0;
 
+const GONE = ['BadNodeIdUnknown', 'BadNodeIdInvalid'];
+
+/** Whether the server has no such node (any more). */
+export const isGone = (status: StatusCode): boolean => GONE.includes(status.name);
+
 export const isOverflown = (status: StatusCode): boolean => (status.value & OVERFLOW) !== 0;
 
 /** Why there is no value to be used, by its own status; Uncertain is refused too: it may be the last value before a fault. */

@@ -3,7 +3,7 @@ import type { JointValue } from '../samples/jointOutput';
 import type { Refusal } from '../samples/stampRule';
 import { ofMilliseconds, type Nanoseconds } from '../times';
 import type { DataValue } from 'node-opcua-client';
-import { isOverflown, type NodeJoint, statusRefusal, valueOf } from './nodeValues';
+import { isGone, isOverflown, type NodeJoint, statusRefusal, valueOf } from './nodeValues';
 import type { NodeValue } from './readOnlySession';
 import type { OpcUaSettings } from './settings';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
@@ -15,6 +15,8 @@ const GROUP_MS = 0.5;
 export class NotificationReader {
   /** Each node once, the time variable last. */
   readonly nodes: string[];
+  /** Nodes of joints: all but the time variable. */
+  readonly jointNodes: string[];
   readonly #joints: NodeJoint[];
   readonly #readers: number[][];
   readonly #time: TimeVariable | null;
@@ -28,6 +30,7 @@ export class NotificationReader {
     this.#joints = context.configuration.joints as NodeJoint[];
     const nodes = [...new Set(this.#joints.map(joint => joint.node))];
     this.#readers = nodes.map(node => this.#joints.flatMap((joint, i) => joint.node === node ? [i] : []));
+    this.jointNodes = nodes;
     this.nodes = settings.time === null ? nodes : [...nodes, settings.time.node];
     const tolerance = ofMilliseconds(Math.max(Number(context.configuration.plant.group_ms ?? GROUP_MS), GROUP_MS));
     this.#time = settings.time === null ? null : new TimeVariable(tolerance);
@@ -43,6 +46,7 @@ export class NotificationReader {
   /** How often the server looks at the nodes: it hears of a joint that moves no more often. */
   set samplingMs(ms: number) {
     this.#silence = ofMilliseconds(3 * ms);
+    this.context.output.samplingS = ms / 1000;
   }
 
   read(values: NodeValue[]): void {
@@ -53,12 +57,32 @@ export class NotificationReader {
     // Of the times of the notification before, this one would have brought the last changes.
     if (this.#known !== null) this.hold(this.#known, new Set(values.filter(v => v.node < timeNode).flatMap(v => this.#readers[v.node])));
     this.context.output.publish(found);
-    this.#note(this.#time === null ? found.map(({ stamp }) => stamp) : times);
+    this.#note(this.#time === null ? found.filter(({ refusal }) => refusal === undefined).map(({ stamp }) => stamp) : times);
   }
 
   /** Says again what stands, at a time of the control system up to which all changes are known. */
   hold(time: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     this.context.output.hold(time, this.#silence, except);
+  }
+
+  /** Confirms that these nodes, and no others, had their last value at a time of the control system. */
+  holdNodes(time: Nanoseconds, nodes: ReadonlySet<number>): void {
+    this.hold(time, new Set(this.#readers.flatMap((joints, node) => nodes.has(node) ? [] : joints)));
+  }
+
+  /** The server has this node no more, or never had it. */
+  lose(node: number, reason: string): void {
+    for (const joint of this.#readers[node]) this.context.output.lose(joint, reason);
+  }
+
+  /** The value of this node cannot be used. */
+  refuse(node: number, { reason, text }: Refusal): void {
+    for (const joint of this.#readers[node]) this.context.output.refuse(joint, reason, text);
+  }
+
+  /** The next value of this node is the first of a new monitored item. */
+  expectFirst(node: number): void {
+    this.#told.delete(node);
   }
 
   #note(times: (Nanoseconds | null)[]): void {
@@ -79,17 +103,20 @@ export class NotificationReader {
   }
 
   #valuesOf(node: number, value: DataValue): JointValue[] {
-    const { output, status } = this.context;
+    const { status } = this.context;
     if (isOverflown(value.statusCode)) status.count('overflow');
+    if (isGone(value.statusCode)) {
+      const refusal = { reason: 'node-gone', text: `the server has no node ${this.nodes[node]} (${value.statusCode.name})` };
+      return this.#readers[node].map(joint => ({ joint, value: null, stamp: null, refusal, isLost: true }));
+    }
     const isFirst = !this.#told.has(node) && this.#hasStamp(value), bad = statusRefusal(value);
     this.#told.add(node);
     const stamp = bad === null ? this.#stampOf(value) : null;
     const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
-    return this.#readers[node].flatMap(joint => {
+    return this.#readers[node].map((joint): JointValue => {
       const found = refusal ?? valueOf(this.#joints[joint], value);
-      if ('value' in found) return [{ joint, value: found.value, stamp, isFirst }];
-      output.refuse(joint, found.reason, found.text);
-      return [];
+      if ('value' in found) return { joint, value: found.value, stamp, isFirst };
+      return { joint, value: null, stamp, refusal: found };
     });
   }
 

@@ -6,6 +6,9 @@ import type { OpcUaSettings } from './settings';
 import { applicationUri, type OwnCertificate } from './security/ownCertificate';
 import type { TrustList } from './security/trustList';
 
+/** Nodes of one read request: small servers limit them. */
+const NODES_PER_READ = 50;
+
 const TIMEOUT_MS = 5000, CLOSING_MS = 1000, SESSION_MS = 30_000, KEEP_ALIVE_MS = 1000, LIFETIME_MS = 15_000;
 
 /** All that is ever asked of a control system. Nothing here can write a variable or call a method. */
@@ -41,6 +44,14 @@ export class ReadOnlySession {
   readonly ended: Promise<string>;
   readonly #client: OPCUAClient;
   #session: ClientSession | null = null;
+  #subscription: ClientSubscription | null = null;
+  /** Monitored item of each node, and the node of each client handle. */
+  #items: ClientMonitoredItem[] = [];
+  #places = new Map<number, number>();
+  #canTriggerByStamp = true;
+  #heard: (values: NodeValue[]) => void = () => {};
+  /** Notifications that came before their monitored items are known; null while all are. */
+  #early: unknown[] | null = [];
   #end: (reason: string) => void = () => {};
   #answeredAt: Date | null = null;
 
@@ -87,6 +98,33 @@ export class ReadOnlySession {
     return session.read({ nodeId: node, attributeId: AttributeIds.Value }, 0);
   }
 
+  /** Reads the values of nodes. */
+  async readAll(nodes: string[]): Promise<DataValue[]> {
+    const session = this.#session;
+    if (session === null) throw new Error('there is no session');
+    const values: DataValue[] = [];
+    for (let i = 0; i < nodes.length; i += NODES_PER_READ)
+      values.push(...await session.read(nodes.slice(i, i + NODES_PER_READ).map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })), 0));
+    return values;
+  }
+
+  /**
+   * Replaces the monitored item of a node, which may be another node by now.
+   * @returns Why the server does not monitor it; null when it does.
+   */
+  async monitorAgain(node: number, id: string): Promise<string | null> {
+    const old = this.#items[node];
+    this.#places.delete(old.monitoringParameters.clientHandle);
+    if (old.statusCode.isGood()) await old.terminate().catch(() => {});
+    this.#early ??= [];
+    const group = await this.#group(this.#subscription!, [id], this.#canTriggerByStamp ? BY_STAMP() : null);
+    this.#items[node] = group.monitoredItems[0] as ClientMonitoredItem;
+    const { statusCode, monitoringParameters: { clientHandle } } = this.#items[node];
+    this.#places.set(clientHandle, node);
+    this.#takeEarly();
+    return statusCode.isGood() ? null : statusCode.name;
+  }
+
   /**
    * Listens to nodes.
    * @param heard What one notification brought, in the order of the server's queues: of each node oldest first.
@@ -104,19 +142,16 @@ export class ReadOnlySession {
     });
     subscription.on('terminated', () => this.#end('the server ended the subscription'));
     subscription.on('status_changed', status => this.#end(`the server ended the subscription (${status.name})`));
-    // The first values may be here before it is known what they are called.
-    let take: ((data: unknown[]) => void) | null = null;
-    const early: unknown[] = [];
+    this.#heard = heard;
     subscription.on('raw_notification', message => {
       const data = message.notificationData ?? [];
       alive(data.length === 0);
-      if (take === null) early.push(...data);
-      else take(data);
+      this.#take(data);
     });
-    const items = await this.#items(subscription, nodes);
-    const places = new Map(items.map((item, node) => [item.monitoringParameters.clientHandle, node]));
-    take = data => heard(valuesIn(data, places));
-    take(early);
+    this.#subscription = subscription;
+    const items = this.#items = await this.#monitored(subscription, nodes);
+    this.#places = new Map(items.map((item, node) => [item.monitoringParameters.clientHandle, node]));
+    this.#takeEarly();
     const sampling = items.filter(item => item.statusCode.isGood()).map(item => item.result!.revisedSamplingInterval ?? samplingMs);
     return {
       refusals: items.map(item => item.statusCode.isGood() ? null : item.statusCode.name),
@@ -124,6 +159,17 @@ export class ReadOnlySession {
       publishingMs: subscription.publishingInterval,
       keepAliveMs: subscription.publishingInterval * subscription.maxKeepAliveCount,
     };
+  }
+
+  #take(data: unknown[]): void {
+    if (this.#early === null) this.#heard(valuesIn(data, this.#places));
+    else this.#early.push(...data);
+  }
+
+  #takeEarly(): void {
+    const early = this.#early ?? [];
+    this.#early = null;
+    if (early.length > 0) this.#take(early);
   }
 
   async close(): Promise<void> {
@@ -142,12 +188,13 @@ export class ReadOnlySession {
   }
 
   // A robot that rests is reported too where the server goes by time stamps; not every server can.
-  async #items(subscription: ClientSubscription, nodes: string[]): Promise<ClientMonitoredItem[]> {
+  async #monitored(subscription: ClientSubscription, nodes: string[]): Promise<ClientMonitoredItem[]> {
     if (nodes.length === 0) return [];
-    const byStamp = await this.#group(subscription, nodes, new DataChangeFilter({ trigger: DataChangeTrigger.StatusValueTimestamp }));
+    const byStamp = await this.#group(subscription, nodes, BY_STAMP());
     const items = byStamp.monitoredItems as ClientMonitoredItem[];
     if (!items.some(item => item.statusCode.name.includes('Filter'))) return items;
     await byStamp.terminate();
+    this.#canTriggerByStamp = false;
     return (await this.#group(subscription, nodes, null)).monitoredItems as ClientMonitoredItem[];
   }
 
@@ -161,6 +208,8 @@ export class ReadOnlySession {
       TimestampsToReturn.Both);
   }
 }
+
+const BY_STAMP = (): DataChangeFilter => new DataChangeFilter({ trigger: DataChangeTrigger.StatusValueTimestamp });
 
 function valuesIn(data: unknown[], places: Map<number, number>): NodeValue[] {
   const items = data.flatMap(part => (part as { monitoredItems?: { clientHandle: number; value: DataValue }[] } | null)?.monitoredItems ?? []);

@@ -1,7 +1,7 @@
 import { isClockStopped, type PlantClock } from '../clock/plantClock';
 import type { Nanoseconds } from '../times';
 
-const LOOK_MS = 1000, SILENCE_MS = 5000, MISSED = 3, MOST_READINGS = 32;
+const LOOK_MS = 500, SILENCE_MS = 5000, MISSED = 3, MOST_READINGS = 64;
 
 /** Sees that the server still talks: by its notifications, or signs of life in their place, and by its clock. */
 export class Watch {
@@ -26,8 +26,9 @@ export class Watch {
   /**
    * Resolves with the reason when it has fallen silent; looks until `ended`. Each look also tells how its clock goes.
    * @param keepAliveMs How often it gives a sign of life.
+   * @param look Called in each look, after the clock was read.
    */
-  async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>): Promise<string> {
+  async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: () => Promise<void>): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
     let isOver = false;
     void ended.then(() => { isOver = true; });
@@ -39,6 +40,11 @@ export class Watch {
       } catch (error) {
         // A server whose clock was stopped still answers; whoever asks for the time is told.
         if (!isClockStopped(error)) return `its clock cannot be read: ${(error as Error).message}`;
+      }
+      try {
+        if (!isOver) await look();
+      } catch (error) {
+        return `its nodes cannot be read: ${(error as Error).message}`;
       }
     }
     return 'the connection ended';

@@ -133,11 +133,23 @@ describe('reading over OPC UA', () => {
   });
 
   it('Node_Unknown_NamesItsLine', async t => {
-    const { state, path } = await adapterFor(t, server, OPEN, [JOINTS[0], { joint: 'z', node: 'ns=1;s=nowhere' }]);
+    const { state, path } = await adapterFor(t, server, OPEN, [{ joint: 'z', node: 'ns=1;s=nowhere' }]);
 
     const { reason } = await state(s => s.state === 'refused');
 
+    assert.ok(reason.includes(`${path}, line 10: joints[0].node: value ns=1;s=nowhere; the server says BadNodeIdUnknown`), reason);
+  });
+
+  it('Node_UnknownBesideAKnownOne_IsMissingWhileTheOtherGoesOn', async t => {
+    const { states, state, path, bridge } = await adapterFor(t, server, OPEN, [JOINTS[0], { joint: 'z', node: 'ns=1;s=nowhere' }]);
+
+    await states(5);
+    await state(s => s.state === 'connected');
+
+    const { state: found, reason } = bridge.joint('z');
+    assert.equal(found, 'missing');
     assert.ok(reason.includes(`${path}, line 12: joints[1].node: value ns=1;s=nowhere; the server says BadNodeIdUnknown`), reason);
+    assert.equal(bridge.status.level, 2);
   });
 
   it('Node_OfANamespaceByUri_IsFound', async t => {

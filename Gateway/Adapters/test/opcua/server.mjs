@@ -71,6 +71,7 @@ export class YoubotServer {
   isStopped = false;
   #server = null;
   #frozen = new Map();
+  #device = null;
 
   /**
    * @param security Modes that it offers: none, sign_and_encrypt.
@@ -122,6 +123,17 @@ export class YoubotServer {
   /** Their URIs, by number. */
   namespaces() { return this.#server.engine.addressSpace.getNamespaceArray().map(namespace => namespace.namespaceUri); }
 
+  /** Deletes the node of a variable, as a server does whose program was changed. */
+  remove(name) {
+    this.#device.namespace.deleteNode(this.#device.namespace.addressSpace.findNode(`ns=1;s=${name}`));
+    this.#frozen.delete(name);
+  }
+
+  /** Makes the node of a variable again, with the id that it had. */
+  restore(name) {
+    this.#add(VARIABLES.find(([known]) => known === name));
+  }
+
   async stop() {
     await this.#server?.shutdown(0);
     this.#server = null;
@@ -129,19 +141,21 @@ export class YoubotServer {
 
   #build(space) {
     const namespace = space.getOwnNamespace();
-    const device = namespace.addObject({ organizedBy: space.rootFolder.objects, browseName: 'youBot' });
-    for (const [name, dataType, value, arrayType = VariantArrayType.Scalar] of VARIABLES) {
-      namespace.addVariable({
-        componentOf: device, browseName: name, nodeId: `s=${name}`, dataType, valueRank: arrayType === VariantArrayType.Array ? 1 : -1,
-        minimumSamplingInterval: 1,
-        value: { timestamped_get: () => this.#value(name, dataType, value, arrayType) },
-      });
-    }
+    this.#device = namespace.addObject({ organizedBy: space.rootFolder.objects, browseName: 'youBot' });
+    VARIABLES.forEach(variable => this.#add(variable));
     // Its own clock, not this machine's. The library lets nobody bind a part of ServerStatus.
     const currentTime = space.findNode('i=2258'), read = currentTime.readAttribute;
     currentTime.readAttribute = (context, attribute, ...rest) => attribute === AttributeIds.Value
       ? this.#value('CurrentTime', DataType.DateTime, dateTime, VariantArrayType.Scalar, this.clockStep)
       : read.call(currentTime, context, attribute, ...rest);
+  }
+
+  #add([name, dataType, value, arrayType = VariantArrayType.Scalar]) {
+    this.#device.namespace.addVariable({
+      componentOf: this.#device, browseName: name, nodeId: `s=${name}`, dataType, valueRank: arrayType === VariantArrayType.Array ? 1 : -1,
+      minimumSamplingInterval: 1,
+      value: { timestamped_get: () => this.#value(name, dataType, value, arrayType) },
+    });
   }
 
   #value(name, dataType, value, arrayType, cycle = this.cycle) {

@@ -1,0 +1,146 @@
+// What an OPC UA server's silence about a joint means, on a server that tells changes alone.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { StatusCodes } from 'node-opcua-client';
+import { until } from '../program.mjs';
+import { nanoseconds } from '../rosbridge.mjs';
+import { adapterFor, OPEN, serverFor } from './plant.mjs';
+
+const JOINTS = [{ joint: 'a', node: 'ns=1;s=arm_joint_1' }, { joint: 'b', node: 'ns=1;s=arm_joint_2' }];
+
+/** The adapter beside a server, when both joints are live; `writers` changes how a variable's value leaves. */
+async function cell(t, plant = [], joints = JOINTS) {
+  const server = await serverFor(t), writers = new Map();
+  server.spoil = (name, sent) => writers.get(name)?.(sent) ?? sent;
+  const { bridge, run } = await adapterFor(t, server, [...OPEN, ...plant], joints);
+  const state = (name, expected) => until(() => bridge.joint(name)?.state === expected && bridge.joint(name),
+    () => `${name} ${expected}; it is ${JSON.stringify(bridge.joint(name))}\n${run.err}`);
+  await Promise.all(joints.map(({ joint }) => state(joint, 'live')));
+  await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
+  return { server, bridge, run, writers, state };
+}
+
+/** A writer that stopped: value and stamps stay. */
+function stopped() {
+  let last = null;
+  return sent => last ??= sent;
+}
+
+const samplesOf = (bridge, joint) => bridge.jointStates.filter(s => s.name.includes(joint)).length;
+
+/** The other joint goes on while this one has a trouble. */
+async function assertOthersGoOn(bridge, joint, other) {
+  const own = samplesOf(bridge, joint), others = samplesOf(bridge, other);
+  await until(() => samplesOf(bridge, other) > others + 20, `samples of ${other}`);
+  assert.equal(samplesOf(bridge, joint), own, `${joint} is not repeated`);
+  assert.equal(bridge.joint(other).state, 'live');
+}
+
+describe('silence over OPC UA', { concurrency: 2 }, () => {
+  it('Node_DeletedAndCreatedAgain_IsFaultThenLive', async t => {
+    const { server, bridge, run, state } = await cell(t);
+
+    server.remove('arm_joint_1');
+    const { reason } = await state('a', 'fault');
+
+    assert.match(reason, /BadNodeId(Unknown|Invalid)/);
+    assert.equal(bridge.status.level, 2);
+    assert.ok(bridge.status.message.startsWith('a fault: '), bridge.status.message);
+    await assertOthersGoOn(bridge, 'a', 'b');
+    server.restore('arm_joint_1');
+    await state('a', 'live');
+    const before = samplesOf(bridge, 'a');
+    await until(() => samplesOf(bridge, 'a') > before + 20, 'samples of the new node');
+    assert.equal(bridge.state.reconnects, '0');
+    assert.equal(run.err.split('\n').filter(line => line.includes('a fault: ')).length, 1, run.err);
+    await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
+  });
+
+  it('Writer_StoppedInMidMotion_IsFaultThenLive', async t => {
+    // Ten times the pace of the arm: 5 rad/s at most, sampled every 10 ms.
+    const { server, bridge, state, writers } = await cell(t, ['max_deceleration: 40']);
+    const fast = sent => {
+      const t = Number(sent.sourceTimestamp.getTime() % 3_600_000) / 1000, value = Math.sin(5 * t);
+      return { ...sent, value: Object.assign(sent.value.clone(), { value }), isFast: Math.abs(Math.cos(5 * t)) > 0.5 };
+    };
+    writers.set('arm_joint_1', fast);
+    await until(() => samplesOf(bridge, 'a') > 200, 'samples');
+
+    let last = null;
+    writers.set('arm_joint_1', sent => last ?? (fast(sent).isFast ? last = fast(sent) : fast(sent)));
+    const { reason, since } = await state('a', 'fault');
+
+    assert.match(reason, /ended in mid-motion: .* rad\/s², more than the 40\.0 rad\/s²/);
+    assert.ok(Math.abs(since - last.sourceTimestamp.getTime() / 1000) < 2, `${since}`);
+    await assertOthersGoOn(bridge, 'a', 'b');
+    writers.set('arm_joint_1', fast);
+    await state('a', 'live');
+    assert.ok(server.asked.get('ReadRequest') > 0);
+  });
+
+  it('Joint_AtRest_IsReadBackAndAssumedAtRest', async t => {
+    const { bridge, state, writers } = await cell(t);
+
+    // Each joint slows down to nothing, as a robot does.
+    const slow = () => {
+      let from = null;
+      return sent => {
+        from ??= sent;
+        const passed = (sent.sourceTimestamp - from.sourceTimestamp) / 1000, value = from.value.value + 0.2 * Math.min(passed, 1) * (1 - Math.min(passed, 1) / 2);
+        return passed < 1 ? { ...sent, value: Object.assign(sent.value.clone(), { value }) } : stoppedAt(value, sent);
+      };
+    };
+    const kept = new Map(), stoppedAt = (value, sent) => {
+      if (!kept.has(value)) kept.set(value, { ...sent, value: Object.assign(sent.value.clone(), { value }) });
+      return kept.get(value);
+    };
+    writers.set('arm_joint_1', slow());
+    const one = await state('a', 'rest');
+    writers.set('arm_joint_2', slow());
+    await state('b', 'rest');
+    const before = samplesOf(bridge, 'a');
+    await until(() => samplesOf(bridge, 'a') > before + 3, 'a joint at rest to be repeated');
+
+    assert.match(one.reason, /at rest/);
+    assert.ok(one.since < Date.now() / 1000 - 0.9);
+    assert.equal(bridge.status.level, 0);
+  });
+
+  it('Status_BadThenGood_IsRefusedThenLive', async t => {
+    const { bridge, state, writers } = await cell(t);
+
+    writers.set('arm_joint_1', sent => ({ ...sent, statusCode: StatusCodes.BadSensorFailure }));
+    const { reason } = await state('a', 'refused');
+
+    assert.match(reason, /BadSensorFailure/);
+    await assertOthersGoOn(bridge, 'a', 'b');
+    writers.delete('arm_joint_1');
+    await state('a', 'live');
+  });
+
+  it('Value_NaNThenNumber_IsRefusedThenLive', async t => {
+    const { bridge, state, writers } = await cell(t);
+
+    writers.set('arm_joint_1', sent => ({ ...sent, value: Object.assign(sent.value.clone(), { value: NaN }) }));
+    const { reason } = await state('a', 'refused');
+
+    assert.match(reason, /NaN/);
+    await assertOthersGoOn(bridge, 'a', 'b');
+    writers.delete('arm_joint_1');
+    await state('a', 'live');
+  });
+
+  it('Silence_FaultAfterASecond_IsFaultAlsoAtRest', async t => {
+    const joints = [{ ...JOINTS[0], silence: '{fault_after_s: 1}' }, JOINTS[1]], { bridge, state, writers } = await cell(t, ['max_deceleration: 1000'], joints);
+
+    writers.set('arm_joint_1', stopped());
+    writers.set('arm_joint_2', stopped());
+    const { reason } = await state('a', 'fault');
+    await state('b', 'rest');
+
+    assert.match(reason, /no new value for more than 1 s/);
+    writers.clear();
+    await Promise.all([state('a', 'live'), state('b', 'live')]);
+    assert.ok(bridge.jointStates.every(s => nanoseconds(s.header.stamp) > 0n));
+  });
+});
