@@ -9,6 +9,7 @@ import { NotificationTime, type PlcTime, VariableTime } from './plcTime';
 import { ReadOnlyClient } from './readOnlyClient';
 import { reasonOf } from './reasons';
 import type { AdsSettings } from './settings';
+import { SilentSymbols } from './silentSymbols';
 import type { StampedSamples } from './stream';
 import { findSymbol, type NamedSymbol, SymbolError } from './symbols';
 
@@ -18,10 +19,14 @@ const GOODBYE_MS = 500;
 /** Which every runtime has, whatever its program. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
 
+/** What a value takes beyond the intervals, and the limit for a joint that the PLC does not confirm. */
+const SLACK_MS = 100, UNCONFIRMED_MS = 1500;
+
 interface Watched {
   symbol: AdsSymbol;
   /** Its place among the joints; null for the time. */
   joint: number | null;
+  unsubscribe(): Promise<void>;
 }
 
 /** One connection to a PLC, from its first frame to its end. */
@@ -29,8 +34,10 @@ export class AdsSession {
   readonly #client: ReadOnlyClient;
   readonly #watched = new Map<number, Watched>();
   readonly #cycles: Cycles;
+  #silent: SilentSymbols | null = null;
   #unit: TimeUnit = 'ns';
   #time: PlcTime | undefined;
+  readonly #ended = new AbortController();
   #isReading = false;
   #isRunning = true;
   #end: (reason: string) => void = () => {};
@@ -56,6 +63,7 @@ export class AdsSession {
       return { reason: this.#reasonOf(error), isRefused: error instanceof SymbolError };
     } finally {
       stopping.removeEventListener('abort', stop);
+      this.#ended.abort();
       this.context.clock.detach();
       await this.#leave();
     }
@@ -74,18 +82,61 @@ export class AdsSession {
   async #setUp(): Promise<void> {
     await this.#client.connect();
     const { settings } = this;
-    const joints = await Promise.all(settings.joints.map(named => this.#find(named, numberNeeded)));
+    const joints = await this.#findJoints();
     const time = settings.time && await this.#find(settings.time, timeNeeded);
     if (time !== null) this.#unit = settings.time!.unit ?? unitOf(time);
     this.#time = time === null
-      ? new NotificationTime(this.#client, joints[0] ?? PLC_STATE)
+      ? new NotificationTime(this.#client, joints.find(symbol => symbol !== null) ?? PLC_STATE)
       : new VariableTime(this.#client, time, this.#unit, this.context.clock.fixedResolution);
     // Which cycles are sampled is counted from when a notification is added: the time is taken in each, and the joints are added at once.
     if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
     const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
-    await Promise.all(joints.map((symbol, joint) => this.#watch(symbol, joint, sampled)));
+    await Promise.all(joints.map((symbol, joint) => symbol === null ? undefined : this.#watch(symbol, joint, sampled)));
+    this.#watchSilence(joints, sampled);
     this.#isReading = true;
     this.#tellState();
+  }
+
+  /** Null for a joint that the PLC does not have while it has others, which go on. */
+  async #findJoints(): Promise<(AdsSymbol | null)[]> {
+    const found = await Promise.allSettled(this.settings.joints.map(named => this.#find(named, numberNeeded)));
+    const failed = found.filter(result => result.status === 'rejected');
+    const fatal = failed.find(({ reason }) => !(reason instanceof SymbolError)) ?? (failed.length === found.length ? failed[0] : undefined);
+    if (fatal !== undefined) throw fatal.reason;
+    return found.map((result, joint) => {
+      if (result.status === 'fulfilled') return result.value;
+      this.context.output.lose(joint, (result.reason as Error).message);
+      return null;
+    });
+  }
+
+  #watchSilence(joints: (AdsSymbol | null)[], sampled: { cycleTime: number; sendOnChange: boolean }): void {
+    const { output, clock } = this.context, { samplingMs, publishingMs, isOnChange } = this.settings;
+    const delayMs = SLACK_MS + samplingMs + publishingMs;
+    output.samplingS = samplingMs / 1000;
+    output.silence.unconfirmedMs = Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);
+    this.#silent = new SilentSymbols(joints.map(symbol => symbol !== null), delayMs, isOnChange, {
+      read: async joint => {
+        const symbol = joints[joint]!, { indexGroup, indexOffset, size } = symbol;
+        return numberOf(symbol, await this.#client.readRaw(indexGroup, indexOffset, size));
+      },
+      confirm: confirmed => {
+        const { now } = clock, others = joints.flatMap((_, joint) => confirmed.has(joint) ? [] : [joint]);
+        if (now !== null && this.#isRunning) output.hold(now - ofMilliseconds(delayMs), ofMilliseconds(3 * samplingMs), new Set(others));
+      },
+      lose: (joint, error) => { if (this.#isRunning) output.lose(joint, `${this.settings.joints[joint].symbol} cannot be read: ${this.#reasonOf(error)}`); },
+      renew: async (joint, value) => {
+        for (const [handle, watched] of this.#watched) {
+          if (watched.joint !== joint) continue;
+          this.#watched.delete(handle);
+          watched.unsubscribe().catch(() => {});
+        }
+        await this.#watch(joints[joint]!, joint, sampled);
+        // The first notification may come before its handle is known; a joint at rest has no other.
+        output.publish([{ joint, value, stamp: null, isFirst: true }]);
+      },
+    });
+    void this.#silent.run(AbortSignal.any([this.context.stopping, this.#ended.signal]));
   }
 
   #find(named: NamedSymbol, objection: (found: AdsSymbol) => string | undefined): Promise<AdsSymbol> {
@@ -97,7 +148,7 @@ export class AdsSession {
     const subscription = await this.#client.subscribe({
       ...when, target: { indexGroup, indexOffset, size }, callback: () => {}, maxDelay: publishingMs > samplingMs ? publishingMs : 0,
     });
-    this.#watched.set(subscription.notificationHandle, { symbol, joint });
+    this.#watched.set(subscription.notificationHandle, { symbol, joint, unsubscribe: () => subscription.unsubscribe() });
   }
 
   #hear(stamps: StampedSamples[]): void {
@@ -113,7 +164,10 @@ export class AdsSession {
         const { symbol, joint } = watched;
         if (data.length < symbol.size) return this.#end(`the PLC no longer has ${symbol.name} where it was; its variables are looked up again`);
         if (joint === null) time = timeOf(symbol, this.#unit, data);
-        else values.push({ joint, value: numberOf(symbol, data) });
+        else {
+          values.push({ joint, value: numberOf(symbol, data) });
+          this.#silent?.heard(joint, values.at(-1)!.value);
+        }
       }
       if (this.settings.time !== null) this.#cycles.add(stamp, values, time);
       else if (values.length > 0) this.#put(stamp === 0n ? null : ofFileTime(stamp), values);

@@ -52,6 +52,12 @@ export const check: OwnCheck = (file, configuration) => {
   const { samplingMs, publishingMs } = intervalsOf(plant);
   if (publishingMs < samplingMs)
     file.report(['plant', 'publishing_ms'], `value ${publishingMs}; allowed is a time from sampling_ms, ${samplingMs}, to 10000 ms`);
+  const silent = file.value as { plant: { silence?: unknown }; joints?: { silence?: unknown }[] };
+  const rests = [['plant'], ...configuration.joints.map((_, i) => ['joints', i])].filter(path =>
+    (path.length === 1 ? silent.plant : silent.joints![Number(path[1])]).silence === 'rest');
+  if (plant.on_change !== true)
+    for (const path of rests)
+      file.report([...path, 'silence'], 'value "rest"; without on_change: true a joint at rest is sent too, so that silence is always a fault');
   configuration.joints.forEach((joint, i) => { joint.line = file.lineOf(['joints', i, 'symbol']); });
   if (plant.time !== undefined) Object.assign(plant.time, { line: file.lineOf(['plant', 'time', 'symbol']) });
 };

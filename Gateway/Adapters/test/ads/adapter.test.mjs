@@ -161,6 +161,50 @@ describe('ads', { concurrency: 4 }, () => {
     assert.ok(stamps.at(-1) < plc.now());
   });
 
+  const jointIs = (bridge, name, expected) => until(
+    () => bridge.joint(name)?.state === expected && bridge.joint(name), () => `${name} ${expected}: ${JSON.stringify(bridge.state)}`);
+
+  it('Adapter_OnChangeAndAllStand_IsReadBackAndAssumedAtRest', async t => {
+    const still = ['one', 'two'].map(name => new PlcSymbol(`MAIN.${name}`, 'LREAL', () => 1.5));
+    const joints = '  - { joint: one, symbol: MAIN.one }\n  - { joint: two, symbol: MAIN.two }\n';
+    const { bridge } = await cell(t, { plc: new Plc([...variables(), ...still], { cycleMs: 5 }), more: '  on_change: true\n', joints });
+    // As a gateway does: the clock is read again and again.
+    const asked = setInterval(() => void bridge.call('/nowpose/plant_time/cell').catch(() => {}), 200);
+    t.after(() => clearInterval(asked));
+
+    await jointIs(bridge, 'one', 'rest');
+    const count = bridge.jointStates.length;
+    await until(() => bridge.jointStates.length > count + 2, 'joints at rest to be repeated');
+
+    assert.ok(bridge.jointStates.slice(count).every(s => s.position.every(position => position === 1.5)));
+    await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
+  });
+
+  it('Adapter_SymbolGoneFromANewProgram_IsFaultWhileOthersGoOn', async t => {
+    const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxis2, unit: deg }\n';
+    const { plc, bridge } = await cell(t, { joints });
+    await Promise.all(['arm_joint_1', 'axis'].map(name => jointIs(bridge, name, 'live')));
+
+    plc.download(variables().filter(({ name }) => name !== 'MAIN.fAxis2'));
+    await until(() => bridge.joint('axis').reason.includes('has no symbol MAIN.fAxis2'), () => JSON.stringify(bridge.state));
+    await jointIs(bridge, 'arm_joint_1', 'live');
+
+    assert.equal(bridge.joint('axis').state, 'fault');
+    assert.equal(bridge.status.level, 2);
+    plc.download(variables());
+    await jointIs(bridge, 'axis', 'live');
+  });
+
+  it('Adapter_SymbolUnknownFromTheStart_IsMissingWhileOthersGoOn', async t => {
+    const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxs2 }\n';
+    const { bridge } = await cell(t, { joints });
+
+    await jointIs(bridge, 'arm_joint_1', 'live');
+
+    assert.equal(bridge.joint('axis').state, 'missing');
+    assert.match(bridge.joint('axis').reason, /line 11: the PLC has no symbol MAIN\.fAxs2; near are MAIN\.fAxis2/);
+  });
+
   it('Adapter_PlcStopped_SaysSoAndGoesOn', async t => {
     const { plc, bridge, adapter } = await cell(t);
     await statesOf(bridge);
@@ -171,6 +215,8 @@ describe('ads', { concurrency: 4 }, () => {
     await until(() => Number(bridge.state?.['refused/plc-stopped']) > 0, 'refusals');
     assert.equal(bridge.jointStates.length, count);
     assert.equal((await bridge.call('/nowpose/plant_time/cell')).result, false);
+    assert.match(bridge.joint('arm_joint_1').state, /fault|refused/);
+    assert.ok(bridge.status.message.includes('state Stop'), bridge.status.message);
 
     plc.plcState = state.run;
     await statesOf(bridge, count + 5);

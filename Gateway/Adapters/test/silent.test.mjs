@@ -1,0 +1,191 @@
+// Nodes and symbols that a source is silent about, in virtual time: each kind of server that treats a deleted node in its own way.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { DataType, DataValue, StatusCodes, Variant } from 'node-opcua-client';
+import { parts } from './parts.mjs';
+
+const { SilentNodes } = await parts('opcua/silentNodes');
+const { SilentSymbols } = await parts('ads/silentSymbols');
+
+const good = value => new DataValue({ value: new Variant({ dataType: DataType.Double, value }), statusCode: StatusCodes.Good });
+const bad = statusCode => new DataValue({ statusCode });
+
+/** Two nodes of a server; `answers` are what it answers to a read. */
+function server(answers = [good(1), good(2)]) {
+  const cell = { answers, now: 0, asked: [], lost: [], refused: [], renewed: [], refusal: null };
+  cell.nodes = new SilentNodes(
+    {
+      readAll: async ids => {
+        cell.asked.push(ids);
+        return ids.map(id => cell.answers[Number(id)]);
+      },
+      monitorAgain: async node => {
+        cell.renewed.push(node);
+        return cell.refusal;
+      },
+    },
+    { nodes: ['n0', 'n1'], lose: (node, reason) => cell.lost.push([node, reason]), refuse: (node, { reason }) => cell.refused.push([node, reason]), expectFirst: () => {} },
+    ['0', '1'], node => `joints[${node}].node`, () => cell.now);
+  cell.hear = (node, value) => cell.nodes.heard([{ node, value }]);
+  cell.look = async () => {
+    cell.now += 500;
+    return [...await cell.nodes.read()];
+  };
+  cell.hear(0, good(1));
+  cell.hear(1, good(2));
+  return cell;
+}
+
+describe('silent nodes', () => {
+  it('Node_HeardOfLately_IsNotRead', async () => {
+    const cell = server();
+    cell.now = 300;
+    cell.hear(1, good(2));
+
+    const unchanged = await cell.look();
+
+    assert.deepEqual([cell.asked, unchanged], [[['0', '1']], [0, 1]]);
+    cell.hear(0, good(3));
+    cell.now -= 300;
+    await cell.look();
+    assert.deepEqual(cell.asked[1], ['1']);
+  });
+
+  it('Node_UnknownToARead_IsLostOnceAndMonitoredAgainWhenItIsBack', async () => {
+    const cell = server();
+    cell.answers[0] = bad(StatusCodes.BadNodeIdUnknown);
+
+    const during = [await cell.look(), await cell.look()];
+    cell.answers[0] = good(1);
+    await cell.look();
+
+    assert.deepEqual(during, [[1], [1]]);
+    assert.deepEqual(cell.lost, [[0, 'joints[0].node: value n0; the server has no such node any more (BadNodeIdUnknown)']]);
+    assert.deepEqual(cell.renewed, [0]);
+  });
+
+  it('Node_GoneByNotification_IsMonitoredAgainWhenItIsBack', async () => {
+    const cell = server();
+    cell.hear(0, bad(StatusCodes.BadNodeIdInvalid));
+
+    cell.answers[0] = bad(StatusCodes.BadNodeIdUnknown);
+    await cell.look();
+    cell.answers[0] = good(5);
+    await cell.look();
+
+    assert.deepEqual(cell.renewed, [0]);
+  });
+
+  it('Node_BackButNotMonitored_IsTriedAgain', async () => {
+    const cell = server();
+    cell.hear(0, bad(StatusCodes.BadNodeIdUnknown));
+    cell.refusal = 'BadTooManyMonitoredItems';
+
+    await cell.look();
+    await cell.look();
+
+    assert.deepEqual(cell.renewed, [0, 0]);
+    assert.match(cell.lost.at(-1)[1], /BadTooManyMonitoredItems/);
+  });
+
+  it('Value_ChangedWithoutNotification_IsMonitoredAgainAfterTwoReads', async () => {
+    const cell = server();
+    cell.answers[0] = good(1.5);
+
+    const first = await cell.look(), renewed = [...cell.renewed];
+    await cell.look();
+
+    assert.deepEqual([first, renewed, cell.renewed], [[1], [], [0]]);
+  });
+
+  it('Value_NotifiedWhileItWasRead_IsNotTakenForSilence', async () => {
+    const cell = server();
+    const readAll = cell.nodes.session.readAll;
+    cell.nodes.session.readAll = ids => {
+      cell.hear(0, good(9));
+      return readAll(ids);
+    };
+
+    assert.deepEqual(await cell.look(), [1]);
+    assert.deepEqual(await cell.look(), [1]);
+    assert.deepEqual(cell.renewed, []);
+  });
+
+  it('Status_BadInAReadOnly_IsRefusedOnceThenMonitoredAgain', async () => {
+    const cell = server();
+    cell.answers[0] = bad(StatusCodes.BadSensorFailure);
+
+    await cell.look();
+    await cell.look();
+    cell.answers[0] = good(1);
+    await cell.look();
+
+    assert.deepEqual([cell.refused, cell.renewed], [[[0, 'status-bad']], [0]]);
+  });
+
+  it('Value_NaN_IsTheSameInEachRead', async () => {
+    const cell = server([good(NaN), good(2)]);
+    cell.hear(0, good(NaN));
+
+    assert.deepEqual([await cell.look(), await cell.look(), cell.renewed], [[0, 1], [0, 1], []]);
+  });
+});
+
+describe('silent symbols', () => {
+  function plc(isOnChange = true) {
+    const cell = { now: 0, values: [1, 2], confirmed: [], lost: [], renewed: [] };
+    cell.symbols = new SilentSymbols([true, true], 100, isOnChange, {
+      read: async joint => {
+        if (cell.values[joint] === null) throw new Error('gone');
+        return cell.values[joint];
+      },
+      confirm: joints => cell.confirmed.push([...joints]),
+      lose: (joint, error) => cell.lost.push([joint, error.message]),
+      renew: async joint => void cell.renewed.push(joint),
+    }, () => cell.now);
+    cell.look = () => {
+      cell.now += 500;
+      return cell.symbols.look();
+    };
+    cell.values.forEach((value, joint) => cell.symbols.heard(joint, value));
+    return cell;
+  }
+
+  it('Symbols_AtRest_AreConfirmed', async () => {
+    const cell = plc();
+
+    await cell.look();
+
+    assert.deepEqual([cell.confirmed, cell.lost, cell.renewed], [[[0, 1]], [], []]);
+  });
+
+  it('Symbol_GoneThenBack_IsLostThenSubscribedToAgain', async () => {
+    const cell = plc();
+    cell.values[0] = null;
+
+    await cell.look();
+    cell.values[0] = 1;
+    await cell.look();
+
+    assert.deepEqual([cell.lost, cell.renewed, cell.confirmed], [[[0, 'gone']], [0], [[1], [1]]]);
+  });
+
+  it('Symbol_ChangedWithoutNotification_IsSubscribedToAgain', async () => {
+    const cell = plc();
+    cell.values[0] = 7;
+
+    await cell.look();
+    await cell.look();
+
+    assert.deepEqual([cell.renewed, cell.confirmed], [[0], [[1], [1]]]);
+  });
+
+  it('Symbol_OfPeriodicNotifications_IsNeverConfirmedByAnEqualValue', async () => {
+    const cell = plc(false);
+
+    await cell.look();
+    await cell.look();
+
+    assert.deepEqual([cell.confirmed, cell.renewed], [[], [0, 1]]);
+  });
+});
