@@ -11,9 +11,9 @@ const LONGEST_MESSAGE = 64 * 1024, LONGEST_DESCRIPTION = 1024 * 1024;
 
 /** From the broker to a gateway that has headsets only, with the time of the gateway that has the plant. */
 export async function subscribe(
-  { configuration, gateway, clock, status, log, stopping }: AdapterContext, settings: BrokerSettings,
+  { configuration, gateway, clock, output, status, log, stopping }: AdapterContext, settings: BrokerSettings,
 ): Promise<void> {
-  const names = new JointNames([]), states = new JointStates(names, settings.oldest, clock, gateway, status);
+  const names = new JointNames([]), states = new JointStates(names, settings.oldest, clock, gateway, status, output.silence);
   const take: Record<string, (message: Record<string, unknown>) => void> = {
     [STATES]: message => states.pass(message),
     [TRAJECTORY]: message => {

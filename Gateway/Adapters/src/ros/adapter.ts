@@ -56,7 +56,7 @@ export async function run(context: AdapterContext): Promise<void> {
     return { received: now, sent: now };
   }
 
-  const names = new JointNames(configuration.joints), states = new JointStates(names, settings.oldest, clock, gateway, status);
+  const names = new JointNames(configuration.joints), states = new JointStates(names, settings.oldest, clock, gateway, status, context.output.silence);
   robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
   if (configuration.robot === null && settings.robotDescription !== null)
     robot.subscribe(settings.robotDescription, message => passDescription(message?.data), STRING);

@@ -2,6 +2,7 @@ import type { PlantClock } from '../clock/plantClock';
 import { shown } from '../configuration/problem';
 import { JOINT_STATES, jointState } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
+import type { Silence } from '../samples/silence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import type { JointNames, OutJoint } from './jointNames';
@@ -26,7 +27,9 @@ export class JointStates {
   readonly #rule: StampRule;
 
   constructor(readonly names: JointNames, oldest: Nanoseconds, readonly clock: Pick<PlantClock, 'now' | 'isSettled'>, readonly gateway: Publisher,
-    readonly status: AdapterStatus) {
+    readonly status: AdapterStatus, readonly silence: Silence) {
+    // Nothing confirms a joint whose publisher is silent.
+    silence.unconfirmedMs = null;
     this.#rule = new StampRule(MOST_JOINTS, oldest);
   }
 
@@ -56,14 +59,19 @@ export class JointStates {
   }
 
   #isUsable({ index, joint, scale, offset }: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
+    this.status.joints.expect(joint);
     // A NaN arrives as null.
     if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
       this.status.refuse('not-finite', joint, `value ${shown(position)} is no position`);
       return false;
     }
     const refusal = this.#rule.judge(index, stamp, now);
-    if (refusal !== null) this.status.refuse(refusal.reason, joint, refusal.text);
-    else this.status.accept(joint);
+    if (refusal !== null) {
+      this.status.refuse(refusal.reason, joint, refusal.text);
+    } else {
+      this.status.accept(joint);
+      this.silence.heard(joint);
+    }
     return refusal === null;
   }
 }

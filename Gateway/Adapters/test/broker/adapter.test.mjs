@@ -167,12 +167,33 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
   });
 
   it('Publisher_Dies_SubscriberSaysSo', async t => {
-    const { far, publisher, subscriber } = await halls(t);
+    const { near, far, sync, publisher, subscriber } = await halls(t);
+    await until(() => {
+      publish(near, '/joint_states', state(sync.now()));
+      return far.joint('a')?.state === 'live';
+    }, 'a joint');
 
     publisher.child.kill('SIGKILL');
 
     await subscriber.said('waiting: the bridge of the gateway that has the plant is away');
     await until(() => far.state?.state === 'waiting', () => JSON.stringify(far.state));
+    assert.deepEqual([far.joint('a').state, far.joint('a').reason], ['fault', 'the bridge of the gateway that has the plant is away']);
+  });
+
+  it('Joint_NoLongerPublished_IsFaultWhileOthersGoOn', async t => {
+    const { near, far, sync } = await halls(t), names = new Set(['a', 'b']);
+    const publishing = setInterval(() => names.forEach(name => publish(near, '/joint_states', state(sync.now(), [name], [1]))), 50);
+    t.after(() => clearInterval(publishing));
+    const joint = (name, expected) => until(() => far.joint(name)?.state === expected && far.joint(name), () => JSON.stringify(far.state));
+    await Promise.all([joint('a', 'live'), joint('b', 'live')]);
+
+    names.delete('a');
+    const { reason } = await joint('a', 'fault');
+
+    assert.match(reason, /no new value for more than 3 s/);
+    assert.equal(far.joint('b').state, 'live');
+    names.add('a');
+    await joint('a', 'live');
   });
 
   for (const [name, topic, payload, reason] of [

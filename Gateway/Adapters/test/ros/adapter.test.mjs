@@ -133,6 +133,27 @@ describe('ros', { concurrency: 4 }, () => {
     assert.equal(bridge.state.refused, '0');
   });
 
+  it('Publisher_OfOneJointStops_IsFaultThenLive', async t => {
+    const { robot, bridge, adapter } = await cell(t), silent = new Set();
+    const publishing = setInterval(() => ['a', 'b'].filter(name => !silent.has(name)).forEach(name => robot.jointState(robot.now(), [name], [1])), 50);
+    t.after(() => clearInterval(publishing));
+    const state = (name, expected) => until(() => bridge.joint(name)?.state === expected && bridge.joint(name), () => JSON.stringify(bridge.state));
+    await Promise.all([state('a', 'live'), state('b', 'live')]);
+
+    silent.add('a');
+    const { reason } = await state('a', 'fault');
+
+    assert.match(reason, /no new value for more than 1 s/);
+    assert.equal(bridge.joint('b').state, 'live');
+    assert.deepEqual([bridge.status.level, bridge.status.message.startsWith('a fault: ')], [2, true]);
+    silent.clear();
+    await state('a', 'live');
+    await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
+    await robot.stop();
+    await state('b', 'fault');
+    assert.ok(adapter.err.includes('a fault: '), adapter.err);
+  });
+
   it('Adapter_RobotGoesAndComes_IsHeardAgain', async t => {
     const { robot, bridge, adapter } = await cell(t);
 
