@@ -6,8 +6,8 @@ import type { OpcUaSettings } from './settings';
 import { applicationUri, type OwnCertificate } from './security/ownCertificate';
 import type { TrustList } from './security/trustList';
 
-/** Nodes of one read request: small servers limit them. */
-const NODES_PER_READ = 50;
+/** Nodes of one read request at first; halved where a server takes fewer. */
+const NODES_PER_READ = 64;
 
 const TIMEOUT_MS = 5000, CLOSING_MS = 1000, SESSION_MS = 30_000, KEEP_ALIVE_MS = 1000, LIFETIME_MS = 15_000;
 
@@ -49,6 +49,7 @@ export class ReadOnlySession {
   #items: ClientMonitoredItem[] = [];
   #places = new Map<number, number>();
   #canTriggerByStamp = true;
+  #nodesPerRead = NODES_PER_READ;
   #heard: (values: NodeValue[]) => void = () => {};
   /** Notifications that came before their monitored items are known; null while all are. */
   #early: unknown[] | null = [];
@@ -103,8 +104,15 @@ export class ReadOnlySession {
     const session = this.#session;
     if (session === null) throw new Error('there is no session');
     const values: DataValue[] = [];
-    for (let i = 0; i < nodes.length; i += NODES_PER_READ)
-      values.push(...await session.read(nodes.slice(i, i + NODES_PER_READ).map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })), 0));
+    while (values.length < nodes.length) {
+      const part = nodes.slice(values.length, values.length + this.#nodesPerRead);
+      try {
+        values.push(...await session.read(part.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })), 0));
+      } catch (error) {
+        if (!String(error).includes('BadTooManyOperations') || part.length === 1) throw error;
+        this.#nodesPerRead = Math.ceil(part.length / 2);
+      }
+    }
     return values;
   }
 

@@ -78,11 +78,13 @@ export class YoubotServer {
    * @param users Names and passwords; without them anybody may read.
    * @param cycleUs Values are of whole cycles.
    * @param clockStepUs How coarse its CurrentTime is.
+   * @param nodesPerRead Largest number of nodes of a read request.
    */
   constructor({
     port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
+    nodesPerRead = 1000,
   } = {}) {
-    Object.assign(this, { port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
+    Object.assign(this, { nodesPerRead, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
   }
 
   get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
@@ -98,6 +100,7 @@ export class YoubotServer {
     this.#server = new OPCUAServer({
       port: this.port, hostname: '127.0.0.1', host: '127.0.0.1',
       serverInfo: { applicationUri: URI },
+      serverCapabilities: { operationLimits: { maxNodesPerRead: this.nodesPerRead } },
       securityModes: this.security.map(mode => mode === 'none' ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt),
       securityPolicies: [
         ...this.security.includes('none') ? [SecurityPolicy.None] : [],

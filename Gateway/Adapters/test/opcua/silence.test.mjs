@@ -9,8 +9,8 @@ import { adapterFor, OPEN, serverFor } from './plant.mjs';
 const JOINTS = [{ joint: 'a', node: 'ns=1;s=arm_joint_1' }, { joint: 'b', node: 'ns=1;s=arm_joint_2' }];
 
 /** The adapter beside a server, when both joints are live; `writers` changes how a variable's value leaves. */
-async function cell(t, plant = [], joints = JOINTS) {
-  const server = await serverFor(t), writers = new Map();
+async function cell(t, plant = [], joints = JOINTS, options = {}) {
+  const server = await serverFor(t, options), writers = new Map();
   server.spoil = (name, sent) => writers.get(name)?.(sent) ?? sent;
   const { bridge, run } = await adapterFor(t, server, [...OPEN, ...plant], joints);
   const state = (name, expected) => until(() => bridge.joint(name)?.state === expected && bridge.joint(name),
@@ -104,6 +104,16 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
     assert.match(one.reason, /at rest/);
     assert.ok(one.since < Date.now() / 1000 - 0.9);
     assert.equal(bridge.status.level, 0);
+  });
+
+  it('Nodes_OfAServerThatReadsOneAtATime_AreReadBack', async t => {
+    const { bridge, state, writers } = await cell(t, ['max_deceleration: 1000'], JOINTS, { nodesPerRead: 1 });
+
+    writers.set('arm_joint_1', stopped());
+    writers.set('arm_joint_2', stopped());
+    await Promise.all([state('a', 'rest'), state('b', 'rest')]);
+
+    assert.deepEqual([bridge.status.level, bridge.state.reconnects], [0, '0']);
   });
 
   it('Status_BadThenGood_IsRefusedThenLive', async t => {
