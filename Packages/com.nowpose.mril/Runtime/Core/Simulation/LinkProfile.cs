@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>Delay, jitter, loss and stalls of a packet link, the same in both directions.</summary>
+    /// <remarks>
+    /// Describes single packets: what TCP makes of a lost one is up to the TCP implementation. <see cref="NetworkProfile"/> describes
+    /// the delays of a byte stream instead.
+    /// </remarks>
+    sealed class LinkProfile
+    {
+        /// <summary>Wired network of a cell.</summary>
+        public static readonly LinkProfile Clean = new LinkProfile("clean", 1, 0.2, 0);
+
+        /// <summary>Good WiFi.</summary>
+        public static readonly LinkProfile Wifi = new LinkProfile("wifi", 2, 4, 0.002);
+
+        /// <summary>WiFi at the edge of its range.</summary>
+        public static readonly LinkProfile Lossy = new LinkProfile("lossy", 3, 6, 0.02);
+
+        /// <summary>Private 5G or LTE network.</summary>
+        public static readonly LinkProfile Cellular = new LinkProfile("cellular", 14, 3, 0);
+
+        /// <summary>Crowded channel with a weak signal.</summary>
+        public static readonly LinkProfile Bad = new LinkProfile("bad", 5, 12, 0.05);
+
+        /// <summary>Headset that changes its access point every 8 s and is without a link for 1.5 s each time.</summary>
+        public static readonly LinkProfile Roaming = new LinkProfile("roaming", 3, 5, 0, stallIntervalSeconds: 8, stallSeconds: 1.5);
+
+        public static readonly IReadOnlyList<LinkProfile> All = new[] { Clean, Wifi, Lossy, Cellular, Bad, Roaming };
+
+        LinkProfile(string name, double baseMs, double meanJitterMs, double loss, double stallIntervalSeconds = 0, double stallSeconds = 0)
+        {
+            Name = name;
+            BaseMs = baseMs;
+            MeanJitterMs = meanJitterMs;
+            Loss = loss;
+            StallInterval = ClockTicks.Span(stallIntervalSeconds);
+            StallLength = ClockTicks.Span(stallSeconds);
+        }
+
+        public string Name { get; }
+
+        /// <summary>Smallest delay one way, ms.</summary>
+        public double BaseMs { get; }
+
+        /// <summary>Mean of the exponentially distributed delay on top of <see cref="BaseMs"/>, ms.</summary>
+        public double MeanJitterMs { get; }
+
+        /// <summary>Probability that a packet is lost, 0 to 1.</summary>
+        public double Loss { get; }
+
+        /// <summary>From the start of one stall to the start of the next, and from the link's start to the first; zero for a link without stalls.</summary>
+        public TimeSpan StallInterval { get; }
+
+        /// <summary>How long a stall lasts. Both directions stall together, and packets wait for its end; none is lost.</summary>
+        public TimeSpan StallLength { get; }
+
+        /// <summary>Gets the end of the stall at a time, or the time itself where the link is not stalled.</summary>
+        /// <param name="sinceStart">Time since the link's start.</param>
+        public TimeSpan EndOfStall(TimeSpan sinceStart)
+        {
+            if (StallInterval == TimeSpan.Zero || sinceStart < StallInterval) return sinceStart;
+            var intoStall = new TimeSpan(sinceStart.Ticks % StallInterval.Ticks);
+            return intoStall < StallLength ? sinceStart - intoStall + StallLength : sinceStart;
+        }
+
+        /// <exception cref="InputException">No profile has that name.</exception>
+        public static LinkProfile Named(string name) =>
+            All.FirstOrDefault(profile => profile.Name == name)
+            ?? throw new InputException("link profile: '" + name + "' is not known; allowed are " + string.Join(", ", All.Select(p => p.Name)));
+    }
+}

@@ -1,0 +1,41 @@
+using System;
+
+namespace Nowpose.Simulation
+{
+    /// <summary>Decides for each packet of one direction of a link whether and when it arrives. Seeded, not thread-safe.</summary>
+    sealed class PacketLink
+    {
+        readonly LinkProfile _profile;
+        readonly HeadsetTime _start;
+        readonly bool _keepsOrder;
+        readonly Random _random;
+        HeadsetTime _newestArrival;
+
+        /// <param name="start">Stalls are counted from it. Give both directions the same.</param>
+        /// <param name="keepsOrder">True for a queue, as on a real link: no packet overtakes another.</param>
+        public PacketLink(LinkProfile profile, HeadsetTime start, int seed, bool keepsOrder = true)
+        {
+            _profile = profile;
+            _start = _newestArrival = start;
+            _keepsOrder = keepsOrder;
+            _random = new Random(seed);
+        }
+
+        /// <summary>Sends a packet.</summary>
+        /// <param name="now">Not before the previous packet's.</param>
+        /// <param name="arrival">When the packet leaves the link at the far end.</param>
+        /// <returns>False when the packet is lost.</returns>
+        public bool TrySend(HeadsetTime now, out HeadsetTime arrival)
+        {
+            // Both are drawn for each packet, so that a lost one changes no other.
+            var jitterMs = -_profile.MeanJitterMs * Math.Log(1 - _random.NextDouble());
+            var isLost = _random.NextDouble() < _profile.Loss;
+            arrival = now + ClockTicks.Span((_profile.BaseMs + jitterMs) / 1000);
+            if (isLost) return false;
+            if (_keepsOrder && arrival < _newestArrival) arrival = _newestArrival;
+            arrival = _start + _profile.EndOfStall(arrival - _start);
+            _newestArrival = arrival;
+            return true;
+        }
+    }
+}
