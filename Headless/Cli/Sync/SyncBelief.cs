@@ -16,6 +16,8 @@ readonly record struct SyncBelief(long Nanoseconds, HeadsetTime At, ClockModel M
 
     public Int128? ErrorBoundNanoseconds => Model.IsKnown ? (Int128)Model.ErrorBound.Ticks * NanosecondsPerTick : null;
 
+    public Int128? EstimatedErrorNanoseconds => Model.IsKnown ? (Int128)Model.EstimatedError.Ticks * NanosecondsPerTick : null;
+
     public string State => Model.State.Word();
 
     public static string Text<T>(T? value) where T : struct, IFormattable =>

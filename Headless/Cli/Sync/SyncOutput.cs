@@ -7,12 +7,13 @@ static class SyncOutput
 {
     public static void WriteCsv(IEnumerable<SyncBelief> beliefs, bool atInstants, TextWriter output)
     {
-        output.WriteLine(atInstants ? "t_ns,offset_ns,error_bound_ns,state" : "t4_ns,offset_ns,skew_ppm,error_bound_ns,state");
+        output.WriteLine(atInstants ? "t_ns,offset_ns,error_bound_ns,state" : "t4_ns,offset_ns,skew_ppm,error_bound_ns,state,estimated_error_ns");
         foreach (var belief in beliefs)
         {
             var skew = atInstants ? "" : SyncBelief.Text(belief.SkewPpm) + ",";
             var (offset, bound) = (SyncBelief.Text(belief.OffsetNanoseconds), SyncBelief.Text(belief.ErrorBoundNanoseconds));
-            output.WriteLine($"{belief.Nanoseconds},{offset},{skew}{bound},{belief.State}");
+            var estimated = atInstants ? "" : "," + SyncBelief.Text(belief.EstimatedErrorNanoseconds);
+            output.WriteLine($"{belief.Nanoseconds},{offset},{skew}{bound},{belief.State}{estimated}");
         }
     }
 
@@ -30,6 +31,7 @@ static class SyncOutput
             if (!atInstants) WriteNumber(json, "skew_ppm", SyncBelief.Text(belief.SkewPpm));
             WriteNumber(json, "error_bound_ns", SyncBelief.Text(belief.ErrorBoundNanoseconds));
             json.WriteString("state", belief.State);
+            if (!atInstants) WriteNumber(json, "estimated_error_ns", SyncBelief.Text(belief.EstimatedErrorNanoseconds));
             json.WriteEndObject();
         }
         json.WriteEndArray();

@@ -32,7 +32,7 @@ public class SyncVerbTests
         var run = await CliRun.OfAsync("sync", file.Path, "--estimator", "ransac");
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
-        Assert.That(run.Lines[0], Is.EqualTo("t4_ns,offset_ns,skew_ppm,error_bound_ns,state"));
+        Assert.That(run.Lines[0], Is.EqualTo("t4_ns,offset_ns,skew_ppm,error_bound_ns,state,estimated_error_ns"));
         Assert.That(run.Lines, Has.Length.EqualTo(201));
         var last = run.Lines[^1].Split(',');
         var t4 = 7 + 199 * 200_000_000L + 4_000_000;
@@ -70,6 +70,7 @@ public class SyncVerbTests
         var first = JsonDocument.Parse(run.Output).RootElement[0];
         Assert.That(first.GetProperty("t4_ns").GetInt64(), Is.EqualTo(4_000_007));
         Assert.That(first.GetProperty("state").GetString(), Is.EqualTo("converging"));
+        Assert.That(first.GetProperty("estimated_error_ns").GetInt64(), Is.GreaterThan(0).And.LessThanOrEqualTo(first.GetProperty("error_bound_ns").GetInt64()));
         Assert.That(first.GetProperty("offset_ns").GetInt64(), Is.EqualTo(-ControlEpoch).Within(1000));
     }
 

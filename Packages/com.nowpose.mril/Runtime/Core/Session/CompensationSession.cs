@@ -282,7 +282,7 @@ namespace Nowpose.Session
                 var seen = _light.LightOf(start, isComparable: isLast && _monitor.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
                 _frame.IsDisplayTimeImplausible = _light.IsImplausible;
-                _frame.Update(start, light, _settings.Clock.Trusts(clock), _monitor.State, _light.IsDoubted);
+                _frame.Update(start, light, clock, _settings.Clock.Trusts(clock), _monitor.State, _light.IsDoubted);
                 _hindcast.Shown(_frame, clock.ErrorBound);
                 Ticked?.Invoke(_frame);
                 return _frame;

@@ -37,6 +37,16 @@ namespace Nowpose.Session
         /// <summary>Whether the display time is known well enough to show a pose as the present one.</summary>
         public bool IsTimeTrusted { get; private set; }
 
+        /// <summary>How well the headset clock is tied to the control clock in this frame.</summary>
+        public ClockState ClockState { get; private set; }
+
+        /// <summary>
+        /// Estimated limit of the error of <see cref="DisplayTime"/> that comes from the clock, both ways, see
+        /// <see cref="ClockModel.EstimatedError"/>; zero while the clock is unsynchronised. Show it while <see cref="ClockState"/> is
+        /// <see cref="Nowpose.ClockState.Coarse"/>.
+        /// </summary>
+        public TimeSpan ClockError { get; private set; }
+
         public PoseState State { get; private set; }
 
         /// <summary>Whether the render time of the frames before lets the moment of light be known.</summary>
@@ -67,8 +77,11 @@ namespace Nowpose.Session
         public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
 
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
-        internal void Update(HeadsetTime start, ControlTime? displayTime, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted)
+        internal void Update(
+            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted)
         {
+            ClockState = clock.State;
+            ClockError = clock.EstimatedError;
             IsDisplayTimeDoubted = isDisplayTimeDoubted;
             Start = start;
             IsTimeTrusted = isTimeTrusted;

@@ -27,6 +27,7 @@ namespace Nowpose.Session
                 Add("offset_ns", nanoseconds.ToString(CultureInfo.InvariantCulture));
                 Add("skew_ppm", Number(statistics.Clock.Skew * 1e6));
                 Add("error_bound_us", Number(statistics.Clock.ErrorBound.TotalMilliseconds * 1000));
+                Add("estimated_error_us", Number(statistics.Clock.EstimatedError.TotalMilliseconds * 1000));
             }
             AddMs("rtt_ms", statistics.RoundTripTime);
             AddMs("l_app_ms", statistics.ApplicationLatency);

@@ -12,12 +12,16 @@ namespace Nowpose
     /// </remarks>
     public readonly struct ClockModel
     {
-        public ClockModel(HeadsetTime reference, ClockOffset referenceOffset, double skew, TimeSpan errorBound, ClockState state, int steps = 0)
+        /// <param name="estimatedError">Null where nothing better than <paramref name="errorBound"/> is known.</param>
+        public ClockModel(
+            HeadsetTime reference, ClockOffset referenceOffset, double skew, TimeSpan errorBound, ClockState state, int steps = 0,
+            TimeSpan? estimatedError = null)
         {
             Reference = reference;
             ReferenceOffset = referenceOffset;
             Skew = skew;
             ErrorBound = errorBound;
+            EstimatedError = estimatedError ?? errorBound;
             State = state;
             Steps = steps;
         }
@@ -31,8 +35,18 @@ namespace Nowpose
         /// <summary>γ₂−1, dimensionless (1e-6 is 1 ppm); positive when the headset clock runs fast.</summary>
         public double Skew { get; }
 
-        /// <summary>Largest error to be expected of the offset at the moment the model was asked for, both ways.</summary>
+        /// <summary>Proven limit of the offset's error, both ways, at the time the model was asked for.</summary>
         public TimeSpan ErrorBound { get; }
+
+        /// <summary>
+        /// Estimated limit of the offset's error, both ways, at the time the model was asked for: three standard errors, at
+        /// most <see cref="ErrorBound"/>. This is the ± that panels and reports show.
+        /// </summary>
+        /// <remarks>
+        /// It counts on least delays that are equal in both directions. Half their difference adds to the error, and no
+        /// estimator can see it; only <see cref="ErrorBound"/> allows for it.
+        /// </remarks>
+        public TimeSpan EstimatedError { get; }
 
         public ClockState State { get; }
 

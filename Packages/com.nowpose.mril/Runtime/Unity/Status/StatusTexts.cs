@@ -26,6 +26,7 @@ namespace Nowpose.Unity
         static readonly NumberTexts Milliseconds = new NumberTexts("", " ms", (2, 1, 0));
         static readonly NumberTexts DoubtedMilliseconds = new NumberTexts("! ", " ms", (2, 1, 0));
         static readonly NumberTexts Bounds = new NumberTexts("± ", " ms", (2, 1, 0));
+        static readonly NumberTexts CoarseClock = new NumberTexts("clock ± ", " ms", (2, 1, 0));
         static readonly NumberTexts Percentiles = new NumberTexts("95 % below ", " ms", (0, 0, 0));
         static readonly NumberTexts Percents = new NumberTexts("", " %", (0, 0, 0));
         static readonly NumberTexts PercentBounds = new NumberTexts("± ", " %", (0, 0, 0));
@@ -93,8 +94,10 @@ namespace Nowpose.Unity
 
         void UpdateTimes(SessionStatistics statistics)
         {
-            Set(StatusRow.Pose, PoseOf(statistics), ReasonOf(statistics.Pose));
-            Set(StatusRow.Clock, ClockOf(statistics.Clock.State), statistics.Clock.IsKnown ? Bounds.Of(statistics.Clock.ErrorBound) : "");
+            var clock = statistics.Clock;
+            var isCoarse = statistics.Pose == PoseState.Current && clock.State == ClockState.Coarse;
+            Set(StatusRow.Pose, PoseOf(statistics), isCoarse ? CoarseClock.Of(clock.EstimatedError) : ReasonOf(statistics.Pose));
+            Set(StatusRow.Clock, ClockOf(clock.State), clock.IsKnown ? Bounds.Of(clock.EstimatedError) : "");
             Set(StatusRow.Horizon, Milliseconds.Of(statistics.Horizon), "");
         }
 
@@ -182,6 +185,7 @@ namespace Nowpose.Unity
             switch (state)
             {
                 case ClockState.Synchronised: return "synchronised";
+                case ClockState.Coarse: return "coarse";
                 case ClockState.Converging: return "! converging";
                 case ClockState.Holdover: return "! holdover";
                 default: return "! no answer yet";

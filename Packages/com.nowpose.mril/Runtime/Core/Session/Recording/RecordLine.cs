@@ -142,7 +142,7 @@ namespace Nowpose.Recording
             _line.Add("state", ClockStates[(int)clock.State]).Add("steps", clock.Steps);
             if (!clock.IsKnown) return;
             _line.Add("offset_ns", Nanoseconds(clock.OffsetAt(record.At).HeadsetMinusControl)).Add("skew_ppm", clock.Skew * 1e6)
-                .Add("error_bound_ns", Nanoseconds(clock.ErrorBound));
+                .Add("error_bound_ns", Nanoseconds(clock.ErrorBound)).Add("estimated_error_ns", Nanoseconds(clock.EstimatedError));
         }
 
         static long Nanoseconds(TimeSpan length) => length.Ticks * ClockTicks.NanosecondsPerTick;

@@ -5,6 +5,9 @@ namespace Nowpose.Sync
     /// <summary>Keeps the clock model: exchanges go in on any thread, the model comes out on any other.</summary>
     public sealed class ClockSynchroniser
     {
+        /// <summary>Exchanges before the state may be coarse: fewer do not tell how their delays scatter.</summary>
+        const int ExchangesToBeCoarse = 5;
+
         /// <summary>One exchange that contradicts the past may be a fault; two are reason to doubt the clock already.</summary>
         const int SuspectsToDoubt = 2;
 
@@ -20,8 +23,8 @@ namespace Nowpose.Sync
         readonly ClockSettings _settings;
         readonly ClockStepDetector _detector;
         readonly OffsetEnvelope _envelope;
+        readonly ErrorThreshold _coarse, _synchronised;
         SyncExchange? _newest;
-        bool _wasSynchronised;
         volatile Belief _belief = Belief.None;
 
         public ClockSynchroniser(IClockEstimator estimator, ClockSettings settings)
@@ -30,6 +33,8 @@ namespace Nowpose.Sync
             _settings = settings;
             _detector = new ClockStepDetector(settings.StepMargin, settings.SkewDoubt);
             _envelope = new OffsetEnvelope(settings.SkewDoubt);
+            _coarse = new ErrorThreshold(settings.CoarseError);
+            _synchronised = new ErrorThreshold(settings.ErrorToSynchronise);
         }
 
         /// <summary>How often a clock stepped since the start.</summary>
@@ -83,9 +88,10 @@ namespace Nowpose.Sync
             // More than any clock's skew is error by definition: a line through two late replies can be that steep.
             var excess = Math.Max(0, Math.Abs(line.Skew) - ClockLine.GreatestSkew);
             var grown = ClockTicks.Span((3 * line.SkewError + _settings.SkewDoubt + excess) * age);
-            var state = belief.State == ClockState.Synchronised && now - line.Reference > _settings.HoldoverAfter
-                ? ClockState.Holdover : belief.State;
-            return new ClockModel(line.Reference, line.Offset, line.Skew, belief.Bound + grown, state, belief.Steps);
+            var isUsable = belief.State == ClockState.Synchronised || belief.State == ClockState.Coarse;
+            var state = isUsable && now - line.Reference > _settings.HoldoverAfter ? ClockState.Holdover : belief.State;
+            return new ClockModel(
+                line.Reference, line.Offset, line.Skew, belief.Bound + grown, state, belief.Steps, belief.EstimatedError + grown);
         }
 
         SyncVerdict Take(in SyncExchange exchange, out SyncExchangeFault fault)
@@ -135,7 +141,8 @@ namespace Nowpose.Sync
         void ForgetTheLine(double skewDoubt)
         {
             _estimator.Restart(skewDoubt);
-            _wasSynchronised = false;
+            _coarse.Reset();
+            _synchronised.Reset();
         }
 
         // The old line stays in use with a bound that admits the contradiction, and after the first no longer as a settled one.
@@ -145,38 +152,46 @@ namespace Nowpose.Sync
             var contradiction = (exchange.Offset - model.OffsetAt(exchange.T4)).Duration() + exchange.RoundTripTime.Duration();
             var bound = contradiction > _belief.Bound ? contradiction : _belief.Bound;
             _belief = new Belief(
-                _belief.Line, isSerious ? ClockState.Converging : _belief.State, bound, _belief.RoundTripTime, _belief.Resolution, _belief.Steps,
-                isStepSuspected: true);
+                _belief.Line, isSerious ? ClockState.Converging : _belief.State, bound, isSerious ? bound : _belief.EstimatedError,
+                _belief.RoundTripTime, _belief.Resolution, _belief.Steps, isStepSuspected: true);
         }
 
         void Publish(in SyncExchange exchange, bool stepped)
         {
             var line = _estimator.Line;
-            var bound = _envelope.GreatestError(line) + exchange.ServerErrorBound + _detector.Suspicion;
+            var proven = _envelope.GreatestError(line);
+            var others = exchange.ServerErrorBound + _detector.Suspicion;
+            var error = EstimatedError(line, proven) + others;
             _belief = new Belief(
-                line, StateOf(line, exchange.ServerSynchronised), bound, exchange.RoundTripTime, exchange.Resolution,
+                line, StateOf(line, error, exchange.ServerSynchronised), proven + others, error, exchange.RoundTripTime, exchange.Resolution,
                 _belief.Steps + (stepped ? 1 : 0), _detector.Suspicion > TimeSpan.Zero);
         }
 
-        ClockState StateOf(in ClockLine line, bool isServerSynchronised)
+        static TimeSpan EstimatedError(in ClockLine line, TimeSpan proven)
+        {
+            var threeErrors = new TimeSpan(3 * line.OffsetError.Ticks);
+            return threeErrors == TimeSpan.Zero || threeErrors > proven ? proven : threeErrors;
+        }
+
+        ClockState StateOf(in ClockLine line, TimeSpan error, bool isServerSynchronised)
         {
             if (!isServerSynchronised) return ClockState.Converging;
-            // Once settled, scatter alone does not unsettle it: the bound tells how good it is.
-            _wasSynchronised = _wasSynchronised || (line.Exchanges >= _settings.ExchangesToSynchronise
-                && new TimeSpan(3 * line.OffsetError.Ticks) < _settings.ErrorToSynchronise);
-            return _wasSynchronised ? ClockState.Synchronised : ClockState.Converging;
+            if (line.Exchanges >= _settings.ExchangesToSynchronise && _synchronised.Admits(error)) return ClockState.Synchronised;
+            return line.Exchanges >= ExchangesToBeCoarse && _coarse.Admits(error) ? ClockState.Coarse : ClockState.Converging;
         }
 
         sealed class Belief
         {
-            public static readonly Belief None = new Belief(default, ClockState.Unsynchronised, TimeSpan.Zero, TimeSpan.Zero, TimeSpan.Zero, 0, false);
+            public static readonly Belief None = new Belief(default, ClockState.Unsynchronised, default, default, default, default, 0, false);
 
             public Belief(
-                in ClockLine line, ClockState state, TimeSpan bound, TimeSpan roundTripTime, TimeSpan resolution, int steps, bool isStepSuspected)
+                in ClockLine line, ClockState state, TimeSpan bound, TimeSpan estimatedError, TimeSpan roundTripTime, TimeSpan resolution,
+                int steps, bool isStepSuspected)
             {
                 Line = line;
                 State = state;
                 Bound = bound;
+                EstimatedError = estimatedError;
                 RoundTripTime = roundTripTime;
                 Resolution = resolution;
                 Steps = steps;
@@ -186,6 +201,7 @@ namespace Nowpose.Sync
             public ClockLine Line { get; }
             public ClockState State { get; }
             public TimeSpan Bound { get; }
+            public TimeSpan EstimatedError { get; }
             public TimeSpan RoundTripTime { get; }
             public TimeSpan Resolution { get; }
             public int Steps { get; }

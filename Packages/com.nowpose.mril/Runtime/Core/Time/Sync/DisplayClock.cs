@@ -7,8 +7,8 @@ namespace Nowpose.Sync
     /// spread over the next frames; only a step of a clock is taken over at once. One thread, the frame's; allocates nothing.
     /// </summary>
     /// <remarks>
-    /// Control time advances by between 0.994 and 1.006 of the headset's while the clock is synchronised, and by between one
-    /// half and one and a half before: never by nothing, never backwards.
+    /// Control time advances by between 0.994 and 1.006 of the headset's while the clock is synchronised, by between 0.949
+    /// and 1.051 while it is coarse, and by between one half and one and a half before. It never stops or goes back.
     /// </remarks>
     public sealed class DisplayClock
     {
@@ -17,6 +17,9 @@ namespace Nowpose.Sync
         /// after a silence in a fifth of a second; and a robot at 1 m/s seems to move by 5 mm/s too fast or slow meanwhile.
         /// </summary>
         public const double SlewRate = 5e-3;
+
+        /// <summary>The same while coarse: the first estimates are off by a few milliseconds, which are gone in a tenth of a second.</summary>
+        public const double CoarseSlewRate = 0.05;
 
         /// <summary>The same before: the first offsets may be wrong by tens of milliseconds, and poses are not shown as current yet.</summary>
         public const double ConvergingSlewRate = 0.5;
@@ -32,19 +35,25 @@ namespace Nowpose.Sync
             // A young line through two late replies can be so steep that following it would go back.
             var skew = Math.Max(-ClockLine.GreatestSkew, Math.Min(ClockLine.GreatestSkew, believed.Skew));
             if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)
-                return Show(new ClockModel(now, believed.OffsetAt(now), skew, believed.ErrorBound, believed.State, believed.Steps), now);
+                return Show(new ClockModel(
+                    now, believed.OffsetAt(now), skew, believed.ErrorBound, believed.State, believed.Steps, believed.EstimatedError), now);
             if (now < _at) return _shown;
 
             var passed = now - _at;
-            var rate = believed.State == ClockState.Converging ? ConvergingSlewRate : SlewRate;
-            var allowed = (long)(passed.Ticks * rate);
+            var allowed = (long)(passed.Ticks * RateOf(believed.State));
             // What the clocks do by themselves is no correction.
             var carried = _shown.OffsetAt(_at) + new TimeSpan((long)Math.Round(passed.Ticks * skew));
             var correction = (believed.OffsetAt(now) - carried).Ticks;
             var taken = Math.Max(-allowed, Math.Min(allowed, correction));
-            var bound = believed.ErrorBound + new TimeSpan(Math.Abs(correction - taken));
-            return Show(new ClockModel(now, carried + new TimeSpan(taken), skew, bound, believed.State, believed.Steps), now);
+            var left = new TimeSpan(Math.Abs(correction - taken));
+            return Show(
+                new ClockModel(
+                    now, carried + new TimeSpan(taken), skew, believed.ErrorBound + left, believed.State, believed.Steps,
+                    believed.EstimatedError + left), now);
         }
+
+        static double RateOf(ClockState state) =>
+            state == ClockState.Converging ? ConvergingSlewRate : state == ClockState.Coarse ? CoarseSlewRate : SlewRate;
 
         ClockModel Show(in ClockModel model, HeadsetTime now)
         {

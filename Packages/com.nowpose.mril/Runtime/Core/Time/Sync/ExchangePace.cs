@@ -20,6 +20,9 @@ namespace Nowpose.Sync
         /// <summary>Quick exchanges after a start, and after a silence: five seconds, and a little more than one, at 200 ms as set.</summary>
         const int QuickAtStart = 100, QuickAfterSilence = 25;
 
+        /// <summary>Quick exchanges at most while the clock is not synchronised yet: 50 s at 200 ms as set, then it goes on as set.</summary>
+        const int QuickUntilSynchronised = 1000;
+
         /// <summary>
         /// Standard error of the offset below which it goes slowly, and above which no longer. A wired network reaches it,
         /// WiFi hardly ever: there more exchanges do help.
@@ -54,8 +57,9 @@ namespace Nowpose.Sync
             if (now - _last > _silence) _quickLeft = QuickAfterSilence;
             else if (_quickLeft > 0) _quickLeft--;
             _last = now;
-            _isCalm = clock.ModelAt(now).State == ClockState.Synchronised && clock.OffsetError < (_isCalm ? Uneasy : Calm);
-            var isQuick = clock.Exchanges < QuickAtStart || _quickLeft > 0 || clock.IsStepSuspected;
+            var isSynchronised = clock.ModelAt(now).State == ClockState.Synchronised;
+            _isCalm = isSynchronised && clock.OffsetError < (_isCalm ? Uneasy : Calm);
+            var isQuick = clock.Exchanges < (isSynchronised ? QuickAtStart : QuickUntilSynchronised) || _quickLeft > 0 || clock.IsStepSuspected;
             return (isQuick ? _quick : _isCalm ? _slow : _usual) + Dither(clock.Resolution);
         }
 

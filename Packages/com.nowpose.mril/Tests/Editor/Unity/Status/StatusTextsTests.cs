@@ -115,12 +115,25 @@ namespace Nowpose.Tests
         }
 
         [TestCase(ClockState.Synchronised, "synchronised|± 0.35 ms")]
+        [TestCase(ClockState.Coarse, "coarse|± 0.35 ms")]
         [TestCase(ClockState.Converging, "! converging|± 0.35 ms")]
         [TestCase(ClockState.Holdover, "! holdover|± 0.35 ms")]
         [TestCase(ClockState.Unsynchronised, "! no answer yet|")]
-        public void Update_Clock_HasItsBoundOnceItIsKnown(ClockState state, string expected)
+        public void Update_Clock_ShowsItsEstimatedErrorOnceItIsKnown(ClockState state, string expected)
         {
-            Assert.That(Row(StatusRow.Clock, ("Clock", new ClockModel(default, default, 0, Ms(0.35), state))), Is.EqualTo(expected));
+            var clock = new ClockModel(default, default, 0, Ms(8), state, estimatedError: Ms(0.35));
+
+            Assert.That(Row(StatusRow.Clock, ("Clock", clock)), Is.EqualTo(expected));
+        }
+
+        [TestCase(PoseState.Current, ClockState.Coarse, "current|clock ± 3.1 ms")]
+        [TestCase(PoseState.Current, ClockState.Synchronised, "current|")]
+        [TestCase(PoseState.Held, ClockState.Coarse, "! held|samples too old or few")]
+        public void Update_PoseByACoarseClock_ShowsTheErrorBesideThePose(PoseState pose, ClockState state, string expected)
+        {
+            var clock = new ClockModel(default, default, 0, Ms(14), state, estimatedError: Ms(3.14));
+
+            Assert.That(Row(StatusRow.Pose, ("Pose", pose), ("Clock", clock)), Is.EqualTo(expected));
         }
 
         [Test]

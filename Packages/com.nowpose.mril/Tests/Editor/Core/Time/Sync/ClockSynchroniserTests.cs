@@ -11,7 +11,7 @@ namespace Nowpose.Tests
         static SyncRun NewRun() => new SyncRun(new RansacClockEstimator(RansacSettings.Paper));
 
         [Test]
-        public void State_FromTheStart_GoesUnsynchronisedConvergingSynchronised()
+        public void State_FromTheStart_PassesAllStatesInOrder()
         {
             var run = NewRun();
 
@@ -19,7 +19,7 @@ namespace Nowpose.Tests
 
             var states = run.Instants.Select(i => i.Model.State).ToList();
             Assert.That(states.First(), Is.EqualTo(ClockState.Unsynchronised));
-            Assert.That(states.Distinct(), Is.EqualTo(new[] { ClockState.Unsynchronised, ClockState.Converging, ClockState.Synchronised }));
+            Assert.That(states.Distinct(), Is.EqualTo(new[] { ClockState.Unsynchronised, ClockState.Converging, ClockState.Coarse, ClockState.Synchronised }));
             Assert.That(run.FirstAt(m => m.State == ClockState.Synchronised), Is.LessThan(5));
         }
 
