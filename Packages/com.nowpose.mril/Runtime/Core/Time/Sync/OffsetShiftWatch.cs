@@ -24,7 +24,10 @@ namespace Nowpose.Sync
         const double LeastShift = 0.15e-3, LatenessShare = 10;
 
         /// <summary>How far the other bound must have moved at least, in what it seemed to move without a step: by chance all are late.</summary>
-        const double OtherShare = 1.5;
+        const double OtherShare = 2;
+
+        /// <summary>Share of the break by which the other bound must have moved too: a step moves both alike, a path does not.</summary>
+        const double CommonShare = 0.8;
 
         /// <summary>A line whose skew is known less well carries no bound through a minute.</summary>
         const double GreatestSkewError = 25e-6;
@@ -84,7 +87,7 @@ namespace Nowpose.Sync
             if (ClockTicks.Span(greatest) > Suspicion) Suspicion = ClockTicks.Span(greatest);
             if (count < Recent || _sorted[Recent - Violations] <= margin) return false;
 
-            var moved = Math.Max(margin, OtherShare * otherByChance);
+            var moved = Math.Max(Math.Max(margin, OtherShare * otherByChance), CommonShare * greatest);
             for (var i = 0; i < count; i++)
                 if (other[i] >= -moved) return false;
             _first = Array.FindIndex(broken, value => value > margin);

@@ -30,6 +30,13 @@ namespace Nowpose.Sync
             while (bounds.Received - this[Count - 1].Received > _oldest) Count--;
         }
 
+        /// <summary>Moves the bounds of one exchange, ticks.</summary>
+        public void Shift(int age, long least, long greatest)
+        {
+            ref var bounds = ref _ring[(_newest - age + _ring.Length) % _ring.Length];
+            bounds = bounds.Shifted(least, greatest);
+        }
+
         public void Clear() => Count = 0;
     }
 }

@@ -26,6 +26,9 @@ namespace Nowpose.Sync
         /// <summary>Exchanges there must be for each exchange of the largest block: with few blocks nothing tells a late one.</summary>
         const int BlocksWanted = 10;
 
+        /// <summary>What bounds can hide is at most this multiple of how much longer than the least the mean round trip is, once so many are known.</summary>
+        const int ScatterShare = 2, FewestForScatter = 5;
+
         /// <summary>One standard deviation of the skew before anything is known, and what it may gain a second after a restart.</summary>
         const double SkewPrior = 50e-6, SkewWander = 0.05e-6;
 
@@ -45,6 +48,7 @@ namespace Nowpose.Sync
         readonly EnvelopeSide _below = new EnvelopeSide(1, History);
         readonly EnvelopeSide _above = new EnvelopeSide(-1, History);
         readonly EnvelopeFit _fit;
+        readonly LeastDelay _up, _down;
         readonly UnmetPart _unmetPart = new UnmetPart();
         OffsetCurve _curve;
         double _expectedSkew, _steadySkew;
@@ -52,7 +56,12 @@ namespace Nowpose.Sync
         HeadsetTime _start;
         int _exchanges;
 
-        public EnvelopeClockEstimator() => _fit = new EnvelopeFit(_below, _above);
+        public EnvelopeClockEstimator()
+        {
+            _fit = new EnvelopeFit(_below, _above);
+            _up = new LeastDelay(1, _history, History);
+            _down = new LeastDelay(-1, _history, History);
+        }
 
         public ClockLine Line { get; private set; }
 
@@ -62,13 +71,21 @@ namespace Nowpose.Sync
             _skewDoubt = Math.Min(SkewPrior, skewDoubt + (_exchanges > 0 ? Line.SkewError : SkewPrior));
             _curve = new OffsetCurve(_expectedSkew, 0);
             _history.Clear();
+            _up.Reset();
+            _down.Reset();
             _exchanges = 0;
             Line = default;
         }
 
         public void Add(in SyncExchange exchange)
         {
-            _history.Add(new OffsetBounds(exchange));
+            _history.Add(new OffsetBounds(exchange).Shifted(ClockTicks.Span(_up.Excess).Ticks, -ClockTicks.Span(_down.Excess).Ticks));
+            if (Line.Exchanges > 0)
+            {
+                var resolution = ClockTicks.Seconds(exchange.Resolution);
+                _up.Update(_curve, Line.SkewError, resolution);
+                _down.Update(_curve, Line.SkewError, resolution);
+            }
             if (_exchanges++ == 0)
             {
                 _start = exchange.T4;
@@ -78,19 +95,19 @@ namespace Nowpose.Sync
             var newest = _history[0];
             // Half of each, as their sum may overflow.
             var middle = newest.Least / 2 + newest.Greatest / 2;
-            var roundTrip = Collect(newest.Received, middle);
+            var scatter = Collect(newest.Received, middle);
             var running = ClockTicks.Seconds(newest.Received - _start);
             // A clock that runs faster than the prior thinks possible would leave residuals that make the data seem poor.
             var proven = ProvenSkew.Of(_history, exchange.Resolution);
             var unmet = ClockTicks.Seconds(_unmetPart.Of(_history, exchange.Resolution));
             _fit.Solve(
-                ClockTicks.Seconds(roundTrip + exchange.Resolution), unmet, new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend),
+                ClockTicks.Seconds(scatter + exchange.Resolution), unmet, new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend),
                 proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewDoubt + SkewWander * running));
             _curve = _fit.Curve;
             Line = LineAt(newest.Received, middle, running, unmet);
         }
 
-        // Returns the least round trip.
+        // Returns how far apart bounds can lie that are as good as any.
         TimeSpan Collect(HeadsetTime reference, long referenceOffset)
         {
             _below.Clear();
@@ -99,9 +116,16 @@ namespace Nowpose.Sync
             var length = Math.Min(NewestBlock, largest);
             for (var from = 0; from + length <= _history.Count; from += length, length = Math.Min(length + 1, largest))
                 CollectBlock(from, length, reference, referenceOffset);
-            var least = long.MaxValue;
-            for (var i = 0; i < _history.Count; i++) least = Math.Min(least, _history[i].Greatest - _history[i].Least);
-            return new TimeSpan(Math.Max(0, least));
+            long least = long.MaxValue, sum = 0;
+            for (var i = 0; i < _history.Count; i++)
+            {
+                var roundTrip = _history[i].Greatest - _history[i].Least;
+                least = Math.Min(least, roundTrip);
+                sum += roundTrip;
+            }
+            // Round trips that scatter little hide little, however long they are.
+            var scatter = ScatterShare * (sum / _history.Count - least);
+            return new TimeSpan(Math.Max(0, _history.Count < FewestForScatter ? least : Math.Min(least, scatter)));
         }
 
         void CollectBlock(int from, int length, HeadsetTime reference, long referenceOffset)
@@ -136,7 +160,7 @@ namespace Nowpose.Sync
             var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
             return new ClockLine(
-                reference, offset, skew, ClockTicks.Span(_fit.OffsetError), skewError, _exchanges);
+                reference, offset, skew, ClockTicks.Span(_fit.OffsetError + (_up.Error + _down.Error) / 2), skewError, _exchanges);
         }
     }
 }

@@ -46,20 +46,20 @@ namespace Nowpose.Sync
         /// <summary>One standard error of the slope, dimensionless, that counts on no prior but allows for how much it pulls.</summary>
         public double SlopeError { get; private set; }
 
-        /// <param name="roundTrip">The least there was and the control clock's resolution, s: so far bounds can lie apart that are as good as any.</param>
+        /// <param name="scatter">How far apart bounds can lie that are as good as any, with the control clock's resolution, s.</param>
         /// <param name="unmet">As of <see cref="UnmetPart"/>, s.</param>
         /// <param name="start">A curve to begin with.</param>
         /// <param name="slopePrior">The slope to be expected.</param>
         /// <param name="slopeDoubt">One standard deviation of it, dimensionless.</param>
-        public void Solve(double roundTrip, double unmet, OffsetCurve start, double slopePrior, double slopeDoubt)
+        public void Solve(double scatter, double unmet, OffsetCurve start, double slopePrior, double slopeDoubt)
         {
             Curve = start;
             var slopeWeight = 1 / (slopeDoubt * slopeDoubt);
             const double bendWeight = 1 / (BendPrior * BendPrior);
             for (var i = 0; i < Iterations; i++)
             {
-                _below.Weigh(Curve, roundTrip, unmet);
-                _above.Weigh(Curve, roundTrip, unmet);
+                _below.Weigh(Curve, scatter, unmet);
+                _above.Weigh(Curve, scatter, unmet);
                 _xx = _xz = _zz = _xy = _zy = 0;
                 _heightBelow = Gather(_below);
                 _heightAbove = Gather(_above);

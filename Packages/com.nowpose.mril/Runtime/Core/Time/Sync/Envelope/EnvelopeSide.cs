@@ -29,7 +29,7 @@ namespace Nowpose.Sync
         const int BlocksAtLeast = 8;
 
         /// <summary>
-        /// Power of the number of blocks by which the round trip is divided for what their scale hides at least: few bounds
+        /// Power of the number of blocks by which the scatter of round trips is divided for what their scale hides at least: few bounds
         /// agree by chance, and a line through three late packets can be steep.
         /// </summary>
         const double YouthPower = 1.5;
@@ -88,9 +88,9 @@ namespace Nowpose.Sync
         }
 
         /// <summary>Weighs the blocks by a curve, which knows the height of neither side.</summary>
-        /// <param name="roundTrip">As of <see cref="EnvelopeFit.Solve"/>, s.</param>
+        /// <param name="scatter">As of <see cref="EnvelopeFit.Solve"/>, s.</param>
         /// <param name="unmet">As of <see cref="UnmetPart"/>, s.</param>
-        public void Weigh(OffsetCurve curve, double roundTrip, double unmet)
+        public void Weigh(OffsetCurve curve, double scatter, double unmet)
         {
             var growth = Growth();
             for (var i = 0; i < Count; i++)
@@ -101,7 +101,7 @@ namespace Nowpose.Sync
             var punctual = _quantile.Of(_behind, _recency, Count, PunctualShare);
             for (var i = 0; i < Count; i++) _behind[i] = Math.Max(0, punctual - _behind[i]);
             _scale = _quantile.Of(_behind, _recency, Count, ScaleShare) + LeastScale + UnmetShare * unmet
-                + roundTrip / Math.Pow(Count, YouthPower);
+                + scatter / Math.Pow(Count, YouthPower);
 
             growth = Growth();
             for (var i = 0; i < Count; i++)

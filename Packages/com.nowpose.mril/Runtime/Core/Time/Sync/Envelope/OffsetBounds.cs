@@ -15,6 +15,13 @@ namespace Nowpose.Sync
             HalfResolution = exchange.Resolution.Ticks / 2;
         }
 
+        OffsetBounds(in OffsetBounds of, long least, long greatest)
+        {
+            this = of;
+            Least = least;
+            Greatest = greatest;
+        }
+
         /// <summary>t1, when <see cref="Least"/> held.</summary>
         public HeadsetTime Sent { get; }
 
@@ -27,5 +34,8 @@ namespace Nowpose.Sync
 
         /// <summary>Half the resolution that the control clock said: by so much each bound may be wrong.</summary>
         public long HalfResolution { get; }
+
+        /// <summary>The same exchange with its bounds moved, ticks.</summary>
+        public OffsetBounds Shifted(long least, long greatest) => new OffsetBounds(this, Least + least, Greatest + greatest);
     }
 }

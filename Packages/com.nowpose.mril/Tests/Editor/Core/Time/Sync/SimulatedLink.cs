@@ -42,6 +42,9 @@ namespace Nowpose.Tests
         /// <summary>Added to the way up from now on, ms: a path that changes.</summary>
         public double LongerUpMs { get; set; }
 
+        /// <summary>The same for the way down.</summary>
+        public double LongerDownMs { get; set; }
+
         /// <summary>Added to the control clock from now on.</summary>
         public TimeSpan Step { get; set; }
 
@@ -65,7 +68,7 @@ namespace Nowpose.Tests
             var load = Load(at.SinceEpoch.TotalSeconds, _random);
             var arrival = at + _up.Next() + Ms(load.UpMs + LongerUpMs);
             var sent = arrival + Ms(0.02);
-            var back = sent + _down.Next() + Ms(load.DownMs);
+            var back = sent + _down.Next() + Ms(load.DownMs + LongerDownMs);
             exchange = new SyncExchange(at, Stamp(arrival), Stamp(sent), back, SaidResolution ?? Resolution);
             return _random.NextDouble() >= _lossChance;
         }

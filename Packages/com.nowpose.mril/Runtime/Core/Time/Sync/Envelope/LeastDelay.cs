@@ -1,0 +1,193 @@
+using System;
+
+namespace Nowpose.Sync
+{
+    /// <summary>
+    /// Recognises when the least delay of one direction changes, as when a headset roams to another access point, and keeps
+    /// the bounds of that direction comparable across the change.
+    /// </summary>
+    /// <remarks>
+    /// A longer least delay makes every bound of its direction late at once. Taken as they are, these bounds would move the
+    /// offset by half the change and, while they replace the older ones, look like another skew. The clocks run on evenly,
+    /// so the excess over the least delay known before is added to each bound, and offset and skew stay as they were proven.
+    /// A delay that is shorter than any before replaces the reference, and the offset moves by half the difference.
+    /// Either way the error is at most half the difference between the changes of both directions.
+    /// Allocates nothing once made.
+    /// </remarks>
+    sealed class LeastDelay
+    {
+        /// <summary>Changes below this, in s, stay with the fit: half of it is no error that matters.</summary>
+        const double MinChange = 0.2e-3;
+
+        /// <summary>Exchanges before the change that give the level known before: 40 s at five a second.</summary>
+        const int MaxEarlier = 200;
+
+        const int MinEarlier = 60;
+
+        /// <summary>
+        /// Length of a window at least, and of one whose delays scatter more than before: a queue in a busy network makes every
+        /// packet late too, by more unequal amounts, and is gone in less than the longer time.
+        /// </summary>
+        static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(10), MinDurationScattered = TimeSpan.FromSeconds(30);
+
+        /// <summary>Median lateness of a window over that of the exchanges before, above which delays count as scattered more.</summary>
+        const double MaxScatterGrowth = 2;
+
+        /// <summary>
+        /// Lengths of the windows in which every bound must be late. A quiet direction shows a change in the first, a noisy
+        /// one needs the last.
+        /// </summary>
+        static readonly int[] Windows = { 30, 60, 150 };
+
+        /// <summary>
+        /// The oldest of so many parts of a window does not tell how large a change is: it may hold a late exchange from before.
+        /// </summary>
+        const int BoundaryShare = 6;
+
+        /// <summary>A window is late by chance with a probability of exp(−this), were the delays independent.</summary>
+        const double Significance = 20;
+
+        /// <summary>
+        /// Exchanges in which a shorter delay shows, and how many of them must show it. A step of a clock is found within as
+        /// many, see <see cref="OffsetShiftWatch"/>.
+        /// </summary>
+        const int ShorterWindow = 32, ShorterCount = 3, StepWindow = 16;
+
+        /// <summary>How much shorter a delay must be, in median latenesses divided by the number of earlier exchanges.</summary>
+        const double LatenessShare = 15;
+
+        readonly int _sign;
+        readonly BoundsHistory _history;
+        readonly double[] _tightness, _lateness;
+        double _excess, _excessError, _referenceError;
+        int _sinceChange;
+
+        /// <param name="sign">1 for the bounds below the offset, which requests give; −1 for those above, which replies give.</param>
+        /// <param name="capacity">Exchanges that the history can hold.</param>
+        public LeastDelay(int sign, BoundsHistory history, int capacity)
+        {
+            _sign = sign;
+            _history = history;
+            _tightness = new double[capacity];
+            _lateness = new double[capacity];
+        }
+
+        /// <summary>How much longer the least delay is than the least one known, s; zero or more.</summary>
+        public double Excess => _excess;
+
+        /// <summary>How well the corrections are known, s.</summary>
+        public double Error => _excessError + _referenceError;
+
+        public void Reset()
+        {
+            _excess = _excessError = _referenceError = 0;
+            _sinceChange = 0;
+        }
+
+        /// <summary>Looks at the newest exchange of the history, which has been corrected by <see cref="Excess"/>.</summary>
+        /// <param name="curve">Runs as the offset does; its height does not matter.</param>
+        /// <param name="skewError">One standard error of its slope.</param>
+        /// <param name="resolution">Of the control clock, s: so far bounds move without any change.</param>
+        public void Update(OffsetCurve curve, double skewError, double resolution)
+        {
+            _sinceChange++;
+            var count = Math.Min(_history.Count, Windows[Windows.Length - 1] + MaxEarlier);
+            if (count < MinEarlier + ShorterWindow) return;
+            for (var i = 0; i < count; i++) _tightness[i] = Tightness(i, curve);
+            if (_excess > 0) FollowShorterAgain(count);
+            if (FindLonger(count, skewError, resolution)) return;
+            FindShorter(count, skewError, resolution);
+        }
+
+        double Tightness(int age, OffsetCurve curve)
+        {
+            ref readonly var bounds = ref _history[age];
+            var (at, bound) = _sign > 0 ? (bounds.Sent, bounds.Least) : (bounds.Received, bounds.Greatest);
+            var (newestAt, newest) = _sign > 0 ? (_history[0].Sent, _history[0].Least) : (_history[0].Received, _history[0].Greatest);
+            return _sign * (ClockTicks.Seconds(new TimeSpan(bound - newest)) - curve.At(ClockTicks.Seconds(at - newestAt)));
+        }
+
+        // A bound that is corrected by too much would prove more than it does.
+        void FollowShorterAgain(int count)
+        {
+            var broken = Math.Min(_excess, _tightness[0] - Max(1, count));
+            if (broken <= 0) return;
+            // What is left then is the lateness of single exchanges.
+            if (_excess - broken < MinChange / 2) broken = _excess;
+            // A little: the excess was never as large. Much: the path has changed again with this exchange.
+            var isEstimate = broken < _excess / 4;
+            Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -broken);
+            _excessError *= 1 - broken / _excess;
+            _excess -= broken;
+            if (!isEstimate) _sinceChange = 1;
+        }
+
+        bool FindLonger(int count, double skewError, double resolution)
+        {
+            foreach (var window in Windows)
+            {
+                if (count < window + MinEarlier) return false;
+                var duration = _history[0].Received - _history[window - 1].Received;
+                if (duration < MinDuration) continue;
+                var earlier = Math.Min(count, window + MaxEarlier);
+                var reference = Max(window, earlier);
+                var late = reference - Max(0, window);
+                var change = reference - Max(0, window - window / BoundaryShare);
+                if (late <= Margin(earlier, skewError, resolution)) continue;
+                var typicalSince = Quantile(0, window, reference - change, 0.5);
+                var typical = Quantile(window, earlier, reference, 0.5);
+                if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-Significance / window))) continue;
+                if (typicalSince > MaxScatterGrowth * typical && duration < MinDurationScattered) continue;
+                _excessError += typical / (earlier - window) + typicalSince / window;
+                _excess += change;
+                _sinceChange = window;
+                for (var i = 0; i < window; i++) Shift(i, i + 1, Math.Min(change, reference - _tightness[i]));
+                return true;
+            }
+            return false;
+        }
+
+        void FindShorter(int count, double skewError, double resolution)
+        {
+            var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
+            var reference = Max(ShorterWindow, earlier);
+            var margin = Math.Max(
+                Margin(earlier, skewError, resolution), LatenessShare * Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow));
+            int shorter = 0, first = 0;
+            for (var i = 0; i < ShorterWindow; i++)
+                if (_tightness[i] > reference + margin) (shorter, first) = (shorter + 1, i);
+            // Until then it may be a step.
+            if (shorter < ShorterCount || first < StepWindow - 1) return;
+            var change = Max(0, first + 1) - reference;
+            _referenceError += change / 2;
+            Shift(first + 1, _history.Count, change);
+            _sinceChange = first + 1;
+        }
+
+        double Margin(int earlier, double skewError, double resolution) =>
+            MinChange + resolution + 3 * skewError * ClockTicks.Seconds(_history[0].Received - _history[earlier - 1].Received);
+
+        // Of the lateness behind the reference.
+        double Quantile(int from, int to, double reference, double share)
+        {
+            for (var i = from; i < to; i++) _lateness[i - from] = reference - _tightness[i];
+            Array.Sort(_lateness, 0, to - from);
+            return _lateness[(int)Math.Ceiling(share * (to - from - 1))];
+        }
+
+        double Max(int from, int to)
+        {
+            var max = double.NegativeInfinity;
+            for (var i = from; i < to; i++) max = Math.Max(max, _tightness[i]);
+            return max;
+        }
+
+        void Shift(int from, int to, double seconds)
+        {
+            var ticks = ClockTicks.Span(seconds).Ticks * _sign;
+            for (var i = from; i < to; i++)
+                _history.Shift(i, _sign > 0 ? ticks : 0, _sign > 0 ? 0 : ticks);
+            for (var i = from; i < Math.Min(to, _tightness.Length); i++) _tightness[i] += seconds;
+        }
+    }
+}
