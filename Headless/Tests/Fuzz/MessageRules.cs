@@ -13,6 +13,7 @@ static class MessageRules
         if (reason != DropReason.None) throw new FuzzException("taken with a reason: " + reason);
         if (message.JointState is { } state) Check(state);
         if (message.JointTrajectory is { } plan) Check(plan);
+        if (message.JointStatus is { } status) Check(status);
         if (message.Time is { } time) Stamp(time);
         if (message.PlantTime is { } plant) Check(plant);
         if (message.Data?.Length > ProtocolLimits.DescriptionBytes) throw new FuzzException("a description that is too long");
@@ -45,6 +46,17 @@ static class MessageRules
             Numbers(plan.Names.Length, point.Positions, point.Velocities, point.Accelerations);
             if (point.TimeFromStart <= before) throw new FuzzException("points that go back");
             before = point.TimeFromStart;
+        }
+    }
+
+    static void Check(JointStatusMessage status)
+    {
+        Names([.. status.Joints.Select(joint => joint.Joint)]);
+        foreach (var joint in status.Joints)
+        {
+            if (!Enum.IsDefined(joint.State)) throw new FuzzException("state " + joint.State);
+            if (joint.Since.SinceEpoch.Duration().TotalSeconds >= 1L << 32 || joint.Reason.Length > 256 || joint.Reason.Any(char.IsControl))
+                throw new FuzzException("a time out of range, or a reason that is not one short line");
         }
     }
 

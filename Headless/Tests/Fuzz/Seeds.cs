@@ -17,6 +17,7 @@ static class Seeds
         """{"op":"service_response","id":"nowpose time 7","service":"/rosapi/get_time","values":{"time":ROS1},"result":true}""",
         """{"op":"service_response","service":"/rosapi/get_time","values":"Service does not exist","result":false}""",
         """{"op":"service_response","id":"1","service":"/nowpose/plant_time/plc","result":true,"values":{"received":ROS2,"sent":ROS2,"resolution_ns":1000000,"error_bound_ns":0,"synchronised":true}}""",
+        """{"op":"publish","topic":"/nowpose/joint_status","msg":{"header":{"stamp":ROS2},"status":[{"level":2,"name":"joints","message":"","hardware_id":"gateway","values":[{"key":"a1","value":"rest 1700000000.250 "},{"key":"a3","value":"fault 1700000000.250 node deleted"}]}]}}""",
         """{"op":"advertise_service","service":"/nowpose/plant_time/plc","type":"nowpose/PlantTime"}""",
         """{"op":"subscribe","id":"s1","topic":"/joint_states","type":"sensor_msgs/msg/JointState","throttle_rate":50,"queue_length":1,"compression":"none"}""",
         """{"op":"advertise","topic":"/joint_states","type":"sensor_msgs/JointState","latch":false,"queue_size":100}""",

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads diagnostic_msgs/DiagnosticArray with exactly one status, a headset's.</summary>
+    /// <summary>Reads diagnostic_msgs/DiagnosticArray with exactly one status.</summary>
     static class DiagnosticsReader
     {
         static readonly string[] ArrayFields = { "status", "header" };
@@ -11,6 +11,14 @@ namespace Nowpose.Protocol
 
         public static bool Read(JsonCursor cursor, RosbridgeMessage into)
         {
+            var isRead = TryRead(cursor, out var message);
+            into.Diagnostics = message;
+            return isRead;
+        }
+
+        public static bool TryRead(JsonCursor cursor, out DiagnosticsMessage message)
+        {
+            message = null;
             var stamp = default(ControlTime);
             var hardware = default(string);
             var values = new List<KeyValuePair<string, string>>();
@@ -20,7 +28,7 @@ namespace Nowpose.Protocol
                 : RosTime.ReadOptionalHeader(cursor, out stamp));
             if (!isRead || count == 0)
                 return isRead && cursor.Fail(DropReason.LengthMismatch);
-            into.Diagnostics = new DiagnosticsMessage(stamp, hardware, values);
+            message = new DiagnosticsMessage(stamp, hardware, values);
             return true;
         }
 

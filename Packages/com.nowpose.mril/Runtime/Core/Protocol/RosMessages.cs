@@ -23,6 +23,7 @@ namespace Nowpose.Protocol
                 case RosTopics.JointTrajectory: return ReadTrajectory(cursor, into);
                 case RosTopics.RobotDescription: return ReadData(cursor, into);
                 case RosTopics.Diagnostics: return DiagnosticsReader.Read(cursor, into);
+                case RosTopics.JointStatus: return JointStatusReader.Read(cursor, into);
                 default: return cursor.Skip();
             }
         }

@@ -13,6 +13,9 @@ namespace Nowpose.Protocol
         /// <summary>What each headset shows: sensor_msgs/JointState, stamped with the moment of light; its frame_id is the headset's name.</summary>
         public const string Displayed = "/nowpose/displayed";
 
+        /// <summary>The joints that are not live, from the gateway: diagnostic_msgs/DiagnosticArray, see <see cref="JointStatusMessage"/>.</summary>
+        public const string JointStatus = "/nowpose/joint_status";
+
         public const string GetTime = "/rosapi/get_time";
         public const string GetTopics = "/rosapi/topics";
 

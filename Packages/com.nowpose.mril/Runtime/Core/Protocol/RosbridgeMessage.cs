@@ -42,6 +42,9 @@ namespace Nowpose.Protocol
         /// <summary>Of a publication on /nowpose/diagnostics.</summary>
         public DiagnosticsMessage Diagnostics { get; internal set; }
 
+        /// <summary>Of a publication on /nowpose/joint_status.</summary>
+        public JointStatusMessage JointStatus { get; internal set; }
+
         /// <summary>Of a service response: whether the call succeeded.</summary>
         public bool Result { get; internal set; }
 

@@ -1,0 +1,25 @@
+namespace Nowpose.Protocol
+{
+    /// <summary>The gateway's status of one joint.</summary>
+    public readonly struct JointReport
+    {
+        /// <param name="reason">One line; empty for none.</param>
+        public JointReport(string joint, JointDataState state, ControlTime since, string reason)
+        {
+            Joint = joint;
+            State = state;
+            Since = since;
+            Reason = reason;
+        }
+
+        /// <summary>The joint's name in the URDF.</summary>
+        public string Joint { get; }
+
+        public JointDataState State { get; }
+
+        /// <summary>When <see cref="State"/> began.</summary>
+        public ControlTime Since { get; }
+
+        public string Reason { get; }
+    }
+}

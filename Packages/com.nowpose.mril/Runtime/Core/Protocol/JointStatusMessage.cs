@@ -1,0 +1,12 @@
+using System.Collections.Generic;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>A publication on /nowpose/joint_status: the joints that are not live. Empty when all of them are.</summary>
+    public sealed class JointStatusMessage
+    {
+        public JointStatusMessage(IReadOnlyList<JointReport> joints) => Joints = joints;
+
+        public IReadOnlyList<JointReport> Joints { get; }
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>Reads the joint status of a gateway: diagnostic_msgs/DiagnosticArray with one value "STATE SINCE REASON" per joint.</summary>
+    static class JointStatusReader
+    {
+        /// <summary>Maximum length of a reason in UTF-16 code units. A longer reason is cut.</summary>
+        const int MaxReasonLength = 256;
+
+        public static bool Read(JsonCursor cursor, RosbridgeMessage into)
+        {
+            if (!DiagnosticsReader.TryRead(cursor, out var message)) return false;
+            var joints = new List<JointReport>(message.Values.Count);
+            var names = new HashSet<string>(StringComparer.Ordinal);
+            foreach (var pair in message.Values)
+            {
+                if (joints.Count == ProtocolLimits.Joints) return cursor.Fail(DropReason.TooManyJoints);
+                if (!names.Add(pair.Key)) return cursor.Fail(DropReason.DuplicateName);
+                if (!TryRead(pair.Key, pair.Value, out var report)) return cursor.Fail(DropReason.OutOfRange);
+                joints.Add(report);
+            }
+            into.JointStatus = new JointStatusMessage(joints);
+            return true;
+        }
+
+        static bool TryRead(string joint, string value, out JointReport report)
+        {
+            report = default;
+            var parts = value.Split(' ', 3);
+            if (parts.Length < 2 || !JointDataStateName.TryRead(parts[0], out var state) || !TryReadTime(parts[1], out var since)) return false;
+            report = new JointReport(joint, state, since, parts.Length < 3 ? "" : OneLine(parts[2].Trim()));
+            return true;
+        }
+
+        static bool TryReadTime(string text, out ControlTime time)
+        {
+            time = default;
+            const NumberStyles style = NumberStyles.AllowDecimalPoint | NumberStyles.AllowLeadingSign;
+            if (!decimal.TryParse(text, style, CultureInfo.InvariantCulture, out var seconds) || Math.Abs(seconds) > uint.MaxValue)
+                return false;
+            // Negative for a joint that stopped before the epoch of a control clock that starts at zero.
+            time = new ControlTime(new TimeSpan((long)(seconds * TimeSpan.TicksPerSecond)));
+            return true;
+        }
+
+        static string OneLine(string reason)
+        {
+            if (reason.Length > MaxReasonLength) reason = reason.Substring(0, MaxReasonLength - 1) + "…";
+            var letters = reason.ToCharArray();
+            for (var i = 0; i < letters.Length; i++)
+                if (char.IsControl(letters[i])) letters[i] = ' ';
+            return new string(letters);
+        }
+    }
+}
