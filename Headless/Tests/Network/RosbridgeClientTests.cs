@@ -54,6 +54,24 @@ public class RosbridgeClientTests
         Assert.That(_client.Status.State, Is.EqualTo(LinkState.Connected));
     }
 
+    const string JointStatus = """
+        {"op":"publish","topic":"/nowpose/joint_status","msg":{"status":[{"name":"joints","hardware_id":"gateway","values":[{"key":"a3","value":"fault 5.250 node deleted"}]}]}}
+        """;
+
+    [Test]
+    public async Task Receive_JointStatus_IsTakenAndAMalformedOneIsCounted()
+    {
+        var socket = await _server.AcceptAsync();
+
+        await Send(socket, JointStatus.Replace("fault", "broken"));
+        await Send(socket, JointStatus);
+
+        await Soon.BecomesAsync(() => _listener.Statuses.Count == 1, "the good message");
+        var joint = _listener.Statuses.Single().Joints.Single();
+        Assert.That((joint.Joint, joint.State, joint.Reason), Is.EqualTo(("a3", JointDataState.Fault, "node deleted")));
+        Assert.That(_listener.Drops, Is.EqualTo(new[] { DropReason.OutOfRange }));
+    }
+
     static IEnumerable<TestCaseData> BadMessages()
     {
         yield return new TestCaseData("not json at all", DropReason.NotJson);
@@ -225,9 +243,11 @@ public class RosbridgeClientTests
 
         var second = Encoding.UTF8.GetString(buffer, 0, (await socket.ReceiveAsync(buffer, CancellationToken.None)).Count);
         var third = Encoding.UTF8.GetString(buffer, 0, (await socket.ReceiveAsync(buffer, CancellationToken.None)).Count);
+        var fourth = Encoding.UTF8.GetString(buffer, 0, (await socket.ReceiveAsync(buffer, CancellationToken.None)).Count);
 
         Assert.That(second, Is.EqualTo("""{"op":"subscribe","topic":"/joint_trajectory","type":"trajectory_msgs/JointTrajectory"}"""));
         Assert.That(third, Is.EqualTo("""{"op":"subscribe","topic":"/robot_description","type":"std_msgs/String"}"""));
+        Assert.That(fourth, Is.EqualTo("""{"op":"subscribe","topic":"/nowpose/joint_status","type":"diagnostic_msgs/DiagnosticArray"}"""));
     }
 
     [Test]
@@ -388,6 +408,10 @@ public class RosbridgeClientTests
         public void Received(JointStateMessage message, HeadsetTime arrival) => Messages.Enqueue(message);
 
         public void Planned(JointTrajectoryMessage message, HeadsetTime arrival) => Plans.Enqueue(message);
+
+        public ConcurrentQueue<JointStatusMessage> Statuses { get; } = [];
+
+        public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) => Statuses.Enqueue(message);
 
         public void Described(string urdf)
         {

@@ -15,7 +15,7 @@ public class StuckSendTests
     const int ForTwoSeconds = 45;
 
     /// <summary>What is subscribed to and advertised.</summary>
-    const int AtTheBeginning = 5;
+    const int AtTheBeginning = 6;
 
     [TestCase(0, false, false, "nothing could be sent for 6 s")]
     [TestCase(ForTwoSeconds, false, false, "nothing heard for 6 s")]
@@ -75,6 +75,7 @@ public class StuckSendTests
     {
         public void Received(JointStateMessage message, HeadsetTime arrival) { }
         public void Planned(JointTrajectoryMessage message, HeadsetTime arrival) { }
+        public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) { }
         public void Described(string urdf) { }
         public void Dropped(DropReason reason) { }
         public DiagnosticsMessage Diagnostics() => null;

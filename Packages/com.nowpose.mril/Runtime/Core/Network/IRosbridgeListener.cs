@@ -14,6 +14,11 @@ namespace Nowpose.Network
         /// <param name="arrival">When its last byte was read.</param>
         void Planned(JointTrajectoryMessage message, HeadsetTime arrival);
 
+        /// <summary>The gateway's status of the joints that are not live.</summary>
+        /// <param name="message">As of <see cref="Received"/>.</param>
+        /// <param name="arrival">When its last byte was read.</param>
+        void StatusReceived(JointStatusMessage message, HeadsetTime arrival);
+
         /// <summary>A robot description. May take its time: samples do not wait for it.</summary>
         /// <param name="urdf">Within the limits of its length, and not checked otherwise.</param>
         void Described(string urdf);

@@ -8,8 +8,8 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>
-    /// Subscribes to the joint positions, the set-points ahead and the robot description over rosbridge and publishes this headset's
-    /// diagnostics and what it shows; reconnects for ever.
+    /// Subscribes to the joint positions, the set-points ahead, the status of joints and the robot description over rosbridge, and publishes
+    /// this headset's diagnostics and what it shows; reconnects for ever.
     /// </summary>
     public sealed class RosbridgeClient : IDisposable
     {
@@ -154,6 +154,7 @@ namespace Nowpose.Network
             await sender.SendAsync(
                 RosbridgeWriter.Subscribe(RosTopics.JointTrajectory, RosTopics.JointTrajectoryType), cancel).ConfigureAwait(false);
             await sender.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, RosTopics.StringType), cancel).ConfigureAwait(false);
+            await sender.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStatus, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
             await sender.SendAsync(RosbridgeWriter.Advertise(RosTopics.Diagnostics, RosTopics.DiagnosticsType), cancel).ConfigureAwait(false);
             if (_publishesDisplayed)
                 await sender.SendAsync(RosbridgeWriter.Advertise(RosTopics.Displayed, RosTopics.JointStateType), cancel).ConfigureAwait(false);
@@ -194,6 +195,7 @@ namespace Nowpose.Network
             if (!isRead) _listener.Dropped(reason);
             else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival);
             else if (message.JointTrajectory != null) _listener.Planned(message.JointTrajectory, received.Arrival);
+            else if (message.JointStatus != null) _listener.StatusReceived(message.JointStatus, received.Arrival);
             else if (message.Data != null) _descriptions.Add(message.Data);
         }
 

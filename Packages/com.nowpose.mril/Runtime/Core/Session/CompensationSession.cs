@@ -36,6 +36,8 @@ namespace Nowpose.Session
         readonly DisplayClock _displayClock = new DisplayClock();
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
+        readonly JointWatch _joints;
+        readonly CurrentShare _currentShare = new CurrentShare();
         readonly ConstantLatencyMonitor _monitor;
         readonly HindcastMonitor _hindcast;
         readonly SessionMeasurements _measurements;
@@ -75,6 +77,7 @@ namespace Nowpose.Session
             _monitor = new ConstantLatencyMonitor(settings.Range);
             _tracks = new JointTracks(robot, settings.Prediction);
             _frame = new DisplayFrame(robot, _tracks, settings.OutsideRange);
+            _joints = new JointWatch(robot, _tracks, settings.Prediction.HorizonCap);
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
             _tracks.StartedAnew += _hindcast.StartAnew;
             _measurements = new SessionMeasurements(_synchroniser, _latency, _light, _monitor, _frame, _hindcast);
@@ -138,6 +141,13 @@ namespace Nowpose.Session
         /// <summary>A frame as it was computed; raised at the end of each <see cref="Tick"/>.</summary>
         /// <remarks>As of <see cref="SampleJudged"/>; but properties, <see cref="Fill"/> and <see cref="Clock"/> may be read.</remarks>
         public event Action<DisplayFrame> Ticked;
+
+        /// <summary>As of <see cref="HindcastMonitor.ToolJudged"/>; raised within <see cref="Tick"/>.</summary>
+        internal event Action<ControlTime, ErrorSample> ToolJudged
+        {
+            add => _hindcast.ToolJudged += value;
+            remove => _hindcast.ToolJudged -= value;
+        }
 
         /// <summary>What was dropped, by reason.</summary>
         public DropCounters Drops { get; } = new DropCounters();
@@ -282,7 +292,9 @@ namespace Nowpose.Session
                 var seen = _light.LightOf(start, isComparable: isLast && _monitor.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
                 _frame.IsDisplayTimeImplausible = _light.IsImplausible;
-                _frame.Update(start, light, clock, _settings.Clock.Trusts(clock), _monitor.State, _light.IsDoubted);
+                _frame.Update(
+                    start, light, clock, _settings.Clock.Trusts(clock), _monitor.State, _light.IsDoubted, _joints.IsAnyReportedMissing(start));
+                if (isLast) _currentShare.Add(start, _frame.State == PoseState.Current);
                 _hindcast.Shown(_frame, clock.ErrorBound);
                 Ticked?.Invoke(_frame);
                 return _frame;
@@ -342,6 +354,11 @@ namespace Nowpose.Session
             if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out var oldest)) Judged(oldest.Arrival, DropReason.SlowReader);
         }
 
+        /// <summary>The gateway's status of the joints that are not live; replaces the one before. Any thread.</summary>
+        /// <param name="message">Checked already.</param>
+        /// <param name="arrival">When it arrived on the headset clock.</param>
+        public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) => _joints.Take(message, arrival);
+
         /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
         public void Described(string urdf)
         {
@@ -382,6 +399,8 @@ namespace Nowpose.Session
                 _measurements.Fill(into, now);
                 into.RobotDescriptionMatch = RobotDescriptionMatch;
                 into.BeyondLimits = _tracks.Limits.Present;
+                into.CurrentShare = _currentShare.Value;
+                _joints.Fill(into.ChangeableJointStatuses, now, into.Clock, _frame.DisplayTime);
                 into.Samples = _samples;
                 into.Dropped = Drops.Total + SyncFaults.Total;
                 into.SyncLink = SyncLink;

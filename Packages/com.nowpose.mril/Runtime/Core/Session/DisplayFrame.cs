@@ -77,8 +77,10 @@ namespace Nowpose.Session
         public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
 
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
+        /// <param name="isJointReportedMissing">Whether the gateway reports that a joint of the robot has no data.</param>
         internal void Update(
-            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted)
+            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted,
+            bool isJointReportedMissing)
         {
             ClockState = clock.State;
             ClockError = clock.EstimatedError;
@@ -90,15 +92,15 @@ namespace Nowpose.Session
             if (displayTime.HasValue) _tracks.Predict(displayTime.Value);
             else _tracks.Hold();
             Horizon = displayTime - _tracks.Newest;
-            State = JudgeState();
+            State = JudgeState(isJointReportedMissing);
             // After it was judged whether the samples would do: a pose that is held by choice is not stale.
             if (State == PoseState.OutsideRange && OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();
             _kinematics.Compute(_tracks.Positions, _linkPoses);
         }
 
-        PoseState JudgeState()
+        PoseState JudgeState(bool isJointReportedMissing)
         {
-            var held = false;
+            var held = isJointReportedMissing;
             var kinds = _tracks.Kinds;
             foreach (var joint in _armJoints)
             {

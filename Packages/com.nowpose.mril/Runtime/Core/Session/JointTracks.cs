@@ -52,6 +52,13 @@ namespace Nowpose.Session
         /// <summary>Control time of the newest sample of any joint at the last <see cref="Predict"/>; null while there is none.</summary>
         public ControlTime? Newest { get; private set; }
 
+        /// <summary>Whether a joint has had a sample since the last <see cref="Reset"/>.</summary>
+        public bool HasSample(int joint) => _tracks[joint].HasSample;
+
+        /// <summary>Control time of a joint's newest sample; null while there is none.</summary>
+        public ControlTime? NewestOf(int joint) =>
+            _tracks[joint].HasSample ? _epoch + ClockTicks.Span(_tracks[joint].NewestTime) : (ControlTime?)null;
+
         /// <summary>A joint's source went back in time and its samples of before are forgotten; raised within <see cref="Add"/>.</summary>
         public event Action<int> StartedAnew;
 

@@ -14,7 +14,8 @@ namespace Nowpose.Session
 
         /// <summary>
         /// A joint between base and tool is held: its samples are older than the horizon cap, stamped later than the light, or
-        /// too few to predict from.
+        /// too few to predict from. Or the gateway reports that a joint of the robot has no data, which it can know before the samples
+        /// are too old.
         /// </summary>
         Held,
 

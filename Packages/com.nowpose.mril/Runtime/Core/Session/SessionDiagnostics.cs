@@ -21,6 +21,7 @@ namespace Nowpose.Session
             void AddMs(string key, TimeSpan? length) => AddNumber(key, length?.TotalMilliseconds);
 
             Add("state", statistics.Clock.State.Word());
+            AddPose(statistics, Add);
             if (statistics.Offset.HasValue)
             {
                 var nanoseconds = statistics.Offset.Value.HeadsetMinusControl.Ticks * (decimal)ClockTicks.NanosecondsPerTick;
@@ -55,6 +56,14 @@ namespace Nowpose.Session
             Add("samples", statistics.Samples.ToString(CultureInfo.InvariantCulture));
             Add("dropped", statistics.Dropped.ToString(CultureInfo.InvariantCulture));
             return new DiagnosticsMessage(now, headsetName, values);
+        }
+
+        static void AddPose(SessionStatistics statistics, Action<string, string> add)
+        {
+            add("pose", PoseStateName.Of(statistics.Pose, statistics.Clock.State));
+            if (statistics.CurrentShare.HasValue) add("current_share", Number(statistics.CurrentShare.Value));
+            add("missing_joints", string.Join(",", statistics.JointStatuses.Where(each => each.IsMissing).Select(each => each.Joint)));
+            foreach (var joint in statistics.JointStatuses) add("joint_status/" + joint.Joint, joint.Description);
         }
 
         static void AddErrors(SessionStatistics statistics, Action<string, double?> add)

@@ -9,6 +9,7 @@ namespace Nowpose.Session
     /// <summary>How a session does, at one moment. Null stands for "not known yet"; <see cref="CompensationSession.Fill"/> overwrites it all.</summary>
     public sealed class SessionStatistics
     {
+        readonly List<JointStatus> _jointStatuses = new List<JointStatus>();
         JointError[] _jointErrors = Array.Empty<JointError>();
 
         public ClockModel Clock { get; internal set; }
@@ -101,6 +102,15 @@ namespace Nowpose.Session
 
         public PoseState Pose { get; internal set; }
 
+        /// <summary>Share of the frames of the newest ten seconds in which the pose was current, 0 to 1; null before the first frame.</summary>
+        public double? CurrentShare { get; internal set; }
+
+        /// <summary>
+        /// Joints that are not live, in the robot's order. A joint that the tool does not depend on is listed only where the gateway
+        /// reports it.
+        /// </summary>
+        public IReadOnlyList<JointStatus> JointStatuses => _jointStatuses;
+
         /// <summary>What is shown outside the constant-latency range.</summary>
         public OutsideRangeResponse OutsideRange { get; internal set; }
 
@@ -121,6 +131,8 @@ namespace Nowpose.Session
         public LinkStatus SyncLink { get; internal set; } = LinkStatus.Idle;
         public LinkStatus SampleLink { get; internal set; } = LinkStatus.Idle;
         public TransportSecurity Security { get; internal set; }
+
+        internal List<JointStatus> ChangeableJointStatuses => _jointStatuses;
 
         internal JointError[] PlacesForJointErrors(int count)
         {

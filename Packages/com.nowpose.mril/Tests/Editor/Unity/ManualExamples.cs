@@ -30,6 +30,12 @@ namespace Nowpose.Tests
             session.Connect();
         }
 
+        internal static void LogJointsWithoutData(MrilSession session)
+        {
+            foreach (var joint in session.Statistics.JointStatuses)
+                if (joint.IsMissing) Debug.Log(joint.Joint + ": " + joint.Description);
+        }
+
         internal static void Place(BaseAnchor anchor, Pose pose)
         {
             anchor.Place(pose.position, pose.rotation);

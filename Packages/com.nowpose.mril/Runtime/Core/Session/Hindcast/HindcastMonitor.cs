@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Protocol;
@@ -36,7 +35,7 @@ namespace Nowpose.Session
         {
             _robot = robot;
             _maximumGap = maximumGap;
-            _joints = SampledJointsOf(robot);
+            _joints = ToolJoints.Of(robot);
             _kinematics = new HindcastKinematics(robot, _joints);
             _placeOfJoint = new int[robot.MovingJoints.Count];
             for (var i = 0; i < _placeOfJoint.Length; i++) _placeOfJoint[i] = Array.IndexOf(_joints, i);
@@ -47,6 +46,9 @@ namespace Nowpose.Session
             _ofJoint = new ErrorRecord[_joints.Length];
             for (var i = 0; i < _ofJoint.Length; i++) _ofJoint[i] = new ErrorRecord();
         }
+
+        /// <summary>A frame shown before was judged: its display time, and the error of its tool in m. Raised within <see cref="Add"/>.</summary>
+        public event Action<ControlTime, ErrorSample> ToolJudged;
 
         /// <summary>Joints between base and tool that have samples of their own, from the base on.</summary>
         public int JointCount => _joints.Length;
@@ -133,28 +135,15 @@ namespace Nowpose.Session
             }
             var truth = _kinematics.ToolOf(_values, false);
             var doubted = _kinematics.ToolOf(_values, true);
-            _tool.Add(frame.At, new ErrorSample(
+            var error = new ErrorSample(
                 Square(frame.X - truth.X) + Square(frame.Y - truth.Y) + Square(frame.Z - truth.Z),
                 Square(frame.HeldX - truth.X) + Square(frame.HeldY - truth.Y) + Square(frame.HeldZ - truth.Z),
                 Square(doubted.X - truth.X) + Square(doubted.Y - truth.Y) + Square(doubted.Z - truth.Z),
-                Square(frame.ClockError * _speeds.OfTool(truth))), isOfRun);
+                Square(frame.ClockError * _speeds.OfTool(truth)));
+            _tool.Add(frame.At, error, isOfRun);
+            ToolJudged?.Invoke(frame.At, error);
         }
 
         static double Square(double x) => x * x;
-
-        // The joints that the tool hangs on; in the place of one that mimics, the one with samples at the end of the chain.
-        static int[] SampledJointsOf(RobotModel robot)
-        {
-            var joints = new List<int>();
-            for (var link = robot.ToolLink; link.ParentIndex >= 0; link = robot.Links[link.ParentIndex])
-            {
-                var joint = link.ParentJoint;
-                if (joint.MovingIndex < 0) continue;
-                while (joint.Mimic != null) joint = robot.MovingJoints[robot.IndexOfMovingJoint(joint.Mimic.Master)];
-                if (!joints.Contains(joint.MovingIndex)) joints.Add(joint.MovingIndex);
-            }
-            joints.Reverse();
-            return joints.ToArray();
-        }
     }
 }

@@ -9,7 +9,7 @@ namespace Nowpose.Recording
     {
         static readonly string[] Names =
         {
-            "rtt_ms", "l_app_ms", "l_app_p95_ms", "l_visu_ms", "horizon_ms", "render_ms", "samples", "dropped",
+            "rtt_ms", "l_app_ms", "l_app_p95_ms", "l_visu_ms", "horizon_ms", "render_ms", "samples", "dropped", "current_share",
         };
 
         string[] _joints = Array.Empty<string>();
@@ -29,6 +29,7 @@ namespace Nowpose.Recording
             numbers[5] = Ms(statistics.RenderTime);
             numbers[6] = statistics.Samples;
             numbers[7] = statistics.Dropped;
+            numbers[8] = statistics.CurrentShare ?? double.NaN;
             ErrorNumbers.Fill(statistics.ToolError, Block(numbers, 0));
             ErrorNumbers.Fill(statistics.ToolErrorOfRun, Block(numbers, 1));
             // They are the same all the while: named in the first second, before anyone writes.

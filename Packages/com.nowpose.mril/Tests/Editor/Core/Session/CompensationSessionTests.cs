@@ -79,11 +79,12 @@ namespace Nowpose.Tests
 
             var fresh = new SessionStatistics();
             Assert.That(known, Is.Not.Null);
-            var others = new[] { "VisualisationLatency", "RangeDoubt", "JointErrors" };
+            var others = new[] { "VisualisationLatency", "RangeDoubt", "JointErrors", "JointStatuses" };
             foreach (var property in typeof(SessionStatistics).GetProperties().Where(p => !others.Contains(p.Name)))
                 Assert.That(property.GetValue(statistics), Is.EqualTo(property.GetValue(fresh)), property.Name);
             Assert.That(statistics.RangeDoubt, Is.EqualTo(RangeDoubt.NoLimit));
             Assert.That(statistics.JointErrors.Select(j => j.Error), Is.All.Null);
+            Assert.That(statistics.JointStatuses.Select(j => j.Age), Is.All.Null);
         }
 
         [Test]
@@ -103,7 +104,10 @@ namespace Nowpose.Tests
             var after = session.Diagnostics();
 
             Assert.That(before.HardwareId, Is.EqualTo("left"));
-            Assert.That(before.Values.Select(v => v.Key), Is.EqualTo(new[] { "state", "l_visu_ms", "samples", "dropped" }));
+            Assert.That(before.Values.Select(v => v.Key), Is.EqualTo(new[]
+            {
+                "state", "pose", "missing_joints", "joint_status/shoulder", "joint_status/elbow", "l_visu_ms", "samples", "dropped",
+            }));
             Assert.That(before.Values[0].Value, Is.EqualTo("unsynchronised"));
             Assert.That(after.Stamp, Is.EqualTo(ControlTime.FromSeconds(101.002)));
             var values = after.Values.ToDictionary(v => v.Key, v => v.Value);

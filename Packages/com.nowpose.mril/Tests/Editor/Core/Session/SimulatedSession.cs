@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -56,6 +57,9 @@ namespace Nowpose.Tests
         /// <summary>Whether a test sends the samples itself.</summary>
         public bool IsSamplingByTest { get; set; }
 
+        /// <summary>A joint that no sample carries any more; null for none.</summary>
+        public string SilentJoint { get; set; }
+
         public double Now { get; private set; }
 
         /// <summary>How long each sample took from the robot to the headset, ms.</summary>
@@ -103,12 +107,21 @@ namespace Nowpose.Tests
             _isElbowNext = !_isElbowNext;
             if (IsEachJointApart && _isElbowNext) message = new JointStateMessage(stamp, new[] { "elbow" }, new[] { elbow });
             else if (IsEachJointApart) message = new JointStateMessage(stamp, new[] { "shoulder" }, new[] { shoulder });
+            message = Without(SilentJoint, message);
+            if (message.Names.Length == 0) return;
             var acquisition = Lengths.Ms(55 + 50 * _random.NextDouble());
             var at = now + acquisition + _sampleDelay.Next();
             if (at < _lastArrival) at = _lastArrival;
             _lastArrival = at;
             TrueLatenciesMs.Add((at - now).TotalMilliseconds);
             _underway.Enqueue((at, message));
+        }
+
+        static JointStateMessage Without(string joint, JointStateMessage message)
+        {
+            var kept = Enumerable.Range(0, message.Names.Length).Where(i => message.Names[i] != joint).ToArray();
+            return new JointStateMessage(
+                message.Stamp, kept.Select(i => message.Names[i]).ToArray(), kept.Select(i => message.Positions[i]).ToArray());
         }
 
         void Exchange(HeadsetTime now)

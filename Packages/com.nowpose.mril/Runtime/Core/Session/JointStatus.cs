@@ -1,0 +1,65 @@
+using System;
+using System.Globalization;
+using Nowpose.Protocol;
+
+namespace Nowpose.Session
+{
+    /// <summary>A joint whose samples do not arrive, with the state that the gateway reports or that the session sees by itself.</summary>
+    public readonly struct JointStatus
+    {
+        public JointStatus(string joint, JointDataState state, ControlTime? since, TimeSpan? age, string reason)
+        {
+            Joint = joint;
+            State = state;
+            Since = since;
+            Age = age;
+            Reason = reason;
+        }
+
+        /// <summary>The joint's name in the URDF.</summary>
+        public string Joint { get; }
+
+        public JointDataState State { get; }
+
+        /// <summary>When <see cref="State"/> began; null while unknown.</summary>
+        public ControlTime? Since { get; }
+
+        /// <summary>Time since <see cref="Since"/> at the snapshot, not negative; null while unknown.</summary>
+        public TimeSpan? Age { get; }
+
+        /// <summary>Why, in one line; empty while unknown.</summary>
+        public string Reason { get; }
+
+        /// <summary>Whether the joint has no data, so that it is not shown as current. False for a joint that is assumed at rest.</summary>
+        public bool IsMissing => State != JointDataState.Rest && State != JointDataState.Live;
+
+        /// <summary>State, age and reason in one line, such as "no data since 4 s: node deleted"; allocates.</summary>
+        public string Description => DescriptionSince(Age.HasValue ? TextOf(Age.Value) : null);
+
+        /// <summary>The same with a time of the caller's, such as "no data since 14:03:12: node deleted"; allocates.</summary>
+        /// <param name="since">Null for none.</param>
+        public string DescriptionSince(string since) =>
+            WordsOf(State) + (since == null ? "" : " since " + since) + (string.IsNullOrEmpty(Reason) ? "" : ": " + Reason);
+
+        /// <summary>A length in whole seconds, minutes or hours.</summary>
+        static string TextOf(TimeSpan length)
+        {
+            if (length.TotalSeconds < 120) return Text(length.TotalSeconds) + " s";
+            return length.TotalMinutes < 120 ? Text(length.TotalMinutes) + " min" : Text(length.TotalHours) + " h";
+        }
+
+        static string Text(double number) => Math.Floor(number).ToString(CultureInfo.InvariantCulture);
+
+        static string WordsOf(JointDataState state)
+        {
+            switch (state)
+            {
+                case JointDataState.Live: return "live";
+                case JointDataState.Rest: return "assumed at rest";
+                case JointDataState.Refused: return "values cannot be used";
+                case JointDataState.Missing: return "no value yet";
+                default: return "no data";
+            }
+        }
+    }
+}

@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using Nowpose.Protocol;
+
+namespace Nowpose.Session
+{
+    /// <summary>Finds the joints whose data stopped, from their samples and from what the gateway reports.</summary>
+    /// <remarks>
+    /// A gateway knows more: it tells a joint that rests from one whose variable was deleted, and it knows at once. A server without
+    /// that topic reports nothing; then the age of the samples decides. Allocates nothing in a frame.
+    /// </remarks>
+    sealed class JointWatch
+    {
+        /// <summary>The gateway repeats its report every second while there is something to report.</summary>
+        static readonly TimeSpan ReportLifetime = TimeSpan.FromSeconds(5);
+
+        readonly RobotModel _robot;
+        readonly JointTracks _tracks;
+        readonly TimeSpan _horizonCap;
+        readonly bool[] _isToolJoint;
+        volatile Reports _newest;
+
+        /// <param name="horizonCap">A joint whose newest sample is older than this at the display time has no data.</param>
+        public JointWatch(RobotModel robot, JointTracks tracks, TimeSpan horizonCap)
+        {
+            _robot = robot;
+            _tracks = tracks;
+            _horizonCap = horizonCap;
+            _isToolJoint = new bool[robot.MovingJoints.Count];
+            foreach (var joint in ToolJoints.Of(robot)) _isToolJoint[joint] = true;
+        }
+
+        /// <summary>Takes the newest report, which replaces the one before. Any thread.</summary>
+        public void Take(JointStatusMessage message, HeadsetTime arrival)
+        {
+            var reports = new Reports(arrival, _robot.MovingJoints.Count);
+            foreach (var report in message.Joints)
+            {
+                var joint = _robot.IndexOfMovingJoint(report.Joint);
+                // A gripper may send samples only when it moves: that they stopped is a fault only when the gateway knows why.
+                if (joint < 0 || (report.State == JointDataState.Stale && !_isToolJoint[joint])) continue;
+                reports.OfJoint[joint] = report;
+                reports.IsAnyMissing |= IsMissing(report.State);
+            }
+            _newest = reports;
+        }
+
+        /// <summary>Whether the gateway reports that a joint of the robot has no data.</summary>
+        public bool IsAnyReportedMissing(HeadsetTime now) => ReportsAt(now)?.IsAnyMissing == true;
+
+        /// <summary>Replaces a list's elements with the joints that are not live, in the robot's order.</summary>
+        /// <param name="shownFor">The display time of the newest frame; null while unknown.</param>
+        public void Fill(List<JointStatus> into, HeadsetTime now, in ClockModel clock, ControlTime? shownFor)
+        {
+            into.Clear();
+            var reports = ReportsAt(now);
+            var controlNow = clock.IsKnown ? clock.ToControl(now) : (ControlTime?)null;
+            for (var i = 0; i < _isToolJoint.Length; i++)
+            {
+                var report = reports?.OfJoint[i] ?? default;
+                if (IsMissing(report.State)) into.Add(StatusOf(i, report.State, report.Since, controlNow, report.Reason));
+                else if (_isToolJoint[i] && !_tracks.HasSample(i)) into.Add(StatusOf(i, JointDataState.Missing, null, controlNow, ""));
+                else if (_isToolJoint[i] && shownFor - _tracks.NewestOf(i) > _horizonCap)
+                    into.Add(StatusOf(i, JointDataState.Stale, _tracks.NewestOf(i), controlNow, ""));
+                else if (report.State == JointDataState.Rest)
+                    into.Add(StatusOf(i, JointDataState.Rest, report.Since, controlNow, report.Reason));
+            }
+        }
+
+        JointStatus StatusOf(int joint, JointDataState state, ControlTime? since, ControlTime? now, string reason)
+        {
+            var age = now - since;
+            return new JointStatus(_robot.MovingJoints[joint].Name, state, since, age < TimeSpan.Zero ? TimeSpan.Zero : age, reason);
+        }
+
+        Reports ReportsAt(HeadsetTime now)
+        {
+            var newest = _newest;
+            return newest != null && now - newest.Arrival <= ReportLifetime ? newest : null;
+        }
+
+        static bool IsMissing(JointDataState state) => state != JointDataState.Live && state != JointDataState.Rest;
+
+        sealed class Reports
+        {
+            public Reports(HeadsetTime arrival, int joints)
+            {
+                Arrival = arrival;
+                OfJoint = new JointReport[joints];
+            }
+
+            public HeadsetTime Arrival { get; }
+
+            /// <summary>By index of the moving joint; a joint that is not reported is live, the default.</summary>
+            public JointReport[] OfJoint { get; }
+
+            public bool IsAnyMissing { get; set; }
+        }
+    }
+}

@@ -1,0 +1,52 @@
+using Nowpose.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class CurrentShareTests
+    {
+        // Frames at 60 Hz from a second on.
+        static void Add(CurrentShare share, double from, double seconds, bool isCurrent)
+        {
+            for (var i = 0; i < seconds * 60; i++) share.Add(HeadsetTime.FromSeconds(from + i / 60.0), isCurrent);
+        }
+
+        [Test]
+        public void Value_NoFrame_IsUnknown() => Assert.That(new CurrentShare().Value, Is.Null);
+
+        [TestCase(-20)]
+        [TestCase(0)]
+        [TestCase(1e6)]
+        public void Value_LessThanTheWindow_IsTheShareOfAllFrames(double start)
+        {
+            var share = new CurrentShare();
+            Add(share, start, 3, false);
+            Add(share, start + 3, 1, true);
+
+            Assert.That(share.Value, Is.EqualTo(0.25).Within(1e-12));
+        }
+
+        [Test]
+        public void Value_LongRun_ForgetsWhatIsOlderThanTenSeconds()
+        {
+            var share = new CurrentShare();
+            Add(share, 0, 60, false);
+            Add(share, 60, 4, true);
+            var after4 = share.Value;
+            Add(share, 64, 6, true);
+
+            Assert.That(after4, Is.EqualTo(0.4).Within(1e-12));
+            Assert.That(share.Value, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Value_AfterAPauseOfTheDisplay_KnowsOnlyTheFramesSince()
+        {
+            var share = new CurrentShare();
+            Add(share, 0, 10, true);
+            Add(share, 35, 0.5, false);
+
+            Assert.That(share.Value, Is.EqualTo(0));
+        }
+    }
+}

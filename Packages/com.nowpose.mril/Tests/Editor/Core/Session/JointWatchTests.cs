@@ -1,0 +1,251 @@
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Protocol;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class JointWatchTests
+    {
+        const int Seed = 7;
+
+        static SimulatedSession Running(bool isEachJointApart = false)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed) { IsEachJointApart = isEachJointApart };
+            simulated.Run(10);
+            Assert.That(simulated.Session.Tick(HeadsetTime.FromSeconds(simulated.Now)).State, Is.EqualTo(PoseState.Current), "before, seed " + Seed);
+            return simulated;
+        }
+
+        static List<PoseState> StatesOf(SimulatedSession simulated, double seconds)
+        {
+            var states = new List<PoseState>();
+            simulated.Run(seconds, (frame, light) => states.Add(frame.State));
+            return states;
+        }
+
+        static SessionStatistics StatisticsOf(SimulatedSession simulated) => simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now));
+
+        static ControlTime ControlNow(SimulatedSession simulated)
+        {
+            var now = HeadsetTime.FromSeconds(simulated.Now);
+            return simulated.Link.TrueOffset(now).ToControl(now);
+        }
+
+        static void Report(SimulatedSession simulated, params JointReport[] joints) =>
+            simulated.Session.StatusReceived(new JointStatusMessage(joints), HeadsetTime.FromSeconds(simulated.Now));
+
+        static void Report(SimulatedSession simulated, string joint, JointDataState state, double secondsAgo = 0, string reason = "") =>
+            Report(simulated, new JointReport(joint, state, ControlNow(simulated) - Lengths.Seconds(secondsAgo), reason));
+
+        [TestCase(false)]
+        [TestCase(true)]
+        public void Tick_SamplesOfOneJointEnd_PoseIsHeldWithinTheHorizonCapAndTheJointIsNamed(bool isEachJointApart)
+        {
+            var simulated = Running(isEachJointApart);
+
+            simulated.SilentJoint = "elbow";
+            // What is under way still arrives: 105 ms of acquisition, and WiFi's delay.
+            var states = StatesOf(simulated, 0.3 + 0.15);
+            var after = StatesOf(simulated, 3);
+            var statistics = StatisticsOf(simulated);
+
+            Assert.That(states.Last(), Is.EqualTo(PoseState.Held));
+            Assert.That(after, Is.All.EqualTo(PoseState.Held));
+            var joint = statistics.JointStatuses.Single();
+            Assert.That(joint.Joint, Is.EqualTo("elbow"));
+            Assert.That(joint.State, Is.EqualTo(JointDataState.Stale));
+            Assert.That(joint.IsMissing);
+            Assert.That(joint.Age.Value.TotalSeconds, Is.InRange(3.3, 3.7), "the other joint's samples go on");
+        }
+
+        [Test]
+        public void Tick_SamplesComeBack_IsCurrentAndNamesNoJoint()
+        {
+            var simulated = Running();
+            simulated.SilentJoint = "shoulder";
+            simulated.Run(3);
+
+            simulated.SilentJoint = null;
+            simulated.Run(1);
+
+            Assert.That(StatesOf(simulated, 1), Is.All.EqualTo(PoseState.Current));
+            Assert.That(StatisticsOf(simulated).JointStatuses, Is.Empty);
+        }
+
+        [Test]
+        public void Fill_JointNeverReceived_IsMissingWithoutAge()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { SilentJoint = "shoulder" };
+            simulated.Run(5);
+
+            var joint = StatisticsOf(simulated).JointStatuses.Single();
+
+            Assert.That(joint.Joint, Is.EqualTo("shoulder"));
+            Assert.That(joint.State, Is.EqualTo(JointDataState.Missing));
+            Assert.That(joint.Age, Is.Null);
+            Assert.That(joint.Description, Is.EqualTo("no value yet"));
+        }
+
+        [TestCase(JointDataState.Fault)]
+        [TestCase(JointDataState.Refused)]
+        [TestCase(JointDataState.Missing)]
+        [TestCase(JointDataState.Stale)]
+        public void Tick_GatewayReportsNoData_IsHeldBeforeTheSamplesAreTooOld(JointDataState state)
+        {
+            var simulated = Running();
+
+            Report(simulated, "elbow", state, 2.5, "node deleted");
+            var states = StatesOf(simulated, 0.05);
+            var joint = StatisticsOf(simulated).JointStatuses.Single();
+
+            Assert.That(states, Is.All.EqualTo(PoseState.Held));
+            Assert.That(joint.Joint, Is.EqualTo("elbow"));
+            Assert.That(joint.State, Is.EqualTo(state));
+            Assert.That(joint.Age.Value.TotalSeconds, Is.EqualTo(2.55).Within(0.02));
+            Assert.That(joint.Reason, Is.EqualTo("node deleted"));
+        }
+
+        [Test]
+        public void Tick_GatewayReportsRest_StaysCurrentAndSaysSo()
+        {
+            var simulated = Running();
+
+            Report(simulated, "elbow", JointDataState.Rest, 12);
+            var states = StatesOf(simulated, 0.5);
+            var joint = StatisticsOf(simulated).JointStatuses.Single();
+
+            Assert.That(states, Is.All.EqualTo(PoseState.Current));
+            Assert.That(joint.IsMissing, Is.False);
+            Assert.That(joint.Description, Is.EqualTo("assumed at rest since 12 s"));
+        }
+
+        [Test]
+        public void Tick_GatewayReportsRestButNoSamplesArrive_IsHeldAndNotAtRest()
+        {
+            var simulated = Running();
+            simulated.SilentJoint = "elbow";
+            simulated.Run(1);
+
+            Report(simulated, "elbow", JointDataState.Rest);
+            var states = StatesOf(simulated, 0.5);
+
+            Assert.That(states, Is.All.EqualTo(PoseState.Held));
+            Assert.That(StatisticsOf(simulated).JointStatuses.Single().State, Is.EqualTo(JointDataState.Stale));
+        }
+
+        [Test]
+        public void Tick_ReportOfTheGatewayEnds_IsCurrentAtOnce()
+        {
+            var simulated = Running();
+            Report(simulated, "elbow", JointDataState.Fault);
+            simulated.Run(1);
+
+            Report(simulated);
+
+            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current));
+            Assert.That(StatisticsOf(simulated).JointStatuses, Is.Empty);
+        }
+
+        [Test]
+        public void Tick_ReportNotRepeatedForFiveSeconds_IsIgnored()
+        {
+            var simulated = Running();
+            Report(simulated, "elbow", JointDataState.Fault);
+
+            var until5 = StatesOf(simulated, 4.9);
+            simulated.Run(0.2);
+            var after = StatesOf(simulated, 0.5);
+
+            Assert.That(until5, Is.All.EqualTo(PoseState.Held));
+            Assert.That(after, Is.All.EqualTo(PoseState.Current));
+            Assert.That(StatisticsOf(simulated).JointStatuses, Is.Empty);
+        }
+
+        [Test]
+        public void Tick_ReportOfAJointOfAnotherRobot_ChangesNothing()
+        {
+            var simulated = Running();
+
+            Report(simulated, "rail", JointDataState.Fault);
+
+            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current));
+            Assert.That(StatisticsOf(simulated).JointStatuses, Is.Empty);
+        }
+
+        [Test]
+        public void Tick_GripperReportedWithoutData_IsNotCurrentThoughTheArmIs()
+        {
+            var simulated = Running();
+
+            Report(simulated, "grip", JointDataState.Fault);
+
+            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Held));
+        }
+
+        [Test]
+        public void Tick_GripperReportedStale_StaysCurrent()
+        {
+            var simulated = Running();
+
+            Report(simulated, "grip", JointDataState.Stale);
+
+            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current), "it may send samples only when it moves");
+            Assert.That(StatisticsOf(simulated).JointStatuses, Is.Empty);
+        }
+
+        [Test]
+        public void Fill_SinceInTheFuture_HasNoNegativeAge()
+        {
+            var simulated = Running();
+
+            Report(simulated, "elbow", JointDataState.Fault, -30);
+
+            Assert.That(StatisticsOf(simulated).JointStatuses.Single().Age.Value.Ticks, Is.Zero);
+        }
+
+        [Test]
+        public void Diagnostics_JointWithoutData_CarryPoseJointAndShare()
+        {
+            var simulated = Running();
+            var before = DiagnosticsOf(simulated);
+
+            simulated.SilentJoint = "elbow";
+            simulated.Run(6);
+            Report(simulated, "shoulder", JointDataState.Rest, 12);
+            var after = DiagnosticsOf(simulated);
+
+            Assert.That(before["pose"], Is.EqualTo("current"));
+            Assert.That(before["missing_joints"], Is.Empty);
+            Assert.That(after["pose"], Is.EqualTo("held"));
+            Assert.That(after["missing_joints"], Is.EqualTo("elbow"));
+            Assert.That(after["joint_status/elbow"], Is.EqualTo("no data since 6 s"));
+            Assert.That(after["joint_status/shoulder"], Is.EqualTo("assumed at rest since 12 s"));
+            Assert.That(double.Parse(after["current_share"], System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(0.43).Within(0.06));
+        }
+
+        [Test]
+        public void Diagnostics_SeveralJointsWithoutData_AreSeparatedByCommas()
+        {
+            var simulated = Running();
+            simulated.IsGatewayUp = false;
+            simulated.Run(2);
+
+            Assert.That(DiagnosticsOf(simulated)["missing_joints"], Is.EqualTo("shoulder,elbow"));
+        }
+
+        static Dictionary<string, string> DiagnosticsOf(SimulatedSession simulated) =>
+            SessionDiagnostics.Of(StatisticsOf(simulated), "left", default).Values.ToDictionary(each => each.Key, each => each.Value);
+
+        [TestCase(PoseState.Current, ClockState.Synchronised, "current")]
+        [TestCase(PoseState.Current, ClockState.Holdover, "current")]
+        [TestCase(PoseState.Held, ClockState.Synchronised, "held")]
+        [TestCase(PoseState.Unsynchronised, ClockState.Converging, "unsynchronised")]
+        [TestCase(PoseState.Incomplete, ClockState.Unsynchronised, "incomplete")]
+        [TestCase(PoseState.OutsideRange, ClockState.Synchronised, "outside")]
+        public void PoseStateName_EachState_IsTheProtocolsWord(PoseState pose, ClockState clock, string expected) =>
+            Assert.That(PoseStateName.Of(pose, clock), Is.EqualTo(expected));
+    }
+}
