@@ -1,6 +1,7 @@
 using System.Reflection;
 using Nowpose.Latency;
 using Nowpose.Network;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
 using NUnit.Framework;
@@ -78,6 +79,37 @@ public class StatusPanelTests
         Assert.That(Row("Error reduction").Value, Does.Match(@"^9\d %$"));
         Assert.That(Row("Gateway"), Is.EqualTo(("not connected", "within this machine")));
         Assert.That(Row("Robot"), Is.EqualTo(("–", "ur5")));
+    }
+
+    [Test]
+    public void LateUpdate_DataOfTheJointsEnd_NamesThemOnTopAndInTheConsole()
+    {
+        Play(10);
+
+        _cell.IsPlantUp = false;
+        Run(3);
+
+        Assert.That(Row("Pose").Value, Is.EqualTo("! held"));
+        Assert.That(Text("Message 0").Replace('\n', ' '), Does.Match(@"^! joints shoulder_pan_joint, .*wrist_3_joint: no data since \d\d:\d\d:\d\d$"));
+        Assert.That(_cell.Messages, Has.Some.Match(@"joint positions are stale; the pose is held: joints shoulder_pan_joint, .*: no data since 0 s"));
+    }
+
+    [Test]
+    public void LateUpdate_GatewayReportsAJoint_NamesItUntilItIsRepaired()
+    {
+        Play(10);
+        void Report(params JointReport[] joints) => _session.Session.StatusReceived(new JointStatusMessage(joints), _cell.Clock.Now);
+
+        Report(new JointReport("elbow_joint", JointDataState.Fault, ControlTime.FromSeconds(1305), "node deleted"));
+        Run(1);
+        var (pose, text) = (Row("Pose").Value, Text("Message 0").Replace('\n', ' '));
+        Report();
+        Run(1);
+
+        Assert.That(pose, Is.EqualTo("! held"));
+        Assert.That(text, Does.Match(@"^! joint elbow_joint: no data since \d\d:\d\d:\d\d: node deleted$"));
+        Assert.That(Row("Pose").Value, Is.EqualTo("current"));
+        Assert.That(Text("Message 0"), Is.Empty);
     }
 
     [Test]

@@ -3,6 +3,7 @@ using Nowpose.Anchoring;
 using Nowpose.Headless.Tests.Repository;
 using Nowpose.Latency;
 using Nowpose.Network;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
 using Nowpose.Unity;
@@ -135,6 +136,16 @@ public sealed class StatusPanelViewTests(string scene)
         foreach (var link in new[] { LinkStatus.Idle, LinkStatus.Connecting, LinkStatus.Connected, LinkStatus.Waiting(new string('W', 700)) })
             yield return State($"{link.State}", ("SyncLink", link), ("SampleLink", link));
         foreach (var match in Enum.GetValues<RobotDescriptionMatch>()) yield return State($"{match}", ("RobotDescriptionMatch", match));
+        foreach (var joints in new[] { 1, 7, 256 })
+        {
+            var statistics = new SessionStatistics();
+            for (var i = 0; i < joints; i++)
+                statistics.ChangeableJointStatuses.Add(new JointStatus(
+                    "KUKA_LBR_IIWA_14_R820_joint_" + i, JointDataState.Fault, ControlTime.FromSeconds(1), TimeSpan.FromSeconds(i), new string('W', 256)));
+            var texts = new StatusTexts();
+            texts.Update(statistics, Network, "youbot", null);
+            yield return ($"{joints} joints without data", texts);
+        }
         foreach (var problem in new[] { "settings: missing", string.Join(" ", Enumerable.Repeat("the gateway at 192.168.100.200:47010", 30)) })
         {
             var texts = new StatusTexts();

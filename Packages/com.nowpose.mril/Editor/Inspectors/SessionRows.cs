@@ -16,6 +16,8 @@ namespace Nowpose.Editor
             yield return ("Reprojection, depth", Words(ReprojectionModeNames.NameOf(session.Reprojection)) + ", "
                 + Words(DepthSubmissionWords.NameOf(session.DepthSubmission)));
             yield return ("Error, uncompensated", LiveText.Mm(session.ErrorMm) + ", " + LiveText.Mm(session.HoldErrorMm));
+            yield return ("Pose current, last 10 s", LiveText.Number(100 * session.CurrentShare, "0", " %"));
+            foreach (var joint in session.JointStatuses) yield return ("Joint " + joint.Joint, joint.Description);
             yield return ("Samples, dropped", session.Samples + ", " + session.Dropped);
             yield return ("Clock sync", session.SyncLink.Detail);
             yield return ("Joint positions", session.SampleLink.Detail);

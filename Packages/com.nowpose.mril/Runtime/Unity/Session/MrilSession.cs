@@ -332,7 +332,7 @@ namespace Nowpose.Unity
         void Tell(SessionChange change)
         {
             if (change == SessionChange.None) return;
-            _log.Say(change, Session);
+            _log.Say(change, Session, Statistics);
             _changes.Enqueue(change);
             // What a listener brings about is told once all have heard what it was told.
             if (_changes.Count > 1) return;

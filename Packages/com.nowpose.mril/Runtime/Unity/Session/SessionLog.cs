@@ -36,9 +36,10 @@ namespace Nowpose.Unity
             Follow(session.ProfileMismatches);
         }
 
-        /// <summary>Allocates only for the display times of the runtime: the other texts are constants.</summary>
+        /// <summary>Allocates only for the display times of the runtime and for joints without data: the other texts are constants.</summary>
         /// <param name="session">Null when it has ended.</param>
-        public void Say(SessionChange change, CompensationSession session)
+        /// <param name="statistics">As of the frame that changed it; null when the session has ended.</param>
+        public void Say(SessionChange change, CompensationSession session, SessionStatistics statistics)
         {
             if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + "clock synchronised", _context);
             if ((change & SessionChange.Lost) != 0)
@@ -52,7 +53,13 @@ namespace Nowpose.Unity
             if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayWords.ImplausibleTimes(session?.DisplayTimeAhead));
             if ((change & SessionChange.DisplayTimePlausible) != 0)
                 Debug.Log(ConsoleLog.Prefix + "display times of the runtime are plausible again, and used", _context);
-            if ((change & SessionChange.Stale) != 0) Debug.LogWarning(ConsoleLog.Prefix + "joint positions are stale; the pose is held", _context);
+            if ((change & SessionChange.Stale) != 0) Warn("joint positions are stale; the pose is held" + MissingJointsOf(statistics));
+        }
+
+        static string MissingJointsOf(SessionStatistics statistics)
+        {
+            var joints = statistics == null ? "" : JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
+            return joints.Length == 0 ? "" : ": " + joints;
         }
 
         void Follow(IReadOnlyList<ConditionMismatch> mismatches)

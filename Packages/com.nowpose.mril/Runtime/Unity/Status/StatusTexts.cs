@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
@@ -5,7 +6,7 @@ using Nowpose.Session;
 namespace Nowpose.Unity
 {
     /// <summary>What the status panel says: a value and a note per row. "!" marks what is not as it should be, "–" what is not known.</summary>
-    /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message or the profile changes, or a joint's number where joints are told of.</remarks>
+    /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message or the profile changes, a joint's number where joints are told of, or the state of a joint.</remarks>
     sealed class StatusTexts
     {
         public const int Rows = (int)StatusRow.Message + 1;
@@ -39,13 +40,22 @@ namespace Nowpose.Unity
         readonly JointErrorLine _joints = new JointErrorLine();
         readonly LatencyOrigin _origin = new LatencyOrigin();
         readonly BaseTexts _base = new BaseTexts();
+        readonly JointStatusLine _missingJoints, _restingJoints;
         bool _isLocal;
         string _message, _robot, _robotNote;
 
         /// <summary>Lines of the message; 0 without one.</summary>
         public int MessageLines { get; private set; }
 
-        public StatusTexts() => Update(null, null, null, null);
+        public StatusTexts() : this(() => DateTime.Now) { }
+
+        /// <param name="wallClock">Local time, for when a joint's data stopped.</param>
+        public StatusTexts(Func<DateTime> wallClock)
+        {
+            _missingJoints = new JointStatusLine(isOfMissing: true, wallClock);
+            _restingJoints = new JointStatusLine(isOfMissing: false, wallClock);
+            Update(null, null, null, null);
+        }
 
         /// <summary>Whether the message, while there is none to tell, says how much of each joint's error is removed.</summary>
         public bool TellsOfJoints { get; set; }
@@ -84,12 +94,12 @@ namespace Nowpose.Unity
             // Before there is a pairing, links and base cannot be better.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
-            var fault = obstacle ?? FaultOf(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
+            var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
                 ?? statistics?.BeyondLimits?.Words ?? DisplayWords.ProblemOf(statistics)
                 ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
             if (guidance != null) Say(guidance, "");
             else if (fault != null) Say(fault, "! ");
-            else Say(TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null, "");
+            else Say(_restingJoints.Of(statistics) ?? (TellsOfJoints && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
         }
 
         void UpdateTimes(SessionStatistics statistics)
