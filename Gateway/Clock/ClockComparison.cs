@@ -47,8 +47,8 @@ sealed class ClockComparison(ServedClock served, Action<string> log) : IDisposab
         if (_said.TryGetValue(clock.Name, out var said) && (ahead - said.Ahead).Duration() <= said.Bound + bound + Moved) return;
         _said[clock.Name] = (ahead, bound);
         log(string.Create(CultureInfo.InvariantCulture,
-            $"clock '{clock.Name}': {ahead.TotalMilliseconds:+0.00;-0.00} ms (± {bound.TotalMilliseconds:0.00}) ")
-            + string.Create(CultureInfo.InvariantCulture, $"against '{served.Source}', drifting by {clock.DriftPpm:+0.0;-0.0} ppm"));
+            $"clock '{clock.Name}': {ahead.TotalMilliseconds:+0.00;-0.00;0.00} ms (± {bound.TotalMilliseconds:0.00}) ")
+            + string.Create(CultureInfo.InvariantCulture, $"against '{served.Source}', drifting by {clock.DriftPpm:+0.0;-0.0;0.0} ppm"));
     }
 
     static string Why(PlantClockStatus clock) =>

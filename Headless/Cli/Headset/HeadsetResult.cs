@@ -1,11 +1,14 @@
 using System.Text.Json;
+using Nowpose.Protocol;
+using Nowpose.Session;
 
 namespace Nowpose.Cli.Headset;
 
 /// <summary>How a headset did; null stands for what it never came to know. Written as JSON in snake case.</summary>
 sealed record HeadsetResult(
     double Seconds, int Frames, string Robot, long Samples, long Dropped,
-    HeadsetResult.ClockResult Clock, HeadsetResult.LatencyResult LatencyMs, HeadsetResult.PoseResult Pose, HeadsetResult.ErrorResult ToolErrorMm)
+    HeadsetResult.ClockResult Clock, HeadsetResult.LatencyResult LatencyMs, HeadsetResult.PoseResult Pose, HeadsetResult.ErrorResult ToolErrorMm,
+    IReadOnlyList<string> MissingJoints, IReadOnlyList<HeadsetResult.JointResult> Joints, IReadOnlyList<HeadsetResult.StretchResult> Stretches)
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower, WriteIndented = true };
 
@@ -17,10 +20,30 @@ sealed record HeadsetResult(
 
     /// <param name="CurrentShare">Of the frames since the first current one.</param>
     /// <param name="LongestNotCurrentS">The longest time without a current pose after the first one.</param>
-    public sealed record PoseResult(string State, double? CurrentAfterS, double? CurrentShare, double LongestNotCurrentS);
+    /// <param name="CurrentShareOfRun">Of all frames, but for those of the first 3 s before the first current one.</param>
+    public sealed record PoseResult(
+        string State, double? CurrentAfterS, double? CurrentShare, double LongestNotCurrentS, double? CurrentShareOfRun);
 
     /// <summary>As the samples that came later tell; not the errors that these cannot see, of clock offset and L_visu.</summary>
-    public sealed record ErrorResult(double HoldRms, double HoldP95, double Rms, double P95, double? Reduction, double? ReductionUncertainty);
+    public sealed record ErrorResult(double HoldRms, double HoldP95, double Rms, double P95, double? Reduction, double? ReductionUncertainty)
+    {
+        public static ErrorResult Of(DisplayedError? error) => error is not { } of
+            ? null : new ErrorResult(of.HoldRms, of.HoldP95, of.Rms, of.P95, of.Reduction, of.ReductionUncertainty);
+    }
+
+    /// <summary>A joint that is not live at the end of the run.</summary>
+    /// <param name="SinceS">How long it has been in this state, s.</param>
+    public sealed record JointResult(string Name, string State, double? SinceS, string Reason)
+    {
+        public static JointResult Of(JointStatus joint) =>
+            new(joint.Joint, JointDataStateName.Of(joint.State), joint.Age?.TotalSeconds, joint.Reason);
+    }
+
+    /// <summary>A part of the run between two outages, which are times of more than 1 s without a current pose.</summary>
+    /// <param name="FromS">First current frame, since the start.</param>
+    /// <param name="ToS">Last current frame, since the start.</param>
+    /// <param name="CurrentShare">Of the frames between the two.</param>
+    public sealed record StretchResult(double FromS, double ToS, double CurrentShare, ErrorResult ToolErrorMm);
 
     public string Json() => JsonSerializer.Serialize(this, Options);
 }

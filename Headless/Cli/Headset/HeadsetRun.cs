@@ -15,7 +15,9 @@ sealed class HeadsetRun(HeadsetSettings settings)
 
     readonly StopwatchHeadsetClock _clock = new();
     readonly PoseCount _poses = new();
+    readonly PoseStretches _stretches = new();
     TimeSpan? _synchronisedAfter;
+    bool _wasTimeTrusted, _wasCurrent;
     int _frames;
 
     /// <exception cref="InputException">No robot is known.</exception>
@@ -25,6 +27,7 @@ sealed class HeadsetRun(HeadsetSettings settings)
         using var session = Open(robot);
         var recorder = settings.RecordingPath == null
             ? null : new SessionRecorder(session, new RecordingSettings(settings.RecordingPath, startedUtc: DateTime.UtcNow));
+        session.ToolJudged += _stretches.AddError;
         session.Connect();
         var start = _clock.Now;
         Frames(session, start, report, cancel);
@@ -34,15 +37,7 @@ sealed class HeadsetRun(HeadsetSettings settings)
         return Result(session, robot, _clock.Now - start);
     }
 
-    /// <summary>Why nothing can be said of the run; null when something can.</summary>
-    public static string Failure(HeadsetResult result, CompensationSession session) => result switch
-    {
-        { Clock.SynchronisedAfterS: null } => $"the clock was never synchronised: {session.SyncLink.Detail}",
-        { Samples: 0 } => $"no joint positions arrived: {session.SampleLink.Detail}",
-        _ => null,
-    };
-
-    /// <summary>Set once it was played.</summary>
+    /// <summary>Why the run failed, in one line; null when it did not. Set by <see cref="Play"/>.</summary>
     public string WhyFailed { get; private set; }
 
     void Frames(CompensationSession session, HeadsetTime start, Action<double, Func<string>> report, CancellationToken cancel)
@@ -55,15 +50,20 @@ sealed class HeadsetRun(HeadsetSettings settings)
             PreciseWait.Until(startCount + (long)(_frames / settings.FramesPerSecond * Stopwatch.Frequency));
             var now = _clock.Now;
             var frame = session.Tick(now);
-            _poses.Add(now - start, frame.State);
-            if (_synchronisedAfter == null && session.Clock.ModelAt(now).State == ClockState.Synchronised)
-            {
-                _synchronisedAfter = now - start;
-                session.RestartErrorRun();
-            }
-
+            Count(now - start, frame, session);
+            if (session.Clock.ModelAt(now).State == ClockState.Synchronised) _synchronisedAfter ??= now - start;
             report((now - start).TotalSeconds, () => DemoProgress.Describe(session, _clock.Now));
         }
+    }
+
+    void Count(TimeSpan time, DisplayFrame frame, CompensationSession session)
+    {
+        _poses.Add(time, frame.State);
+        _stretches.Add(time, frame.State, frame.DisplayTime);
+        _wasTimeTrusted |= frame.IsTimeTrusted;
+        if (_wasCurrent || frame.State != PoseState.Current) return;
+        _wasCurrent = true;
+        session.RestartErrorRun();
     }
 
     // What a robot is named by decides how it is read: one from the gateway needs a session that asks for it first.
@@ -92,7 +92,7 @@ sealed class HeadsetRun(HeadsetSettings settings)
     {
         var statistics = session.Statistics(_clock.Now);
         var clock = statistics.Clock;
-        var error = statistics.ToolErrorOfRun;
+        var pose = _poses.Result(PoseStateName.Of(statistics.Pose, clock.State));
         var result = new HeadsetResult(
             length.TotalSeconds, _frames, robot.Name, statistics.Samples, statistics.Dropped,
             new HeadsetResult.ClockResult(
@@ -101,10 +101,10 @@ sealed class HeadsetRun(HeadsetSettings settings)
             new HeadsetResult.LatencyResult(
                 statistics.ApplicationLatency?.TotalMilliseconds, statistics.ApplicationLatency95?.TotalMilliseconds,
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),
-            _poses.Result(),
-            error is not { } of ? null : new HeadsetResult.ErrorResult(
-                of.HoldRms, of.HoldP95, of.Rms, of.P95, of.Reduction, of.ReductionUncertainty));
-        WhyFailed = Failure(result, session);
+            pose, HeadsetResult.ErrorResult.Of(statistics.ToolErrorOfRun),
+            [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
+            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result());
+        WhyFailed = HeadsetVerdict.FailureOf(pose, statistics, _wasTimeTrusted);
         return result;
     }
 }

@@ -6,14 +6,13 @@ namespace Nowpose.Cli.Headset;
 /// <summary>The result for reading.</summary>
 static class HeadsetTable
 {
-    public static void Print(HeadsetResult result)
+    public static void Print(HeadsetResult result, IAnsiConsole console)
     {
-        var console = ResultConsole.Create();
         console.WriteLine($"{result.Robot}: how a headset does on this gateway");
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
         var clock = result.Clock;
-        Row("clock", $"{clock.State}, ± {Text(clock.ErrorBoundUs, "0", " µs")}, {Text(clock.SkewPpm, "+0.0;-0.0", " ppm")}, "
+        Row("clock", $"{clock.State}, ± {Text(clock.ErrorBoundUs, "0", " µs")}, {Text(clock.SkewPpm, "+0.0;-0.0;0.0", " ppm")}, "
             + $"round trip {Text(clock.RttMs, "0.00", " ms")}");
         Row("synchronised after", Text(clock.SynchronisedAfterS, "0.0", " s"));
         Row("clock steps", clock.Steps.ToString(CultureInfo.InvariantCulture));
@@ -25,13 +24,32 @@ static class HeadsetTable
         Row("pose", $"{pose.State}; current after {Text(pose.CurrentAfterS, "0.0", " s")}, "
             + $"then for {Text(100 * pose.CurrentShare, "0.0", " %")} of the frames");
         Row("longest time not current", Text(pose.LongestNotCurrentS, "0.00", " s"));
-        var error = result.ToolErrorMm;
-        Row("tool, uncompensated", $"{Text(error?.HoldRms, "0.00", " mm")} RMS, {Text(error?.HoldP95, "0.00", " mm")} P95");
-        Row("tool, compensated", $"{Text(error?.Rms, "0.00", " mm")} RMS, {Text(error?.P95, "0.00", " mm")} P95");
-        Row("reduction, as the headset measured it", $"{Text(100 * error?.Reduction, "0.0", " %")} ± "
-            + $"{Text(100 * error?.ReductionUncertainty, "0.0", " %")}");
+        if (result.MissingJoints.Count > 0) Row("joints without data", string.Join(", ", result.MissingJoints));
+        foreach (var joint in result.Joints) Row("joint " + joint.Name, JointOf(joint));
+        AddErrors(Row, "", result.ToolErrorMm);
+        // One stretch is the whole run.
+        for (var i = 0; i < result.Stretches.Count && result.Stretches.Count > 1; i++) AddStretch(Row, i + 1, result.Stretches[i]);
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
         console.Write(grid);
+    }
+
+    static string JointOf(HeadsetResult.JointResult joint) =>
+        joint.State + (joint.SinceS == null ? "" : " since " + Text(joint.SinceS, "0", " s")) + (joint.Reason.Length == 0 ? "" : ": " + joint.Reason);
+
+    static void AddStretch(Action<string, string> row, int number, HeadsetResult.StretchResult stretch)
+    {
+        var prefix = $"stretch {number}: ";
+        row(prefix + "pose", $"current for {Text(100 * stretch.CurrentShare, "0.0", " %")} of the frames from "
+            + $"{Text(stretch.FromS, "0.0", "")} to {Text(stretch.ToS, "0.0", " s")}");
+        AddErrors(row, prefix, stretch.ToolErrorMm);
+    }
+
+    static void AddErrors(Action<string, string> row, string prefix, HeadsetResult.ErrorResult error)
+    {
+        row(prefix + "tool, uncompensated", $"{Text(error?.HoldRms, "0.00", " mm")} RMS, {Text(error?.HoldP95, "0.00", " mm")} P95");
+        row(prefix + "tool, compensated", $"{Text(error?.Rms, "0.00", " mm")} RMS, {Text(error?.P95, "0.00", " mm")} P95");
+        row(prefix + "reduction, as the headset measured it", $"{Text(100 * error?.Reduction, "0.0", " %")} ± "
+            + $"{Text(100 * error?.ReductionUncertainty, "0.0", " %")}");
     }
 
     static string Text(double? value, string format, string unit) =>

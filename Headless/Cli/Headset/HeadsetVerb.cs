@@ -56,7 +56,7 @@ static class HeadsetVerb
         var result = default(HeadsetResult);
         DemoProgress.Run(settings.Seconds, report => result = run.Play(report, cancel));
         if (isJson) Console.Out.WriteLine(result.Json());
-        else HeadsetTable.Print(result);
+        else HeadsetTable.Print(result, ResultConsole.Create());
         if (cancel.IsCancellationRequested) return ExitStatus.Interrupted;
         if (run.WhyFailed == null) return ExitStatus.Done;
         Console.Error.WriteLine("nowpose: " + run.WhyFailed);

@@ -5,16 +5,18 @@ namespace Nowpose.Cli.Headset;
 /// <summary>For how many frames the pose was current, and how long it was not.</summary>
 sealed class PoseCount
 {
+    /// <summary>Time that a run allows for the clock's synchronisation before a pose that is not current counts against it.</summary>
+    static readonly TimeSpan StartAllowance = TimeSpan.FromSeconds(3);
+
     TimeSpan? _first, _lost;
     TimeSpan _longest;
-    PoseState _state = PoseState.Incomplete;
-    int _frames, _current;
+    int _frames, _framesOfRun, _current;
 
     /// <param name="time">Since the start; increasing.</param>
     public void Add(TimeSpan time, PoseState state)
     {
-        _state = state;
         if (state == PoseState.Current) _first ??= time;
+        if (_first != null || time >= StartAllowance) _framesOfRun++;
         if (_first == null) return;
         _frames++;
         if (state == PoseState.Current)
@@ -28,6 +30,9 @@ sealed class PoseCount
         if (time - _lost.Value > _longest) _longest = time - _lost.Value;
     }
 
-    public HeadsetResult.PoseResult Result() => new(
-        _state.ToString().ToLowerInvariant(), _first?.TotalSeconds, _frames == 0 ? null : (double)_current / _frames, _longest.TotalSeconds);
+    /// <param name="state">State of the last frame, as diagnostics name it.</param>
+    public HeadsetResult.PoseResult Result(string state) => new(
+        state, _first?.TotalSeconds, Share(_frames), _longest.TotalSeconds, Share(_framesOfRun));
+
+    double? Share(int frames) => frames == 0 ? null : (double)_current / frames;
 }

@@ -32,6 +32,8 @@ public class HeadsetVerbTests
         Assert.That(result.GetProperty("clock").GetProperty("error_bound_us").GetDouble(), Is.InRange(1, 50_000));
         Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(20));
         Assert.That(result.GetProperty("pose").GetProperty("current_share").GetDouble(), Is.GreaterThan(0.3));
+        Assert.That(result.GetProperty("missing_joints").GetArrayLength(), Is.Zero);
+        Assert.That(result.GetProperty("stretches")[0].GetProperty("tool_error_mm").GetProperty("hold_rms").GetDouble(), Is.GreaterThan(1));
         Assert.That(File.ReadLines(recording.Path).Count(line => line.Contains("\"kind\":\"frame\"")), Is.GreaterThan(180));
     }
 
@@ -60,6 +62,25 @@ public class HeadsetVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(1));
         Assert.That(run.Errors, Does.Contain("no joint positions arrived: connected"));
+    }
+
+    [Test]
+    public async Task Headset_JointThatIsNeverPublished_FailsAndNamesTheJoint()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var cell = Simulate(gateway);
+        // The same robot, but one of its joints has a name that the cell does not publish.
+        using var urdf = new TemporaryFile(RobotFiles.LoadText("youbot").Replace("\"arm_joint_3\"", "\"arm_joint_x\""), ".urdf");
+
+        var run = await RunAsync(gateway, "--seconds", "6", "--json", "--robot", urdf.Path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(1));
+        Assert.That(run.Errors.TrimEnd().Split('\n')[^1], Is.EqualTo("nowpose: the pose was never current; joint arm_joint_x: no value yet"));
+        var result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.That(result.GetProperty("missing_joints").EnumerateArray().Select(joint => joint.GetString()), Is.EqualTo(new[] { "arm_joint_x" }));
+        Assert.That(result.GetProperty("joints")[0].GetProperty("state").GetString(), Is.EqualTo("missing"));
+        Assert.That(result.GetProperty("pose").GetProperty("state").GetString(), Is.EqualTo("incomplete"));
+        Assert.That(result.GetProperty("pose").GetProperty("current_share_of_run").GetDouble(), Is.Zero);
     }
 
     [Test]

@@ -1,0 +1,31 @@
+using Nowpose.Network;
+using Nowpose.Session;
+
+namespace Nowpose.Cli.Headset;
+
+/// <summary>Decides whether a run shows that a gateway and its plant are good enough.</summary>
+static class HeadsetVerdict
+{
+    /// <summary>Minimum share of the frames with a current pose.</summary>
+    const double MinCurrentShare = 0.5;
+
+    /// <summary>Why the run failed, in one line; null when it did not.</summary>
+    /// <param name="statistics">At the end of the run.</param>
+    /// <param name="wasTimeTrusted">Whether the clock was ever known well enough for a current pose.</param>
+    public static string FailureOf(HeadsetResult.PoseResult pose, SessionStatistics statistics, bool wasTimeTrusted)
+    {
+        var share = pose.CurrentShareOfRun ?? 0;
+        if (pose.CurrentAfterS != null && share >= MinCurrentShare) return null;
+        if (!wasTimeTrusted) return $"the clock was never synchronised: {statistics.SyncLink.Detail}";
+        if (statistics.Samples == 0) return $"no joint positions arrived: {statistics.SampleLink.Detail}";
+        var joints = JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
+        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? $"at the end it is {pose.State}";
+        return pose.CurrentAfterS == null
+            ? $"the pose was never current; {why}"
+            : FormattableString.Invariant($"the pose was current for {100 * share:0} % of the time, at least {100 * MinCurrentShare:0} % is required; {why}");
+    }
+
+    static string LinkFaultOf(SessionStatistics statistics) =>
+        statistics.SyncLink.State == LinkState.Waiting ? statistics.SyncLink.Detail
+        : statistics.SampleLink.State == LinkState.Waiting ? statistics.SampleLink.Detail : null;
+}

@@ -1,0 +1,44 @@
+using NUnit.Framework;
+using Nowpose.Cli.Headset;
+using Spectre.Console;
+
+namespace Nowpose.Headless.Tests.Cli.Headset;
+
+[Parallelizable]
+public class HeadsetTableTests
+{
+    static HeadsetResult Result(double skewPpm = 12.34) => new(
+        20, 1200, "youBot", 400, 0, new HeadsetResult.ClockResult("synchronised", 250, skewPpm, 1.5, 0, 1.5),
+        new HeadsetResult.LatencyResult(80, 90, 40, 120), new HeadsetResult.PoseResult("held", 1.5, 0.7, 4, 0.7),
+        new HeadsetResult.ErrorResult(20, 40, 1, 2, 0.95, 0.01), ["a3"], [new HeadsetResult.JointResult("a3", "fault", 4.2, "node deleted")],
+        [
+            new HeadsetResult.StretchResult(1.5, 8, 1, new HeadsetResult.ErrorResult(20, 40, 1, 2, 0.95, 0.01)),
+            new HeadsetResult.StretchResult(12, 16, 0.98, new HeadsetResult.ErrorResult(20, 40, 4, 8, 0.8, 0.02)),
+        ]);
+
+    static string Printed(HeadsetResult result)
+    {
+        using var output = new StringWriter();
+        var console = AnsiConsole.Create(new AnsiConsoleSettings { Ansi = AnsiSupport.No, Out = new AnsiConsoleOutput(output) });
+        console.Profile.Width = 120;
+        HeadsetTable.Print(result, console);
+        return output.ToString();
+    }
+
+    [TestCase(-0.04, " 0.0 ppm")]
+    [TestCase(0.04, " 0.0 ppm")]
+    [TestCase(-0.06, " -0.1 ppm")]
+    [TestCase(45.04, " +45.0 ppm")]
+    public void Print_Skew_HasOneSign(double ppm, string expected) => Assert.That(Printed(Result(ppm)), Does.Contain(expected));
+
+    [Test]
+    public void Print_OutageAndMissingJoint_AreNamed()
+    {
+        var text = Printed(Result());
+
+        Assert.That(text, Does.Match(@"joints without data +a3"));
+        Assert.That(text, Does.Match(@"joint a3 +fault since 4 s: node deleted"));
+        Assert.That(text, Does.Match(@"stretch 1: pose +current for 100\.0 % of the frames from 1\.5 to 8\.0 s"));
+        Assert.That(text, Does.Match(@"stretch 2: tool, compensated +4\.00 mm RMS, 8\.00 mm P95"));
+    }
+}

@@ -1,0 +1,69 @@
+using NUnit.Framework;
+using Nowpose.Cli.Headset;
+using Nowpose.Protocol;
+using Nowpose.Session;
+
+namespace Nowpose.Headless.Tests.Cli.Headset;
+
+[Parallelizable]
+public class HeadsetVerdictTests
+{
+    const double FramesPerSecond = 60;
+
+    static HeadsetResult.PoseResult Pose(params (double Seconds, PoseState State)[] parts)
+    {
+        var count = new PoseCount();
+        var frame = 0;
+        foreach (var (seconds, state) in parts)
+            for (var end = frame + (int)(seconds * FramesPerSecond); frame < end; frame++)
+                count.Add(TimeSpan.FromSeconds(frame / FramesPerSecond), state);
+        return count.Result(PoseStateName.Of(parts[^1].State, ClockState.Synchronised));
+    }
+
+    static SessionStatistics Statistics(long samples = 100, params JointStatus[] joints)
+    {
+        var statistics = new SessionStatistics();
+        typeof(SessionStatistics).GetProperty(nameof(SessionStatistics.Samples)).SetValue(statistics, samples);
+        statistics.ChangeableJointStatuses.AddRange(joints);
+        return statistics;
+    }
+
+    static readonly JointStatus Deleted =
+        new("a3", JointDataState.Fault, ControlTime.FromSeconds(1), TimeSpan.FromSeconds(12.3), "node deleted");
+
+    [TestCase(2, 8, 0, true)]
+    [TestCase(3, 1, 0, true, TestName = "FailureOf_ShortRunThatSynchronisedInTime_IsNone")]
+    [TestCase(2, 4, 3.9, true)]
+    [TestCase(2, 4, 4.1, false)]
+    [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_IsAFailure")]
+    public void FailureOf_ShareOfTheRun_DecidesByHalf(double before, double current, double after, bool isGood)
+    {
+        var pose = Pose((before, PoseState.Unsynchronised), (current, PoseState.Current), (after, PoseState.Held));
+
+        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(), true), isGood ? Is.Null : Is.Not.Null);
+    }
+
+    [Test]
+    public void FailureOf_JointWithoutData_NamesItWithTheReason()
+    {
+        var never = Pose((10, PoseState.Held));
+        var seldom = Pose((2, PoseState.Unsynchronised), (3, PoseState.Current), (7, PoseState.Held));
+
+        Assert.That(HeadsetVerdict.FailureOf(never, Statistics(100, Deleted), true),
+            Is.EqualTo("the pose was never current; joint a3: no data since 12 s: node deleted"));
+        Assert.That(HeadsetVerdict.FailureOf(seldom, Statistics(100, Deleted), true),
+            Is.EqualTo("the pose was current for 30 % of the time, at least 50 % is required; joint a3: no data since 12 s: node deleted"));
+    }
+
+    [Test]
+    public void FailureOf_JointAtRest_IsNone() => Assert.That(
+        HeadsetVerdict.FailureOf(
+            Pose((2, PoseState.Unsynchronised), (8, PoseState.Current)),
+            Statistics(100, new JointStatus("a3", JointDataState.Rest, null, null, "")), true),
+        Is.Null);
+
+    [TestCase(false, 100, "the clock was never synchronised: ")]
+    [TestCase(true, 0, "no joint positions arrived: ")]
+    public void FailureOf_NoClockOrNoSamples_SaysSo(bool wasTimeTrusted, long samples, string expected) => Assert.That(
+        HeadsetVerdict.FailureOf(Pose((10, PoseState.Incomplete)), Statistics(samples), wasTimeTrusted), Does.StartWith(expected));
+}
