@@ -17,6 +17,6 @@ namespace Nowpose.Session
         }
 
         // The one place that decides between "current" and "coarse": a current pose whose clock is known only coarsely.
-        static string CurrentBy(ClockState clock) => clock.Word() == "coarse" ? "coarse" : "current";
+        static string CurrentBy(ClockState clock) => clock == ClockState.Coarse ? "coarse" : "current";
     }
 }
