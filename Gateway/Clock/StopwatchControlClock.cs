@@ -42,5 +42,16 @@ public sealed class StopwatchControlClock : IControlClock
         return shown - new TimeSpan(FloorRest(shown.SinceEpoch.Ticks, Resolution.Ticks));
     }
 
+    /// <summary>Gets the clock as a line over this machine's monotonic counter in nanoseconds: C1 = intercept + rate · counter, in ns.</summary>
+    /// <remarks>On Linux the counter is CLOCK_MONOTONIC, which all processes of a machine share. The resolution is not in it.</remarks>
+    public (long InterceptNs, double Rate) OverMonotonicCounter
+    {
+        get
+        {
+            var startNs = (long)((Int128)_startCount * 1_000_000_000 / Stopwatch.Frequency);
+            return (_start.Nanoseconds - startNs - (long)Math.Round(startNs * _skew), 1 + _skew);
+        }
+    }
+
     static long FloorRest(long ticks, long step) => step <= 1 ? 0 : (ticks % step + step) % step;
 }

@@ -9,7 +9,6 @@ namespace Nowpose.Gateway.Plants;
 /// <summary>A robot cell that publishes its joint positions, and knows where its robot truly is.</summary>
 public sealed class SimulatedCell : IDisposable
 {
-    readonly IMotion _motion;
     readonly IControlClock _clock;
     readonly SampleSchedule _schedule;
     readonly string[] _names;
@@ -23,13 +22,15 @@ public sealed class SimulatedCell : IDisposable
     /// <param name="publishesPlan">Whether the set-points of the next second are published too, four times a second.</param>
     public SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
     {
-        _motion = motion;
+        Motion = motion;
         _clock = clock;
         _names = [.. motion.JointNames];
         Start = clock.Now;
         _setPoints = publishesPlan ? new SetPointsAhead(motion) : null;
         _schedule = new SampleSchedule(Start, timing, seed);
     }
+
+    public IMotion Motion { get; }
 
     /// <summary>When the motion began.</summary>
     public ControlTime Start { get; }
@@ -39,7 +40,7 @@ public sealed class SimulatedCell : IDisposable
 
     /// <summary>Where the robot truly is; any thread, allocates nothing.</summary>
     /// <param name="positions">As long as the motion's joint names, rad or m.</param>
-    public void TruthAt(ControlTime time, Span<double> positions) => _motion.At((time - Start).Ticks / (double)TimeSpan.TicksPerSecond, positions);
+    public void TruthAt(ControlTime time, Span<double> positions) => Motion.At((time - Start).Ticks / (double)TimeSpan.TicksPerSecond, positions);
 
     /// <summary>Begins to publish into a hub, on a thread of its own until disposed.</summary>
     /// <remarks>

@@ -1,14 +1,16 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.VisibleLight;
-using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Verbs;
 
 /// <summary>What a gateway that runs by itself says of itself: lines "key value" that other programs can read, the last "state serving".</summary>
 static class Announcement
 {
-    public static void Write(GatewayServer gateway, IControlClock clock, double skewPpm, string robot, IMotion motion)
+    /// <param name="clock">The gateway's own clock.</param>
+    /// <param name="cell">Null where the plant is a real one, whose motion and clock the gateway cannot announce.</param>
+    public static void Write(GatewayServer gateway, StopwatchControlClock clock, double skewPpm, string robot, SimulatedCell cell)
     {
         Line("sync", gateway.SyncEndPoint.ToString());
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
@@ -22,10 +24,13 @@ static class Announcement
         Line("control_time_s", clock.Now.SinceEpoch.TotalSeconds.ToString("0.0000000", CultureInfo.InvariantCulture));
         Line("skew_ppm", skewPpm.ToString(CultureInfo.InvariantCulture));
         Line("robot", robot);
-        if (motion != null)
+        if (cell != null)
         {
-            Line("joints", string.Join(",", motion.JointNames));
-            Line("cycle_s", motion.CycleSeconds.ToString("0.000", CultureInfo.InvariantCulture));
+            Line("joints", string.Join(",", cell.Motion.JointNames));
+            Line("cycle_s", cell.Motion.CycleSeconds.ToString("0.000", CultureInfo.InvariantCulture));
+            Line("motion_start_ns", cell.Start.Nanoseconds.ToString(CultureInfo.InvariantCulture));
+            var (intercept, rate) = clock.OverMonotonicCounter;
+            Line("clock", string.Create(CultureInfo.InvariantCulture, $"c1_ns = {intercept} + {rate:R} * monotonic_ns"));
         }
 
         foreach (var warning in gateway.Warnings) Log(warning);

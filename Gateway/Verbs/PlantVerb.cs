@@ -50,7 +50,7 @@ static class PlantVerb
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
             using var cell = new SimulatedCell(motion, clock, plant.Timing(parsed), plant.Seed(parsed), plant.PublishesPlan(parsed));
             cell.PublishInto(gateway.Hub);
-            Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), motion);
+            Announcement.Write(gateway, clock, server.SkewPpm(parsed), plant.Robot(parsed), cell);
             await Task.Delay(Timeout.Infinite, stop);
         });
         return command;

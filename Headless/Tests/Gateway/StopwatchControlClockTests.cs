@@ -42,6 +42,23 @@ public class StopwatchControlClockTests
         Assert.That(clock.AtCount(0) <= clock.AtCount(1), Is.True);
     }
 
+    [TestCase(0)]
+    [TestCase(250e-6)]
+    [TestCase(-250e-6)]
+    public void OverMonotonicCounter_AnyCount_IsTheClock(double skew)
+    {
+        var clock = new StopwatchControlClock(ControlTime.FromSeconds(1_700_000_000), skew);
+        var (intercept, rate) = clock.OverMonotonicCounter;
+
+        foreach (var seconds in new[] { 0L, 10, 86_400 })
+        {
+            var count = Stopwatch.GetTimestamp() + seconds * Stopwatch.Frequency;
+            var counterNs = (decimal)count / Stopwatch.Frequency * 1_000_000_000;
+            Assert.That(
+                Math.Abs(intercept + (decimal)rate * counterNs - clock.AtCount(count).Nanoseconds), Is.LessThanOrEqualTo(200), $"after {seconds} s");
+        }
+    }
+
     [TestCase(double.NaN)]
     [TestCase(0.5)]
     public void Constructor_SkewOfNoClock_IsRefused(double skew) =>
