@@ -5,6 +5,7 @@ using Nowpose.Gateway.Robots;
 using Nowpose.Kinematics;
 using Nowpose.Recording;
 using Nowpose.Session;
+using Nowpose.Sync;
 
 namespace Nowpose.Cli.Headset;
 
@@ -90,14 +91,17 @@ sealed class HeadsetRun(HeadsetSettings settings)
 
     HeadsetResult Result(CompensationSession session, RobotModel robot, TimeSpan length)
     {
-        var statistics = session.Statistics(_clock.Now);
+        var now = _clock.Now;
+        var statistics = session.Statistics(now);
         var clock = statistics.Clock;
         var pose = _poses.Result(PoseStateName.Of(statistics.Pose, clock.State));
         var result = new HeadsetResult(
             length.TotalSeconds, _frames, robot.Name, statistics.Samples, statistics.Dropped,
             new HeadsetResult.ClockResult(
                 clock.State.Word(), clock.IsKnown ? clock.ErrorBound.TotalMicroseconds : null, clock.IsKnown ? clock.Skew * 1e6 : null,
-                statistics.RoundTripTime?.TotalMilliseconds, statistics.ClockSteps, _synchronisedAfter?.TotalSeconds),
+                statistics.RoundTripTime?.TotalMilliseconds, statistics.ClockSteps, _synchronisedAfter?.TotalSeconds,
+                clock.IsKnown ? clock.OffsetAt(now).HeadsetMinusControl.Ticks * ClockTicks.NanosecondsPerTick : null,
+                EstimatedError.Of(session.Clock)?.TotalMicroseconds, now.Nanoseconds),
             new HeadsetResult.LatencyResult(
                 statistics.ApplicationLatency?.TotalMilliseconds, statistics.ApplicationLatency95?.TotalMilliseconds,
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Text.Json;
 using NUnit.Framework;
 using Nowpose.Gateway;
@@ -17,7 +18,8 @@ public class HeadsetVerbTests
     [Test, Retry(3)]
     public async Task Headset_GatewayWithAMovingRobot_SaysHowWellItDoes()
     {
-        await using var gateway = await Gateways.StartAsync();
+        var control = new StopwatchControlClock(Gateways.Start);
+        await using var gateway = await Gateways.StartAsync(clock: control);
         using var cell = Simulate(gateway);
         using var recording = new TemporaryFile("", ".jsonl");
 
@@ -30,6 +32,14 @@ public class HeadsetVerbTests
         Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(36));
         Assert.That(result.GetProperty("clock").GetProperty("state").GetString(), Is.EqualTo("synchronised"));
         Assert.That(result.GetProperty("clock").GetProperty("error_bound_us").GetDouble(), Is.InRange(1, 50_000));
+        // The cell's clock counts on the same counter as the headset's, so the true offset is known.
+        var clock = result.GetProperty("clock");
+        var at = clock.GetProperty("at_ns").GetInt64();
+        var trueOffset = at - control.AtCount((long)((Int128)at * Stopwatch.Frequency / 1_000_000_000)).Nanoseconds;
+        Assert.That(
+            Math.Abs(clock.GetProperty("offset_ns").GetInt64() - trueOffset) / 1000.0,
+            Is.LessThanOrEqualTo(clock.GetProperty("error_bound_us").GetDouble() + 1));
+        Assert.That(clock.GetProperty("estimated_error_us").GetDouble(), Is.InRange(0.1, 10_000));
         Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(20));
         Assert.That(result.GetProperty("pose").GetProperty("current_share").GetDouble(), Is.GreaterThan(0.3));
         Assert.That(result.GetProperty("missing_joints").GetArrayLength(), Is.Zero);

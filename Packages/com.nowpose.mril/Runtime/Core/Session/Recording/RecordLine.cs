@@ -94,6 +94,7 @@ namespace Nowpose.Recording
             _line.Add("state", Poses[(int)record.Pose]).Add("joints", record.Numbers.AsSpan(0, _joints))
                 .Add("held", record.Numbers.AsSpan(_joints, _joints));
             if (record.Length.HasValue) _line.Add("render_ns", Nanoseconds(record.Length.Value));
+            if (record.EstimatedError.HasValue) _line.Add("estimated_error_ns", Nanoseconds(record.EstimatedError.Value));
         }
 
         void WriteClock(SessionRecord record)

@@ -56,6 +56,9 @@ namespace Nowpose.Recording
         /// <summary>Frame: Δt_render. Display: L_visu.</summary>
         public TimeSpan? Length { get; set; }
 
+        /// <summary>Frame: the expected error of the clock offset.</summary>
+        public TimeSpan? EstimatedError { get; set; }
+
         /// <summary>Display.</summary>
         public RangeState Range { get; set; }
 

@@ -127,6 +127,21 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Frame_EstimatedError_IsThatOfTheClockOnceItIsKnown()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
+            var expected = new List<long?>();
+            var run = new RecordedRun(simulated.Session);
+
+            simulated.Run(2, (_, __) => expected.Add(EstimatedError.Of(simulated.Session.Clock)?.Ticks * 100));
+            run.Close();
+
+            Assert.That(run.Of("frame").Select(f => (long?)f["estimated_error_ns"]), Is.EqualTo(expected));
+            Assert.That(expected.First(), Is.Null);
+            Assert.That(expected.Last(), Is.InRange(1_000, 20_000_000));
+        }
+
+        [Test]
         public void Exchange_OfACoarseClock_IsWrittenAsItCameOverTheWire()
         {
             var session = NewSession();
