@@ -1,10 +1,14 @@
 using BenchmarkDotNet.Running;
 using Nowpose.Benchmarks;
 using Nowpose.Benchmarks.Comparison;
+using Nowpose.Benchmarks.Links;
 using Nowpose.Benchmarks.Load;
 
 if (args is ["gateway", ..])
     return await LoadVerb.RunAsync(args);
+
+if (args is ["links", ..])
+    return await LinksVerb.RunAsync(args);
 
 if (args is ["tune"])
 {

@@ -1,0 +1,88 @@
+using Microsoft.Win32.SafeHandles;
+using Nowpose.Benchmarks.Load;
+using Nowpose.Simulation;
+
+namespace Nowpose.Benchmarks.Links;
+
+/// <summary>Carries packets from one TUN device to another as a link's profile says, on a thread of its own.</summary>
+sealed class EmulatedDirection : IDisposable
+{
+    /// <summary>Longest wait, so that a stop is noticed.</summary>
+    static readonly TimeSpan LongestWait = TimeSpan.FromMilliseconds(50);
+
+    const int LargestPacket = 2048;
+
+    readonly StopwatchHeadsetClock _clock = new();
+    readonly PacketQueue<(byte[] Bytes, int Length)> _queue;
+    readonly Stack<byte[]> _free = new();
+    readonly LatencyCounts _lateness;
+    readonly SafeFileHandle _from;
+    readonly SafeFileHandle _to;
+    readonly Thread _thread;
+    volatile bool _isStopped;
+
+    /// <param name="lateness">Counts how late each packet is released.</param>
+    public EmulatedDirection(SafeFileHandle from, SafeFileHandle to, PacketLink link, LatencyCounts lateness)
+    {
+        (_from, _to, _lateness) = (from, to, lateness);
+        _queue = new PacketQueue<(byte[] Bytes, int Length)>(link);
+        _thread = new Thread(Run) { IsBackground = true, Name = "emulated link" };
+        _thread.Start();
+    }
+
+    /// <summary>Packets that entered the link. Read it when disposed.</summary>
+    public int Sent { get; private set; }
+
+    /// <summary>Packets that the link lost. Read it when disposed.</summary>
+    public int Lost { get; private set; }
+
+    public void Dispose()
+    {
+        _isStopped = true;
+        _thread.Join();
+    }
+
+    void Run()
+    {
+        LinuxCalls.SharpenTimeouts();
+        while (!_isStopped)
+        {
+            Wait();
+            TakeIn();
+            Release();
+        }
+    }
+
+    void Wait()
+    {
+        var wait = _queue.NextArrival - _clock.Now ?? LongestWait;
+        if (wait > TimeSpan.Zero) LinuxCalls.WaitReadable(_from, wait < LongestWait ? wait : LongestWait);
+    }
+
+    void TakeIn()
+    {
+        while (true)
+        {
+            if (!_free.TryPop(out var packet)) packet = new byte[LargestPacket];
+            var length = LinuxCalls.Read(_from, packet);
+            if (length > 0)
+            {
+                Sent++;
+                if (_queue.TrySend(_clock.Now, (packet, length))) continue;
+                Lost++;
+            }
+            _free.Push(packet);
+            if (length == 0) return;
+        }
+    }
+
+    void Release()
+    {
+        while (_queue.TryReceive(_clock.Now, out var packet, out var due))
+        {
+            LinuxCalls.Write(_to, packet.Bytes, packet.Length);
+            _lateness.Add((_clock.Now - due).Ticks * 100);
+            _free.Push(packet.Bytes);
+        }
+    }
+}

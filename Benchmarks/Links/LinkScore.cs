@@ -1,0 +1,95 @@
+using Nowpose.Cli;
+using Nowpose.Cli.Demo;
+using Nowpose.Gateway.Robots;
+using Nowpose.Simulation;
+
+namespace Nowpose.Benchmarks.Links;
+
+/// <summary>Compares the frames of a session with the truth.</summary>
+sealed class LinkScore
+{
+    readonly SessionFrames _session;
+    readonly IDemoTruth _truth;
+    readonly TimeSpan _visualisation;
+    readonly IReadOnlyList<SessionFrames.Frame> _scored;
+    readonly ToolKinematics _kinematics;
+
+    public LinkScore(SessionFrames session, IDemoTruth truth, string robot, TimeSpan visualisation)
+    {
+        if (session.All.Count == 0) throw new InputException("the headset recorded no frame");
+        (_session, _truth, _visualisation) = (session, truth, visualisation);
+        _kinematics = new ToolKinematics(RobotFiles.Load(robot));
+        _scored = [.. session.All.SkipWhile(frame => !frame.IsCurrent)];
+    }
+
+    /// <param name="profile">Of the link.</param>
+    /// <param name="linkStart">Stalls are counted from it.</param>
+    public LinkResult Result(LinkProfile profile, HeadsetTime linkStart, int seed)
+    {
+        var (hold, shown) = (new List<double>(), new List<double>());
+        foreach (var frame in _scored)
+        {
+            var truth = _kinematics.TrueAt(_truth, _truth.ControlAt(frame.Start + _visualisation));
+            hold.Add(_kinematics.At(frame.Held).DistanceMm(truth));
+            shown.Add(_kinematics.At(frame.Joints).DistanceMm(truth));
+        }
+
+        var clock = _scored.Where(frame => frame.Light.HasValue).ToList();
+        var errors = clock.Select(frame => ClockError(frame).TotalMicroseconds).ToList();
+        var stated = clock.Where(frame => frame.StatedError.HasValue).ToList();
+        var stalls = Stalls(profile, linkStart).ToList();
+        return new LinkResult(
+            profile.Name, seed, _session.All.Count, _scored.Count == 0 ? null : Since(_scored[0].Start),
+            Since(_session.FirstIn("coarse", "synchronised")), Since(_session.FirstIn("synchronised")),
+            _scored.Count == 0 ? null : _scored.Average(frame => frame.IsCurrent ? 1.0 : 0), LongestNotCurrent(),
+            Rms(hold) > 0 ? 1 - Rms(shown) / Rms(hold) : null, Rms(hold), Rms(shown), Percentile(shown, 0.95),
+            Percentile(errors, 0.5), Percentile(errors, 0.99), Percentile(errors, 1),
+            Percentile(stated.Select(frame => frame.StatedError.Value.TotalMicroseconds), 0.5),
+            // Unknown is not within: a frame without a stated error keeps no promise.
+            clock.Count == 0 ? null : clock.Average(frame => ClockError(frame) <= frame.StatedError ? 1.0 : 0),
+            Greatest(stalls, stall => FirstAfter(stall.From, isCurrent: false)), Greatest(stalls, stall => FirstAfter(stall.To, isCurrent: true)));
+    }
+
+    TimeSpan ClockError(SessionFrames.Frame frame) =>
+        (frame.Light.Value - _visualisation - _truth.ControlAt(frame.Start)).Duration();
+
+    double? Since(HeadsetTime? time) => time is { } t ? (t - _session.All[0].Start).TotalSeconds : null;
+
+    double? LongestNotCurrent()
+    {
+        if (_scored.Count == 0) return null;
+        var longest = TimeSpan.Zero;
+        HeadsetTime? lost = null;
+        foreach (var frame in _scored)
+        {
+            if (!frame.IsCurrent) lost ??= frame.Start;
+            if (frame.Start - lost > longest) longest = frame.Start - lost.Value;
+            if (frame.IsCurrent) lost = null;
+        }
+
+        return longest.TotalSeconds;
+    }
+
+    // Those that lie within the scored frames with a second to recover.
+    IEnumerable<(HeadsetTime From, HeadsetTime To)> Stalls(LinkProfile profile, HeadsetTime linkStart)
+    {
+        if (profile.StallInterval == TimeSpan.Zero || _scored.Count == 0) yield break;
+        var last = _scored[^1].Start - TimeSpan.FromSeconds(1);
+        for (var from = linkStart + profile.StallInterval; from + profile.StallLength < last; from += profile.StallInterval)
+            if (from > _scored[0].Start) yield return (from, from + profile.StallLength);
+    }
+
+    // To the end of the run where no such frame came.
+    double FirstAfter(HeadsetTime time, bool isCurrent) =>
+        ((_scored.FirstOrDefault(frame => frame.Start >= time && frame.IsCurrent == isCurrent) ?? _scored[^1]).Start - time).TotalSeconds;
+
+    static double? Greatest<T>(List<T> items, Func<T, double> value) => items.Count == 0 ? null : items.Max(value);
+
+    static double? Rms(List<double> values) => values.Count == 0 ? null : Math.Sqrt(values.Average(v => v * v));
+
+    static double? Percentile(IEnumerable<double> values, double fraction)
+    {
+        var list = values.ToList();
+        return list.Count == 0 ? null : Quantile.Of(list, fraction);
+    }
+}

@@ -1,0 +1,8 @@
+using Nowpose.Simulation;
+
+namespace Nowpose.Benchmarks.Links;
+
+/// <summary>Options of <c>links</c>.</summary>
+/// <param name="KeepsOrder">Whether packets of one direction stay in order, as on most real links.</param>
+/// <param name="SessionFolder">Where the session files stay; null for nowhere.</param>
+sealed record LinkSettings(IReadOnlyList<LinkProfile> Profiles, int Repeats, double Seconds, int Seed, bool KeepsOrder, string SessionFolder);

@@ -1,0 +1,41 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using Nowpose.Cli.Demo;
+using Nowpose.Gateway.Robots;
+using Nowpose.Motion;
+
+namespace Nowpose.Benchmarks.Links;
+
+/// <summary>The truth of a simulated gateway on this machine, whose monotonic counter all processes share: its clock and its robot's motion.</summary>
+sealed partial class LinkTruth : IDemoTruth
+{
+    readonly PickAndPlaceMotion _motion;
+    readonly ControlTime _motionStart;
+    readonly long _interceptNs;
+    readonly double _skew;
+
+    /// <param name="clockLine">The clock as the gateway prints it.</param>
+    /// <param name="motionStart">On the control clock, ns; when the motion began.</param>
+    /// <param name="robot">youbot, ur5 or a file.</param>
+    public LinkTruth(string clockLine, string motionStart, string robot)
+    {
+        _motion = new PickAndPlaceMotion(RobotFiles.Load(robot));
+        _motionStart = ControlTime.FromNanoseconds(long.Parse(motionStart, CultureInfo.InvariantCulture));
+        var line = ClockLine().Match(clockLine);
+        if (!line.Success) throw new InputException($"the gateway's clock line '{clockLine}' is not 'c1_ns = A + B * monotonic_ns'");
+        _interceptNs = long.Parse(line.Groups["A"].Value, CultureInfo.InvariantCulture);
+        _skew = double.Parse(line.Groups["B"].Value, CultureInfo.InvariantCulture) - 1;
+    }
+
+    public ControlTime ControlAt(HeadsetTime t) =>
+        ControlTime.FromNanoseconds(_interceptNs + t.Nanoseconds + (long)Math.Round(t.Nanoseconds * _skew));
+
+    public void JointsAt(ControlTime t, Span<double> positions) => _motion.At(SinceStart(t), positions);
+
+    public int CycleAt(ControlTime t) => (int)(SinceStart(t) / _motion.CycleSeconds);
+
+    double SinceStart(ControlTime t) => (t - _motionStart).Ticks / (double)TimeSpan.TicksPerSecond;
+
+    [GeneratedRegex(@"^c1_ns = (?<A>-?\d+) \+ (?<B>\S+) \* monotonic_ns$")]
+    private static partial Regex ClockLine();
+}

@@ -1,0 +1,91 @@
+using System.Diagnostics;
+using System.Globalization;
+using Microsoft.Win32.SafeHandles;
+
+namespace Nowpose.Benchmarks.Links;
+
+/// <summary>A network namespace of this process with one TUN device. Disposing ends the processes in it and removes it.</summary>
+sealed class NetworkNamespace : IDisposable
+{
+    const string Folder = "/run/netns";
+    const string Device = "tun0";
+
+    readonly string _name;
+
+    NetworkNamespace(string name) => _name = name;
+
+    public SafeFileHandle Tun { get; private set; }
+
+    /// <param name="role">Different for each namespace of this process.</param>
+    /// <param name="address">Of the device, with the length of its prefix.</param>
+    public static NetworkNamespace Create(string role, string address)
+    {
+        var created = new NetworkNamespace(RunName.Create(role));
+        Ip("netns", "add", created._name);
+        try
+        {
+            created.Tun = OnThreadOfItsOwn(() =>
+            {
+                LinuxCalls.Enter(Path.Combine(Folder, created._name));
+                return LinuxCalls.CreateTun(Device);
+            });
+            Ip("-n", created._name, "address", "add", address, "dev", Device);
+            Ip("-n", created._name, "link", "set", "lo", "up");
+            Ip("-n", created._name, "link", "set", Device, "up");
+            return created;
+        }
+        catch
+        {
+            created.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Removes the namespaces and ends the processes of earlier runs that were killed.</summary>
+    public static void RemoveLeftovers()
+    {
+        foreach (var name in RunName.Leftovers(Folder)) new NetworkNamespace(name).Dispose();
+    }
+
+    /// <summary>How to start a program inside.</summary>
+    public ProcessStartInfo Inside(params string[] command) => new("ip", ["netns", "exec", _name, .. command])
+    {
+        RedirectStandardOutput = true, RedirectStandardError = true,
+    };
+
+    public void Dispose()
+    {
+        Tun?.Dispose();
+        foreach (var line in Ip("netns", "pids", _name).Split('\n', StringSplitOptions.RemoveEmptyEntries))
+            Kill(int.Parse(line, CultureInfo.InvariantCulture));
+        Ip("netns", "delete", _name);
+    }
+
+    static void Kill(int id)
+    {
+        try
+        {
+            using var process = Process.GetProcessById(id);
+            process.Kill();
+            process.WaitForExit();
+        }
+        catch (ArgumentException)
+        {
+            // It ended meanwhile.
+        }
+    }
+
+    // The thread stays in the namespace that it entered, so it must not serve anything else.
+    static T OnThreadOfItsOwn<T>(Func<T> work) =>
+        Task.Factory.StartNew(work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).GetAwaiter().GetResult();
+
+    static string Ip(params string[] arguments)
+    {
+        using var ip = Process.Start(new ProcessStartInfo("ip", arguments) { RedirectStandardOutput = true, RedirectStandardError = true });
+        var errors = ip.StandardError.ReadToEndAsync();
+        var output = ip.StandardOutput.ReadToEnd();
+        ip.WaitForExit();
+        return ip.ExitCode == 0
+            ? output : throw new IOException($"ip {string.Join(' ', arguments)}: {errors.GetAwaiter().GetResult().Trim().ReplaceLineEndings(" ")}");
+    }
+}

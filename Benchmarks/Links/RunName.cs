@@ -1,0 +1,29 @@
+using System.Globalization;
+
+namespace Nowpose.Benchmarks.Links;
+
+/// <summary>Names of the namespaces and files of a run. A later run finds leftovers by them.</summary>
+static class RunName
+{
+    const string Prefix = "nowpose-link-";
+
+    public static string Create(string role) => string.Create(CultureInfo.InvariantCulture, $"{Prefix}{Environment.ProcessId}-{role}");
+
+    /// <summary>The names in a folder whose run is no more.</summary>
+    public static IEnumerable<string> Leftovers(string folder) => Directory.Exists(folder)
+        ? Directory.EnumerateFiles(folder, Prefix + "*").Select(Path.GetFileName).Where(name => !IsOwnerAlive(name)).ToList() : [];
+
+    static bool IsOwnerAlive(string name)
+    {
+        var id = name[Prefix.Length..].Split('-')[0];
+        try
+        {
+            // The id may belong to another program by now.
+            return File.ReadAllText($"/proc/{id}/cmdline").Contains(typeof(RunName).Assembly.GetName().Name);
+        }
+        catch (IOException)
+        {
+            return false;
+        }
+    }
+}
