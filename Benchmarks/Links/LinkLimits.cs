@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Cli;
+using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
@@ -24,7 +25,7 @@ static class LinkLimits
     public static IEnumerable<string> Missed(IReadOnlyList<LinkResult> runs)
     {
         var profile = runs[0].Profile;
-        var isRoaming = runs[0].HeldAfterS.HasValue;
+        var stalls = LinkProfile.Named(profile).StallInterval > TimeSpan.Zero;
         string AtMost(string what, double? value, double limit, string unit) =>
             value <= limit ? null : $"{profile}: {what}: {Text(value, unit)}; the limit is {Text(limit, unit)}";
         string AtLeast(string what, double? value, double limit) =>
@@ -33,7 +34,7 @@ static class LinkLimits
         {
             AtLeast("share of frames with a clock error within the stated one", Median(runs, run => run.WithinStatedShare), WithinStatedShare),
         };
-        if (isRoaming)
+        if (stalls)
         {
             missed.Add(AtMost("not shown as held after", Median(runs, run => run.HeldAfterS), HeldAfterS, "s"));
             missed.Add(AtMost("current again after", Median(runs, run => run.RecoveredAfterS), RecoveredAfterS, "s"));

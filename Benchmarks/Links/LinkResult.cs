@@ -30,6 +30,9 @@ sealed record LinkResult(
     /// <summary>How late the emulator released packets; grows with other load on the machine.</summary>
     public double ReleaseLateUsP99 { get; init; }
 
+    /// <summary>How late the headset's frames began; grows likewise.</summary>
+    public double FrameLateMsP99 { get; init; }
+
     /// <inheritdoc cref="ReleaseLateUsP99"/>
     public double ReleaseLateUsMax { get; init; }
 }

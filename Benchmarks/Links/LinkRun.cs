@@ -9,6 +9,7 @@ namespace Nowpose.Benchmarks.Links;
 static class LinkRun
 {
     const string Robot = "youbot";
+    const double FramesPerSecond = 60;
     static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
 
     /// <summary>Beyond the time that the headset is to run.</summary>
@@ -28,7 +29,7 @@ static class LinkRun
             using var output = JsonDocument.Parse(await RunHeadsetAsync(link, settings.Seconds, file, stop));
             link.Stop();
             var clock = output.RootElement.GetProperty("clock");
-            return new LinkScore(SessionFrames.Read(file), truth, Robot, Visualisation).Result(profile, start, seed) with
+            return new LinkScore(SessionFrames.Read(file), truth, Robot, Visualisation, FramesPerSecond).Result(profile, start, seed) with
             {
                 FinalClockErrorUs = ErrorUs(clock, truth),
                 FinalStatedErrorUs = Number(clock, "estimated_error_us"),
@@ -56,7 +57,7 @@ static class LinkRun
         var headset = Process.Start(link.InHeadset(
             "dotnet", Path.Combine(AppContext.BaseDirectory, "Nowpose.Cli.dll"), "headset", "--host", EmulatedLink.GatewayAddress, "--insecure-lan",
             "--robot", Robot, "--seconds", seconds.ToString(CultureInfo.InvariantCulture), "--record", file, "--json",
-            "--visu-ms", Visualisation.TotalMilliseconds.ToString(CultureInfo.InvariantCulture)));
+            "--fps", FramesPerSecond.ToString(CultureInfo.InvariantCulture), "--visu-ms", Visualisation.TotalMilliseconds.ToString(CultureInfo.InvariantCulture)));
         var errors = headset.StandardError.ReadToEndAsync(CancellationToken.None);
         var output = await headset.StandardOutput.ReadToEndAsync(stop).WaitAsync(TimeSpan.FromSeconds(seconds) + HeadsetTimeout, stop);
         // A run that went badly fails, and is scored like any other; one without a result is not.

@@ -11,13 +11,14 @@ sealed class LinkScore
     readonly SessionFrames _session;
     readonly IDemoTruth _truth;
     readonly TimeSpan _visualisation;
+    readonly double _framesPerSecond;
     readonly IReadOnlyList<SessionFrames.Frame> _scored;
     readonly ToolKinematics _kinematics;
 
-    public LinkScore(SessionFrames session, IDemoTruth truth, string robot, TimeSpan visualisation)
+    public LinkScore(SessionFrames session, IDemoTruth truth, string robot, TimeSpan visualisation, double framesPerSecond)
     {
         if (session.All.Count == 0) throw new InputException("the headset recorded no frame");
-        (_session, _truth, _visualisation) = (session, truth, visualisation);
+        (_session, _truth, _visualisation, _framesPerSecond) = (session, truth, visualisation, framesPerSecond);
         _kinematics = new ToolKinematics(RobotFiles.Load(robot));
         _scored = [.. session.All.SkipWhile(frame => !frame.IsCurrent)];
     }
@@ -47,7 +48,17 @@ sealed class LinkScore
             Percentile(stated.Select(frame => frame.StatedError.Value.TotalMicroseconds), 0.5),
             // Unknown is not within: a frame without a stated error keeps no promise.
             clock.Count == 0 ? null : clock.Average(frame => ClockError(frame) <= frame.StatedError ? 1.0 : 0),
-            Greatest(stalls, stall => FirstAfter(stall.From, isCurrent: false)), Greatest(stalls, stall => FirstAfter(stall.To, isCurrent: true)));
+            Greatest(stalls, stall => FirstAfter(stall.From, isCurrent: false)), Greatest(stalls, stall => FirstAfter(stall.To, isCurrent: true)))
+        {
+            FrameLateMsP99 = FrameLateMs(0.99),
+        };
+    }
+
+    // Beside the most punctual frame: the first one is late itself.
+    double FrameLateMs(double fraction)
+    {
+        var late = _session.All.Select((frame, i) => Since(frame.Start).Value - i / _framesPerSecond).ToList();
+        return 1000 * (Quantile.Of(late, fraction) - late.Min());
     }
 
     TimeSpan ClockError(SessionFrames.Frame frame) =>

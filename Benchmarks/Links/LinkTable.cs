@@ -18,10 +18,10 @@ static class LinkTable
         if (Console.IsOutputRedirected) console.Profile.Width = Width;
         var table = new Table().AddColumns(
             "link", "runs", "current\nafter s", "coarse\ns", "synchro-\nnised s", "current\n%", "not cur-\nrent s", "reduc-\ntion %", "error mm\n(held)",
-            "clock error\nP50, P99 µs", "stated\n± µs", "within\n± %", "stall: held,\nback s", "released\nlate µs");
+            "clock error\nP50, P99 µs", "stated\n± µs", "within\n± %", "stall: held,\nback s", "late: packets\nµs, frames ms");
         foreach (var runs in results.GroupBy(result => result.Profile)) table.AddRow([.. Row([.. runs]).Select(Markup.Escape)]);
         console.Write(table);
-        console.WriteLine("Medians over the runs. Errors are against the true motion and the true clock. Released late: P99 of the emulator itself.");
+        console.WriteLine("Medians over the runs. Errors are against the true motion and the true clock. Late: P99, from other load on this machine.");
     }
 
     public static string Json(IReadOnlyList<LinkResult> results) => JsonSerializer.Serialize(results, Snake);
@@ -43,6 +43,6 @@ static class LinkTable
         yield return Median(run => run.StatedErrorUsP50, "0");
         yield return Median(run => run.WithinStatedShare, "0.0", 100);
         yield return $"{Median(run => run.HeldAfterS, "0.00")}, {Median(run => run.RecoveredAfterS, "0.00")}";
-        yield return Median(run => run.ReleaseLateUsP99, "0");
+        yield return $"{Median(run => run.ReleaseLateUsP99, "0")}, {Median(run => run.FrameLateMsP99, "0.0")}";
     }
 }

@@ -36,6 +36,7 @@ public class LinkScoreTests
         Assert.That(result.LongestNotCurrentS, Is.Zero);
         Assert.That(result.ClockErrorUsMax, Is.LessThan(0.2));
         Assert.That(result.WithinStatedShare, Is.EqualTo(1));
+        Assert.That(result.FrameLateMsP99, Is.Zero.Within(1e-3));
     }
 
     [Test]
@@ -101,6 +102,14 @@ public class LinkScoreTests
     }
 
     [Test]
+    public void Missed_RoamingThatNeverMetAStall_NamesBothLimits()
+    {
+        var result = Score(5, _ => "current", LinkProfile.Roaming);
+
+        Assert.That(LinkLimits.Missed([result]).Select(line => line.Split(": ")[1]), Is.EqualTo(new[] { "not shown as held after", "current again after" }));
+    }
+
+    [Test]
     public void Median_MissingInHalfOfTheRuns_IsNone()
     {
         var good = Score(5, _ => "current");
@@ -130,7 +139,7 @@ public class LinkScoreTests
         }
 
         using var file = new TemporaryFile(string.Join('\n', lines), ".jsonl");
-        return new LinkScore(SessionFrames.Read(file.Path), Truth, "youbot", Visualisation).Result(profile ?? LinkProfile.Clean, Start, seed: 1);
+        return new LinkScore(SessionFrames.Read(file.Path), Truth, "youbot", Visualisation, FramesPerSecond).Result(profile ?? LinkProfile.Clean, Start, seed: 1);
     }
 
     static string JointsAt(ControlTime time)
