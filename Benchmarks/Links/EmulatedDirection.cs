@@ -7,10 +7,10 @@ namespace Nowpose.Benchmarks.Links;
 /// <summary>Carries packets from one TUN device to another as a link's profile says, on a thread of its own.</summary>
 sealed class EmulatedDirection : IDisposable
 {
-    /// <summary>Longest wait, so that a stop is noticed.</summary>
-    static readonly TimeSpan LongestWait = TimeSpan.FromMilliseconds(50);
+    /// <summary>Maximum wait, so that a stop is noticed.</summary>
+    static readonly TimeSpan MaxWait = TimeSpan.FromMilliseconds(50);
 
-    const int LargestPacket = 2048;
+    const int MaxPacketBytes = 2048;
 
     readonly StopwatchHeadsetClock _clock = new();
     readonly PacketQueue<(byte[] Bytes, int Length)> _queue;
@@ -55,15 +55,15 @@ sealed class EmulatedDirection : IDisposable
 
     void Wait()
     {
-        var wait = _queue.NextArrival - _clock.Now ?? LongestWait;
-        if (wait > TimeSpan.Zero) LinuxCalls.WaitReadable(_from, wait < LongestWait ? wait : LongestWait);
+        var wait = _queue.NextArrival - _clock.Now ?? MaxWait;
+        if (wait > TimeSpan.Zero) LinuxCalls.WaitReadable(_from, wait < MaxWait ? wait : MaxWait);
     }
 
     void TakeIn()
     {
         while (true)
         {
-            if (!_free.TryPop(out var packet)) packet = new byte[LargestPacket];
+            if (!_free.TryPop(out var packet)) packet = new byte[MaxPacketBytes];
             var length = LinuxCalls.Read(_from, packet);
             if (length > 0)
             {

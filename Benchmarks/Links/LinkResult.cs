@@ -19,7 +19,7 @@ sealed record LinkResult(
     /// <summary>True error of the offset that <c>headset --json</c> states at its end.</summary>
     public double? FinalClockErrorUs { get; init; }
 
-    /// <summary>What <c>headset --json</c> states for it.</summary>
+    /// <summary>The ± that <c>headset --json</c> states for this offset.</summary>
     public double? FinalStatedErrorUs { get; init; }
 
     /// <summary>Packets that entered the link, in both directions.</summary>

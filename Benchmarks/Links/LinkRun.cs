@@ -57,7 +57,8 @@ static class LinkRun
         var headset = Process.Start(link.InHeadset(
             "dotnet", Path.Combine(AppContext.BaseDirectory, "Nowpose.Cli.dll"), "headset", "--host", EmulatedLink.GatewayAddress, "--insecure-lan",
             "--robot", Robot, "--seconds", seconds.ToString(CultureInfo.InvariantCulture), "--record", file, "--json",
-            "--fps", FramesPerSecond.ToString(CultureInfo.InvariantCulture), "--visu-ms", Visualisation.TotalMilliseconds.ToString(CultureInfo.InvariantCulture)));
+            "--fps", FramesPerSecond.ToString(CultureInfo.InvariantCulture),
+            "--visu-ms", Visualisation.TotalMilliseconds.ToString(CultureInfo.InvariantCulture)));
         var errors = headset.StandardError.ReadToEndAsync(CancellationToken.None);
         var output = await headset.StandardOutput.ReadToEndAsync(stop).WaitAsync(TimeSpan.FromSeconds(seconds) + HeadsetTimeout, stop);
         // A run that went badly fails, and is scored like any other; one without a result is not.

@@ -6,7 +6,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>The truth of a simulated gateway on this machine, whose monotonic counter all processes share: its clock and its robot's motion.</summary>
+/// <summary>The true clock and motion of a simulated gateway on this machine, whose processes share the monotonic counter.</summary>
 sealed partial class LinkTruth : IDemoTruth
 {
     readonly PickAndPlaceMotion _motion;

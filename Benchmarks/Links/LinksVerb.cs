@@ -9,11 +9,12 @@ static class LinksVerb
 {
     static readonly Option<string[]> Profiles = new("--profile")
     {
-        Description = $"Link to run, once for each [{string.Join(", ", LinkProfile.All.Select(profile => profile.Name))}] [default: all]",
+        Description = $"Link to run, any number of times [{string.Join(", ", LinkProfile.All.Select(p => p.Name))}] [default: all]",
         HelpName = "NAME",
     };
     static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Runs over each link", 5, 1, 1000, "");
-    static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Length of a run; limits hold for 30 s or more", LinkLimits.Seconds, 5, 3600, "s");
+    static readonly Option<double> Seconds = NumberOption.Create(
+        "--seconds", "Length of a run; limits hold for 30 s or more", LinkLimits.Seconds, 5, 3600, "s");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Of the first run; each further one takes the next", 1, 0, 1_000_000, "");
     static readonly Option<bool> Reorder = new("--reorder") { Description = "Let packets overtake each other" };
     static readonly Option<string> Out = new("--out") { Description = "Write every run there as JSON", HelpName = "FILE" };

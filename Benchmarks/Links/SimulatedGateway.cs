@@ -24,7 +24,7 @@ sealed class SimulatedGateway
         return gateway;
     }
 
-    /// <summary>Of the line "key value" that the gateway printed at its start.</summary>
+    /// <summary>Gets the value of a line "key value" that the gateway printed at its start.</summary>
     public string this[string key] => _values.TryGetValue(key, out var value)
         ? value : throw new InputException($"the gateway printed no line '{key}'");
 

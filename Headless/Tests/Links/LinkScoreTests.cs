@@ -106,7 +106,8 @@ public class LinkScoreTests
     {
         var result = Score(5, _ => "current", LinkProfile.Roaming);
 
-        Assert.That(LinkLimits.Missed([result]).Select(line => line.Split(": ")[1]), Is.EqualTo(new[] { "not shown as held after", "current again after" }));
+        Assert.That(
+            LinkLimits.Missed([result]).Select(line => line.Split(": ")[1]), Is.EqualTo(new[] { "not shown as held after", "current again after" }));
     }
 
     [Test]
@@ -125,21 +126,23 @@ public class LinkScoreTests
         int synchronisedAt = 0)
     {
         statedUs ??= _ => 1000;
+        var error = TimeSpan.FromMicroseconds(clockErrorUs);
         var lines = new List<string> { """{"kind":"session","format":"nowpose-session","version":1}""" };
         for (var i = 0; i < seconds * FramesPerSecond; i++)
         {
             var start = Start + TimeSpan.FromSeconds(i / (double)FramesPerSecond);
             if (i == synchronisedAt) lines.Add($$"""{"kind":"clock","at_ns":{{start.Nanoseconds}},"state":"synchronised","steps":0}""");
-            var light = Truth.ControlAt(start) + Visualisation - TimeSpan.FromMicroseconds(clockErrorUs);
+            var light = Truth.ControlAt(start) + Visualisation - error;
             var seen = Truth.ControlAt(start + Visualisation);
             var stated = statedUs(i) is double us ? FormattableString.Invariant($",\"estimated_error_ns\":{us * 1000:0}") : "";
             lines.Add(
                 $$"""{"kind":"frame","start_ns":{{start.Nanoseconds}},"light_ns":{{light.Nanoseconds}},"state":"{{state(i)}}", """
-                + $$""" "joints":{{JointsAt(seen - TimeSpan.FromMicroseconds(clockErrorUs))}},"held":{{JointsAt(seen - HoldAge)}}{{stated}}}""");
+                + $$""" "joints":{{JointsAt(seen - error)}},"held":{{JointsAt(seen - HoldAge)}}{{stated}}}""");
         }
 
         using var file = new TemporaryFile(string.Join('\n', lines), ".jsonl");
-        return new LinkScore(SessionFrames.Read(file.Path), Truth, "youbot", Visualisation, FramesPerSecond).Result(profile ?? LinkProfile.Clean, Start, seed: 1);
+        return new LinkScore(SessionFrames.Read(file.Path), Truth, "youbot", Visualisation, FramesPerSecond)
+            .Result(profile ?? LinkProfile.Clean, Start, seed: 1);
     }
 
     static string JointsAt(ControlTime time)

@@ -52,7 +52,9 @@ namespace Nowpose.Simulation
         /// <summary>Probability that a packet is lost, 0 to 1.</summary>
         public double Loss { get; }
 
-        /// <summary>From the start of one stall to the start of the next, and from the link's start to the first; zero for a link without stalls.</summary>
+        /// <summary>
+        /// From the start of one stall to the start of the next, and from the link's start to the first; zero for a link without stalls.
+        /// </summary>
         public TimeSpan StallInterval { get; }
 
         /// <summary>How long a stall lasts. Both directions stall together, and packets wait for its end; none is lost.</summary>
