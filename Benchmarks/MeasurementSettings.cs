@@ -14,6 +14,8 @@ static class MeasurementSettings
         .AddLogger(ConsoleLogger.Default)
         .AddColumnProvider(DefaultColumnProviders.Instance)
         .AddDiagnoser(MemoryDiagnoser.Default)
+        // It builds all projects that the benchmarks refer to, with the command line: minutes on a busy machine.
+        .WithBuildTimeout(TimeSpan.FromMinutes(10))
         .AddJob(Job.Default
             .WithIterationTime(TimeInterval.FromMilliseconds(100))
             .WithWarmupCount(8)
