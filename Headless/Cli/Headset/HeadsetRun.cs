@@ -101,7 +101,7 @@ sealed class HeadsetRun(HeadsetSettings settings)
                 clock.State.Word(), clock.IsKnown ? clock.ErrorBound.TotalMicroseconds : null, clock.IsKnown ? clock.Skew * 1e6 : null,
                 statistics.RoundTripTime?.TotalMilliseconds, statistics.ClockSteps, _synchronisedAfter?.TotalSeconds,
                 clock.IsKnown ? clock.OffsetAt(now).HeadsetMinusControl.Ticks * ClockTicks.NanosecondsPerTick : null,
-                EstimatedError.Of(session.Clock)?.TotalMicroseconds, now.Nanoseconds),
+                clock.IsKnown ? clock.EstimatedError.TotalMicroseconds : null, now.Nanoseconds),
             new HeadsetResult.LatencyResult(
                 statistics.ApplicationLatency?.TotalMilliseconds, statistics.ApplicationLatency95?.TotalMilliseconds,
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),

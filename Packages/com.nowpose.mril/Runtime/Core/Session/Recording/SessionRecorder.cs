@@ -157,7 +157,7 @@ namespace Nowpose.Recording
             record.Light = frame.DisplayTime;
             record.Pose = frame.State;
             record.Length = _session.NewestRenderTime;
-            record.EstimatedError = EstimatedError.Of(_session.Clock);
+            record.EstimatedError = frame.DisplayTime.HasValue ? frame.ClockError : (TimeSpan?)null;
             frame.Joints.CopyTo(record.Numbers);
             frame.HeldJoints.CopyTo(record.Numbers.AsSpan(frame.Joints.Length));
             _ring.Publish(record);

@@ -133,7 +133,7 @@ namespace Nowpose.Tests
             var expected = new List<long?>();
             var run = new RecordedRun(simulated.Session);
 
-            simulated.Run(2, (_, __) => expected.Add(EstimatedError.Of(simulated.Session.Clock)?.Ticks * 100));
+            simulated.Run(2, (frame, _) => expected.Add(frame.DisplayTime.HasValue ? frame.ClockError.Ticks * 100 : (long?)null));
             run.Close();
 
             Assert.That(run.Of("frame").Select(f => (long?)f["estimated_error_ns"]), Is.EqualTo(expected));
