@@ -13,6 +13,7 @@ using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
+using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Sync;
 using Nowpose.Gateway.VisibleLight;
 using Nowpose.Pairing;
@@ -56,13 +57,16 @@ public sealed class GatewayServer : IAsyncDisposable
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
         _sync = new SyncServer(options, Clock, _access, Log);
         _limits = new LimitAlarm(Hub, Log);
-        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits);
+        var events = new EventList(options.Time, Log);
+        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits, events);
+        var recordings = new RecordingsFolder(options.Recordings);
+        RecordingsWatch = new RecordingsWatch(Recorder, recordings, events);
         _web = GatewayWeb.Build(
             options, WebSocketConnections, _rosbridge.ServeAsync,
             _page.ServeAsync,
             _pairing.ServeAsync,
-            new StatusRoutes(options, _status, door).ServeAsync,
-            new RecordingRoutes(Recorder, door).ServeAsync,
+            new StatusRoutes(_status, door).ServeAsync,
+            new RecordingRoutes(Recorder, recordings, door).ServeAsync,
             new OperationsRoutes(options, door, WebSocketConnections, Log, OperationsPage.Html).ServeAsync,
             RosbridgeServer.CountFragmentsAsync);
     }
@@ -107,6 +111,8 @@ public sealed class GatewayServer : IAsyncDisposable
     /// <summary>Writes what passes the hub into files, when it is switched on.</summary>
     public Recorder Recorder { get; }
 
+    internal RecordingsWatch RecordingsWatch { get; }
+
     /// <summary>C1 as headsets get it.</summary>
     public ServedClock Clock { get; }
 
@@ -144,6 +150,7 @@ public sealed class GatewayServer : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
+        RecordingsWatch.Dispose();
         _status.Dispose();
         _limits.Dispose();
         _comparison.Dispose();

@@ -10,9 +10,10 @@ public sealed class HubMessage
     readonly Lazy<byte[]> _sec;
     readonly Lazy<byte[]> _secs;
 
-    HubMessage(string topic, object content, long receivedAt, Func<RosTimeForm, string> write)
+    HubMessage(string topic, object content, long receivedAt, Func<RosTimeForm, string> write, HubSource source = null)
     {
         Topic = topic;
+        Source = source;
         Content = content;
         ReceivedAt = receivedAt;
         _sec = new Lazy<byte[]>(() => Encoding.UTF8.GetBytes(write(RosTimeForm.Sec)));
@@ -21,20 +22,30 @@ public sealed class HubMessage
 
     public string Topic { get; }
 
+    /// <summary>Null where it is not known.</summary>
+    internal HubSource Source { get; }
+
     /// <summary>The message as it was read: of the topic's type, a text for the robot description.</summary>
     public object Content { get; }
 
     /// <summary>When its last byte was read, or when it was made in this process; a count of <see cref="Stopwatch"/>.</summary>
     public long ReceivedAt { get; }
 
-    public static HubMessage Of(JointStateMessage message, long receivedAt) =>
-        new(RosTopics.JointStates, message, receivedAt, form => RosbridgeWriter.PublishJointState(RosTopics.JointStates, message, form));
+    public static HubMessage Of(JointStateMessage message, long receivedAt, HubSource source = null) => new(
+        RosTopics.JointStates, message, receivedAt, form => RosbridgeWriter.PublishJointState(RosTopics.JointStates, message, form), source);
 
     public static HubMessage Of(JointTrajectoryMessage message, long receivedAt) =>
         new(RosTopics.JointTrajectory, message, receivedAt, form => RosbridgeWriter.PublishJointTrajectory(RosTopics.JointTrajectory, message, form));
 
-    public static HubMessage Of(DiagnosticsMessage message) => new(
-        RosTopics.Diagnostics, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, message, form));
+    public static HubMessage Of(DiagnosticsMessage message, HubSource source = null) => new(
+        RosTopics.Diagnostics, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, message, form),
+        source);
+
+    /// <summary>The joints that are not live, for headsets.</summary>
+    /// <param name="level">0 for none, 1 where all of them are at rest, 2 otherwise.</param>
+    public static HubMessage JointStatus(DiagnosticsMessage message, int level) => new(
+        RosTopics.JointStatus, message, Stopwatch.GetTimestamp(),
+        form => RosbridgeWriter.PublishDiagnostics(RosTopics.JointStatus, message, form, "joints", level));
 
     /// <summary>What a headset shows; no sample of the robot.</summary>
     public static HubMessage Displayed(JointStateMessage message) => new(

@@ -8,11 +8,20 @@ public sealed class HubSource : IDisposable
 {
     static readonly string[] TheRobot = ["the robot"];
 
+    /// <summary>Name of a source of this process.</summary>
+    internal const string Own = "gateway";
+
+    /// <summary>Name of a client that has not named itself.</summary>
+    internal const string Unnamed = "rosbridge";
+
     readonly MessageHub _hub;
     // The last names claimed: a source sends the same ones over and over.
     string[] _claimed = [];
 
     internal HubSource(MessageHub hub) => _hub = hub;
+
+    /// <summary>Shown to users: the adapter's name where it is an adapter.</summary>
+    internal string Name { get; set; } = Own;
 
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
     /// <param name="receivedAt">When its last byte was read, a count of <see cref="Stopwatch"/>; null for now.</param>
@@ -23,7 +32,7 @@ public sealed class HubSource : IDisposable
         if (taken != null)
             return taken;
         _claimed = message.Names;
-        _hub.Publish(HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp()));
+        _hub.Publish(HubMessage.Of(message, receivedAt ?? Stopwatch.GetTimestamp(), this));
         return null;
     }
 
@@ -50,7 +59,10 @@ public sealed class HubSource : IDisposable
     /// <summary>What a headset shows: forwarded, and owned by nobody.</summary>
     public void PublishDisplayed(JointStateMessage message) => _hub.Publish(HubMessage.Displayed(message));
 
-    public void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message));
+    public void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message, this));
+
+    /// <summary>Publishes the joints that are not live; the newest message is kept for later subscribers.</summary>
+    internal void PublishJointStatus(DiagnosticsMessage message, int level) => _hub.PublishNewest(this, HubMessage.JointStatus(message, level));
 
     /// <summary>Gives back what was claimed on one topic.</summary>
     public void Release(string topic)

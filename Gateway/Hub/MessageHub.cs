@@ -20,6 +20,9 @@ public sealed class MessageHub
     /// <summary>How long joint states took from their receipt to the sockets of those that subscribe.</summary>
     public ForwardingTimes Forwarding { get; } = new();
 
+    /// <summary>A sample was refused: the source, the joint, and the source that the joint belongs to. Called under the hub's lock.</summary>
+    internal event Action<HubSource, string, HubSource> JointRefused;
+
     /// <summary>Somebody who publishes; a joint belongs to the first source that publishes it, until that one is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
@@ -76,8 +79,9 @@ public sealed class MessageHub
         {
             foreach (var name in names)
             {
-                if (_owners.TryGetValue((topic, name), out var owner) && owner != source)
-                    return name;
+                if (!_owners.TryGetValue((topic, name), out var owner) || owner == source) continue;
+                if (topic == RosTopics.JointStates) JointRefused?.Invoke(source, name, owner);
+                return name;
             }
 
             foreach (var name in names)

@@ -19,6 +19,7 @@ sealed class RecordedFile
     LineFile _lines;
     long _offered;
     int _isNextAskedFor;
+    volatile string _deletion;
 
     /// <param name="open">Makes the file of this path; called on the writing thread.</param>
     public RecordedFile(string path, Func<string, LineFile> open, string cell, DescribedRobot robot, DateTime startedUtc)
@@ -40,13 +41,18 @@ sealed class RecordedFile
     /// <summary>When the next file took its place, a count of <see cref="System.Diagnostics.Stopwatch"/>.</summary>
     public long RetiredAt { get; set; }
 
+    /// <summary>Whether the file was deleted: nothing of it can be read any more.</summary>
+    public bool IsDeleted { get; private set; }
+
     public RecordingState State => _writer.State;
-    public string Problem => _writer.Problem;
+
+    /// <summary>Why the recording ended by itself; null otherwise.</summary>
+    public string Problem => _deletion ?? _writer.Problem;
     public long Bytes => _writer.Written;
     public Task Ended => _writer.Ended;
 
     /// <summary>Records in the file, or on their way into it. Any thread.</summary>
-    public long Records => State == RecordingState.Recording ? Interlocked.Read(ref _offered) - _ring.Lost : Written;
+    public long Records => State == RecordingState.Recording && !IsDeleted ? Interlocked.Read(ref _offered) - _ring.Lost : Written;
 
     /// <summary>Records that should be in the file and are not: for want of room in the ring, or since the disk failed. Any thread.</summary>
     public long Lost => Interlocked.Read(ref _offered) - Records;
@@ -58,7 +64,7 @@ sealed class RecordedFile
     public SessionRecord TryClaim(RecordKind kind)
     {
         Interlocked.Increment(ref _offered);
-        return State == RecordingState.Recording ? _ring.TryClaim(kind) : null;
+        return State == RecordingState.Recording && !IsDeleted ? _ring.TryClaim(kind) : null;
     }
 
     public void Publish(SessionRecord record) => _ring.Publish(record);
@@ -69,5 +75,16 @@ sealed class RecordedFile
     /// <summary>What was recorded by now is still written; returns at once, see <see cref="Ended"/>.</summary>
     public void Stop() => _writer.Stop();
 
-    long Written => _lines?.Records ?? 0;
+    /// <summary>The file is gone from the folder.</summary>
+    /// <param name="isRecording">Whether it was still to be written: that is a problem then, and the file is ended.</param>
+    public void SetDeleted(bool isRecording)
+    {
+        IsDeleted = true;
+        if (isRecording) _deletion = $"recording {Path}: the file was deleted while it was written and its lines are lost; switch the recording on again";
+    }
+
+    /// <summary>Whether the file has been made.</summary>
+    public bool IsMade => _lines != null;
+
+    long Written => IsDeleted ? 0 : _lines?.Records ?? 0;
 }

@@ -29,6 +29,7 @@ public sealed class Recorder : IAsyncDisposable
     readonly RecordedTraffic _traffic;
     readonly Action<string> _log;
     readonly Func<string, LineFile> _open;
+    readonly Func<string, bool> _exists;
     readonly long _greatestBytes;
     readonly Lock _gate = new();
     readonly List<IDisposable> _subscriptions = [];
@@ -58,6 +59,7 @@ public sealed class Recorder : IAsyncDisposable
         _traffic = new RecordedTraffic(clock, plant, drops);
         _log = log;
         _open = open ?? LineFile.Create;
+        _exists = open == null ? File.Exists : _ => true;
         _timer = new Timer(_ => Tick());
         _subscriptions.Add(hub.Subscribe(RosTopics.RobotDescription, Describe));
         foreach (var topic in Topics) _subscriptions.Add(hub.Subscribe(topic, Take));
@@ -81,9 +83,10 @@ public sealed class Recorder : IAsyncDisposable
             lock (_gate)
             {
                 if (_file == null) return RecordingStatus.None with { Can = CanRecord };
+                var isDeleted = _file.IsDeleted && _file.Problem == null;
                 return new RecordingStatus(
                     CanRecord, IsOn, System.IO.Path.GetFileName(_file.Path), _linesBefore + _retired.Sum(file => file.Records) + _file.Records,
-                    _file.Bytes, _lostBefore + _retired.Sum(file => file.Lost) + _file.Lost, _file.Problem);
+                    _file.Bytes, _lostBefore + _retired.Sum(file => file.Lost) + _file.Lost, _file.Problem, isDeleted);
             }
         }
     }
@@ -124,6 +127,21 @@ public sealed class Recorder : IAsyncDisposable
             EndRetired(TimeSpan.Zero);
             if (!_isDisposed) _timer.Change(Timeout.Infinite, Timeout.Infinite);
             return Task.WhenAll(_ending);
+        }
+    }
+
+    /// <summary>Ends the recording when its file was deleted. Asks the disk: to be called where that may take its time.</summary>
+    internal void NoticeDeletion()
+    {
+        var file = _file;
+        if (file is not { IsMade: true, IsDeleted: false } || _exists(file.Path)) return;
+        lock (_gate)
+        {
+            var isRecording = IsOn && file == _file;
+            file.SetDeleted(isRecording);
+            if (!isRecording) return;
+            End(file);
+            _log(file.Problem);
         }
     }
 
@@ -229,7 +247,7 @@ public sealed class Recorder : IAsyncDisposable
 
     void Settle(RecordedFile file)
     {
-        if (file.Problem != null) _log(file.Problem);
+        if (file.Problem != null && !file.IsDeleted) _log(file.Problem);
         lock (_gate)
         {
             _begun.Remove(file.Path);

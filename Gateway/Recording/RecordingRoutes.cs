@@ -4,16 +4,23 @@ using Nowpose.Gateway.Status;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>POST /operations/recording: {"on": "true"} or {"on": "false"}. For operators.</summary>
-sealed class RecordingRoutes(Recorder recorder, Door door)
+/// <summary>Switches the recorder, lists the recordings and sends them. For operators.</summary>
+/// <remarks>
+/// POST /operations/recording with {"on": "true"} or {"on": "false"}; GET /operations/recordings for the list, with a name behind it for the file.
+/// </remarks>
+sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, Door door)
 {
-    const string Path = "/operations/recording";
+    const string SwitchPath = "/operations/recording", ListPath = "/operations/recordings", FilePath = ListPath + "/";
 
     /// <summary>Answers its own requests and hands on the others, WebSockets on every path.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
-        if (context.Request.Path != Path || context.Request.Headers.Upgrade.Count > 0) return next(context);
-        return HttpMethods.IsPost(context.Request.Method) ? SwitchAsync(context) : Door.RefuseMethodAsync(context, "POST");
+        if (context.Request.Headers.Upgrade.Count > 0) return next(context);
+        var (path, method) = (context.Request.Path.Value ?? "", context.Request.Method);
+        if (path == SwitchPath) return HttpMethods.IsPost(method) ? SwitchAsync(context) : Door.RefuseMethodAsync(context, "POST");
+        if (path != ListPath && !path.StartsWith(FilePath, StringComparison.Ordinal)) return next(context);
+        if (!HttpMethods.IsGet(method)) return Door.RefuseMethodAsync(context, "GET");
+        return path == ListPath ? ListAsync(context) : SendAsync(context, path[FilePath.Length..]);
     }
 
     async Task SwitchAsync(HttpContext context)
@@ -35,5 +42,38 @@ sealed class RecordingRoutes(Recorder recorder, Door door)
         {
             await Door.AnswerAsync(context, StatusCodes.Status409Conflict, fault.Message);
         }
+    }
+
+    async Task ListAsync(HttpContext context)
+    {
+        if (!await AdmitReaderAsync(context)) return;
+        await SmallJson.AnswerAsync(context, folder.List(), StatusRoutes.Snake);
+    }
+
+    async Task SendAsync(HttpContext context, string name)
+    {
+        if (!await AdmitReaderAsync(context)) return;
+        if (folder.Find(name) is not { } file)
+        {
+            await Door.AnswerAsync(context, StatusCodes.Status404NotFound, "no recording in the folder has this name; /operations/recordings lists the names");
+            return;
+        }
+
+        var response = context.Response;
+        response.ContentType = "application/jsonl";
+        response.Headers.ContentDisposition = $"attachment; filename=\"{file.Name}\"";
+        response.Headers.CacheControl = "no-store";
+        response.Headers.Connection = "close";
+        // What the recorder appends meanwhile is not sent.
+        response.ContentLength = file.Length;
+        await response.SendFileAsync(file.FullName, 0, file.Length, context.RequestAborted);
+    }
+
+    // Browsers name no origin when a page asks its own host.
+    async Task<bool> AdmitReaderAsync(HttpContext context)
+    {
+        if (door.IsNoRebinding(context)) return await door.AdmitOperatorAsync(context);
+        await Door.AnswerAsync(context, StatusCodes.Status403Forbidden, "ask by the gateway's address, its name or localhost");
+        return false;
     }
 }

@@ -32,6 +32,7 @@ sealed class RosbridgeSession : IDisposable
         Action<ReadOnlyMemory<byte>> reply, Action<Subscription> start)
     {
         _source = hub.OpenSource();
+        _source.Name = HubSource.Unnamed;
         _clock = clock;
         _names = names;
         _role = role;
@@ -162,7 +163,7 @@ sealed class RosbridgeSession : IDisposable
     // The first name a client gives is its name; that of a plant is not an observer's.
     bool IsOwn(string name)
     {
-        if (_role != Role.Source && name.StartsWith(StatusObjects.AdapterPrefix, StringComparison.Ordinal))
+        if (_role != Role.Source && StatusObjects.IsAdapter(name))
             return false;
         return name == (_name ??= name);
     }

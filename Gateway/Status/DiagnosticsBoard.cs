@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
@@ -16,6 +17,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
     /// <summary>Letters of names and values together.</summary>
     internal const int GreatestLength = 16 * 1024;
 
+    /// <summary>Headsets only: an adapter that is gone is a fault until the gateway is started again.</summary>
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(30);
 
     readonly Lock _lock = new();
@@ -37,7 +39,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
         lock (_lock)
         {
             foreach (var (name, said) in _said)
-                if (time.GetElapsedTime(said.At) > ForgottenAfter) _said.Remove(name);
+                if (!StatusObjects.IsAdapter(name) && time.GetElapsedTime(said.At) > ForgottenAfter) _said.Remove(name);
             return
             [
                 .. _said.OrderBy(said => said.Key, StringComparer.Ordinal)
@@ -52,11 +54,11 @@ sealed class DiagnosticsBoard(TimeProvider time)
         var room = GreatestLength;
         return
         [
-            .. values.Take(GreatestValues).Select(pair => KeyValuePair.Create(pair.Key, InputException.OneLine(pair.Value, GreatestValue)))
+            .. values.Where(pair => !pair.Key.StartsWith(JointReport.KeyPrefix, StringComparison.Ordinal)).Take(GreatestValues).Select(pair => KeyValuePair.Create(pair.Key, InputException.OneLine(pair.Value, GreatestValue)))
                 .TakeWhile(pair => (room -= pair.Key.Length + pair.Value.Length) >= 0),
         ];
     }
 
     // Whoever is there speaks once a second: the one that was silent longest is the one to go.
-    void MakeRoom() => _said.Remove(_said.MinBy(said => said.Value.At).Key);
+    void MakeRoom() => _said.Remove(_said.OrderBy(said => StatusObjects.IsAdapter(said.Key)).ThenBy(said => said.Value.At).First().Key);
 }

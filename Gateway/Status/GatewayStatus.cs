@@ -4,6 +4,8 @@ using System.Reflection;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Recording;
+using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
@@ -11,6 +13,9 @@ namespace Nowpose.Gateway.Status;
 /// <summary>Watches what passes the hub, and says how the gateway does. Any thread; who publishes waits for nobody.</summary>
 sealed class GatewayStatus : IDisposable
 {
+    // The state is read once per second by each page; /operations/events has all of them.
+    const int EventsInState = 100;
+
     static readonly string[] Topics = [RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.RobotDescription, RosTopics.Diagnostics];
 
     readonly GatewayOptions _options;
@@ -23,6 +28,10 @@ sealed class GatewayStatus : IDisposable
     readonly (string Name, ConnectionCounters Counters)[] _connections;
     readonly SourceWatch _sources = new();
     readonly DiagnosticsBoard _said;
+    readonly JointBoard _joints;
+    readonly RecentRefusals _refusals;
+    readonly Conditions _conditions;
+    readonly StatusWatch _watch;
     readonly long[] _messages = new long[Topics.Length];
     readonly DateTimeOffset _started;
     readonly long _startCount = Stopwatch.GetTimestamp();
@@ -30,7 +39,7 @@ sealed class GatewayStatus : IDisposable
 
     public GatewayStatus(
         GatewayOptions options, ServedClock clock, PlantClocks plant, MessageHub hub, DropCounters drops, ConnectionCounters sync,
-        ConnectionCounters webSocket, Recorder recorder, LimitAlarm limits)
+        ConnectionCounters webSocket, Recorder recorder, LimitAlarm limits, EventList events)
     {
         _options = options;
         _clock = clock;
@@ -41,19 +50,29 @@ sealed class GatewayStatus : IDisposable
         _drops = drops;
         _connections = [("sync", sync), ("websocket", webSocket)];
         _said = new DiagnosticsBoard(options.Time);
+        _joints = new JointBoard(options.Time);
+        _refusals = new RecentRefusals(options.Time);
+        Events = events;
+        _conditions = new Conditions(options, clock, _joints, _said, _refusals, limits, recorder);
+        hub.JointRefused += Refuse;
         _started = options.Time.GetUtcNow();
         _subscriptions = [.. Enumerable.Range(0, Topics.Length).Select(topic => hub.Subscribe(Topics[topic], message => Watch(topic, message)))];
+        _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time);
     }
 
     public static string Version { get; } = typeof(GatewayStatus).Assembly.GetName().Version.ToString(3);
 
     public ForwardingTimes Forwarding => _hub.Forwarding;
 
-    /// <summary>Whether C1 may be trusted, and joint positions come where they should; cheap, whoever asks.</summary>
-    public bool IsReady => _clock.IsSynchronised && (!_options.ExpectsSources || _sources.HasAny);
+    public EventList Events { get; }
+
+    /// <summary>Why headsets cannot be served, one line for each reason; empty when the gateway is ready.</summary>
+    public IReadOnlyList<string> NotReadyReasons() => [.. _conditions.Read().Where(condition => condition.Blocks).Select(condition => condition.Text)];
 
     public void Dispose()
     {
+        _watch.Dispose();
+        _hub.JointRefused -= Refuse;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }
 
@@ -64,28 +83,56 @@ sealed class GatewayStatus : IDisposable
             Middle([.. sources.SelectMany(source => source.SortedAges).Order()]), _hub.Forwarding.Percentile(0.5)?.TotalMilliseconds);
         var said = _said.Read();
         var beyond = _limits.Joints;
+        var conditions = _conditions.Read();
+        var joints = _joints.Read();
         return new StatusSnapshot(
-            _options.Cell, Version, _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
+            _options.Cell, Environment.MachineName, Version, OverallStatus.Of(conditions, joints, said), _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1), Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6), OfClock(),
             [.. _clock.Status().Select(Of)],
             [.. said.Where(IsAdapter).Select(StatusObjects.Adapter)],
             [.. sources.Select(source => Of(source, beyond))],
+            [.. joints.Select(Of)],
             [.. said.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
             OfForwarding(),
             _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
             Enumerable.Range(0, Topics.Length).ToDictionary(topic => Topics[topic], topic => Interlocked.Read(ref _messages[topic])),
             _drops.Snapshot().ToDictionary(drop => drop.Key.ToString(), drop => drop.Value),
-            _recorder.Status, _options.Headsets != null, IsReady, CertificateExpiresUtc: _options.CertificateExpires);
+            _recorder.Status, _options.Headsets != null, !conditions.Any(condition => condition.Blocks),
+            [.. Events.Read(EventsInState).Select(one => one.View)], CertificateExpiresUtc: _options.CertificateExpires);
     }
 
     void Watch(int topic, HubMessage message)
     {
         Interlocked.Increment(ref _messages[topic]);
         if (message.Content is JointStateMessage state)
-            _sources.Add(state.Names, message.ReceivedAt, _clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt) - state.Stamp);
+        {
+            var age = _clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt) - state.Stamp;
+            _sources.Add(state.Names, message.ReceivedAt, age);
+            _joints.Add(message.Source, state.Names, age);
+        }
         else if (message.Content is DiagnosticsMessage diagnostics)
+        {
             _said.Add(diagnostics);
+            if (StatusObjects.IsAdapter(diagnostics.HardwareId)) Report(message.Source, diagnostics);
+        }
     }
+
+    void Report(HubSource source, DiagnosticsMessage diagnostics)
+    {
+        var name = StatusObjects.AdapterName(diagnostics.HardwareId);
+        if (source != null) source.Name = name;
+        _joints.Report(name, diagnostics.Values);
+    }
+
+    void Refuse(HubSource source, string joint, HubSource owner)
+    {
+        _joints.Refuse(source, joint, owner);
+        _refusals.Add(source, joint, owner);
+    }
+
+    static JointView Of(JointStatus joint) => new(
+        joint.Name, joint.Source, joint.Word, UtcText.Of(joint.Since), joint.Age is { } age ? Math.Round(age.TotalSeconds, 3) : null, joint.RateHz,
+        joint.Reason);
 
     ClockStatus OfClock()
     {
@@ -121,8 +168,7 @@ sealed class GatewayStatus : IDisposable
         counters.Open, counters.Accepted,
         Enum.GetValues<Closure>().Where(why => counters[why] > 0).ToDictionary(why => why.ToString(), why => counters[why]));
 
-    static bool IsAdapter((string Name, TimeSpan, IReadOnlyList<KeyValuePair<string, string>>) one) =>
-        one.Name.StartsWith(StatusObjects.AdapterPrefix, StringComparison.Ordinal);
+    static bool IsAdapter((string Name, TimeSpan, IReadOnlyList<KeyValuePair<string, string>>) one) => StatusObjects.IsAdapter(one.Name);
 
     static double? Middle(TimeSpan[] sorted) => sorted.Length == 0 ? null : At(sorted, 0.5);
 

@@ -15,7 +15,7 @@ static class Metrics
         var text = new PrometheusText();
         text.Begin("nowpose_gateway_info", Gauge, "Version of the gateway.").Add(1, ("version", state.Version));
         text.One("nowpose_uptime_seconds", Gauge, "Time since the start.", state.UptimeS);
-        text.One("nowpose_ready", Gauge, "1 when the clock is served and expected sources are there.", state.IsReady ? 1 : 0);
+        text.One("nowpose_ready", Gauge, "1 when headsets can be served: /readyz names what is missing.", state.IsReady ? 1 : 0);
         text.One(
             "nowpose_certificate_expiry_timestamp_seconds", Gauge, "When headsets will refuse the certificate, Unix time.",
             (state.CertificateExpiresUtc - DateTime.UnixEpoch)?.TotalSeconds);
@@ -23,6 +23,7 @@ static class Metrics
         AddPlantClocks(text, state.PlantClocks);
         AddAdapters(text, state.Adapters);
         AddSources(text, state.Sources);
+        JointMetrics.Add(text, state);
         AddForwarding(text, forwarding);
         AddHeadsets(text, state.Headsets);
         AddCounts(text, state);
@@ -161,5 +162,5 @@ static class Metrics
     static string NameOf(JsonObject words) => (string)words["name"];
 
     static double? Says(JsonObject words, string key, params string[] yes) =>
-        words[key] is JsonValue value && value.TryGetValue(out string word) ? (yes.Contains(word) ? 1 : 0) : null;
+        StatusObjects.Word(words, key) is { } word ? (yes.Contains(word) ? 1 : 0) : null;
 }

@@ -56,19 +56,6 @@ sealed class SourceWatch
         return [.. copies.Select(copy => (copy.Names, RateHz(copy.Samples, now), copy.Samples.Select(sample => sample.Age).Order().ToArray()))];
     }
 
-    /// <summary>Whether anybody publishes.</summary>
-    public bool HasAny
-    {
-        get
-        {
-            lock (_lock)
-            {
-                Forget(Stopwatch.GetTimestamp());
-                return _tracks.Count > 0;
-            }
-        }
-    }
-
     // Sources that turn out to be one become one.
     SourceTrack Known(string[] names)
     {

@@ -11,13 +11,19 @@ readonly record struct HopTimes(double? PlantMs, double? GatewayMs);
 /// <summary>Headsets and adapters as they are told: their own words, and what follows from them.</summary>
 static class StatusObjects
 {
-    public const string AdapterPrefix = "plant/";
+    // Two spellings: adapters of one release use plant/.
+    static readonly string[] AdapterPrefixes = ["plant/", "adapter/"];
 
     // The gateway's own words, which nobody else's may replace.
     static readonly string[] Own = ["name", "seen_s_ago", "budget_ms"];
 
+    /// <summary>Whether a hardware_id is an adapter's.</summary>
+    public static bool IsAdapter(string hardwareId) => Array.Exists(AdapterPrefixes, prefix => hardwareId.StartsWith(prefix, StringComparison.Ordinal));
+
+    public static string AdapterName(string hardwareId) => hardwareId[(hardwareId.IndexOf('/', StringComparison.Ordinal) + 1)..];
+
     public static JsonObject Adapter((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) said) =>
-        Words(said.Name[AdapterPrefix.Length..], said.Ago, said.Values);
+        Words(AdapterName(said.Name), said.Ago, said.Values);
 
     public static JsonObject Headset((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) said, HopTimes hops)
     {
@@ -29,6 +35,10 @@ static class StatusObjects
     /// <summary>A number among somebody's words; null where there is none.</summary>
     public static double? Number(JsonObject words, string key) =>
         words[key] is JsonValue value && value.TryGetValue(out double number) ? number : null;
+
+    /// <summary>A text in the words of a headset or an adapter; null where there is none.</summary>
+    public static string Word(JsonObject words, string key) =>
+        words[key] is JsonValue value && value.TryGetValue(out string word) ? word : null;
 
     static JsonObject Words(string name, TimeSpan ago, IReadOnlyList<KeyValuePair<string, string>> values)
     {

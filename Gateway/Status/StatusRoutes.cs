@@ -2,13 +2,18 @@ using System.Text;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using Nowpose.Gateway.Security;
+using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Status;
 
 /// <summary>What the gateway answers to those who watch it: a page, a Prometheus, and whoever starts it.</summary>
-sealed class StatusRoutes(GatewayOptions options, GatewayStatus status, Door door)
+sealed class StatusRoutes(GatewayStatus status, Door door)
 {
-    const string StatePath = "/operations/state", MetricsPath = "/metrics", LivePath = "/healthz", ReadyPath = "/readyz";
+    const string StatePath = "/operations/state", MetricsPath = "/metrics", LivePath = "/healthz", ReadyPath = "/readyz",
+        EventsPath = "/operations/events";
+
+    // Lines of /readyz.
+    const int MaxReasons = 64;
 
     internal static readonly JsonSerializerOptions Snake = new()
     {
@@ -25,7 +30,8 @@ sealed class StatusRoutes(GatewayOptions options, GatewayStatus status, Door doo
         {
             StatePath => AnswerAsync(context, TellStateAsync),
             MetricsPath => AnswerAsync(context, TellMetricsAsync),
-            // Whoever starts it has no token, and is told nothing but the word.
+            EventsPath => AnswerAsync(context, TellEventsAsync),
+            // Asked without a token: the answers hold names of joints and reasons, and nothing else.
             LivePath => AnswerAsync(context, _ => SendAsync(context, "text/plain", "live\n"u8.ToArray())),
             ReadyPath => AnswerAsync(context, TellReadyAsync),
             _ => next(context),
@@ -50,12 +56,29 @@ sealed class StatusRoutes(GatewayOptions options, GatewayStatus status, Door doo
         await SendAsync(context, PrometheusText.ContentType, Encoding.UTF8.GetBytes(Metrics.Of(status.Read(), status.Forwarding)));
     }
 
+    async Task TellEventsAsync(HttpContext context)
+    {
+        if (await AdmitAsync(context) == null) return;
+        var events = status.Events.Read().Select(one => one.View).ToList();
+        var format = context.Request.Query["format"].ToString();
+        if (format is not ("" or "json" or "csv"))
+        {
+            await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "format: json or csv is allowed");
+            return;
+        }
+
+        context.Response.Headers.ContentDisposition = $"attachment; filename=\"nowpose-events.{(format == "csv" ? "csv" : "json")}\"";
+        if (format == "csv") await SendAsync(context, "text/csv; charset=utf-8", Encoding.UTF8.GetBytes(EventText.Csv(events)));
+        else await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(events, Snake));
+    }
+
     Task TellReadyAsync(HttpContext context)
     {
-        // Headsets refuse one that has expired.
-        var isReady = status.IsReady && !(options.Certificate?.NotAfter < DateTime.Now);
-        context.Response.StatusCode = isReady ? StatusCodes.Status200OK : StatusCodes.Status503ServiceUnavailable;
-        return SendAsync(context, "text/plain", isReady ? "ready\n"u8.ToArray() : "waiting\n"u8.ToArray());
+        var reasons = status.NotReadyReasons();
+        context.Response.StatusCode = reasons.Count == 0 ? StatusCodes.Status200OK : StatusCodes.Status503ServiceUnavailable;
+        var lines = reasons.Take(MaxReasons).Prepend(reasons.Count == 0 ? "ready" : "waiting").ToList();
+        if (reasons.Count > MaxReasons) lines.Add($"and {reasons.Count - MaxReasons} more");
+        return SendAsync(context, "text/plain; charset=utf-8", Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n"));
     }
 
     async Task<Role?> AdmitAsync(HttpContext context)

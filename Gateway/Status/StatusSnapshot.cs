@@ -1,4 +1,5 @@
 using System.Text.Json.Nodes;
+using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Status;
 
@@ -11,11 +12,18 @@ namespace Nowpose.Gateway.Status;
 /// <param name="Role">Of whoever asks.</param>
 /// <param name="CertificateExpiresUtc">From then on headsets refuse it; null without TLS.</param>
 sealed record StatusSnapshot(
-    string Cell, string Version, string StartedUtc, double UptimeS, double ControlTimeS, ClockStatus Clock, IReadOnlyList<PlantClockView> PlantClocks,
-    IReadOnlyList<JsonObject> Adapters, IReadOnlyList<SourceStatus> Sources, IReadOnlyList<JsonObject> Headsets, SpanStatus ForwardMs,
+    string Cell, string Host, string Version, OverallStatus Status, string StartedUtc, double UptimeS, double ControlTimeS, ClockStatus Clock, IReadOnlyList<PlantClockView> PlantClocks,
+    IReadOnlyList<JsonObject> Adapters, IReadOnlyList<SourceStatus> Sources, IReadOnlyList<JointView> Joints,
+    IReadOnlyList<JsonObject> Headsets, SpanStatus ForwardMs,
     IReadOnlyDictionary<string, ConnectionStatus> Connections, IReadOnlyDictionary<string, long> Messages, IReadOnlyDictionary<string, long> Drops,
-    RecordingStatus Recording, bool PairsHeadsets, bool IsReady, string Role = null,
+    RecordingStatus Recording, bool PairsHeadsets, bool IsReady, IReadOnlyList<EventView> Events, string Role = null,
     DateTime? CertificateExpiresUtc = null);
+
+/// <param name="Source">Name of the adapter; gateway for the gateway's own robot, rosbridge for another client.</param>
+/// <param name="State">live, rest, stale, refused, fault or missing.</param>
+/// <param name="AgeS">Control time minus the newest sample's stamp; null before the first sample.</param>
+/// <param name="Reason">One sentence; empty for a live joint.</param>
+sealed record JointView(string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason);
 
 /// <param name="Source">"own", or the name of the plant clock that is served.</param>
 /// <param name="State">unsynchronised, converging, synchronised or holdover.</param>
@@ -49,7 +57,8 @@ sealed record ConnectionStatus(int Open, long Accepted, IReadOnlyDictionary<stri
 /// <param name="File">The one that is written, or was last; its name without the folder.</param>
 /// <param name="Lost">Lines that are missing in it.</param>
 /// <param name="Problem">Why it stopped by itself; null otherwise.</param>
-sealed record RecordingStatus(bool Can, bool On, string File, long Lines, long Bytes, long Lost, string Problem)
+/// <param name="Deleted">The newest recording was ended and its file was deleted since.</param>
+sealed record RecordingStatus(bool Can, bool On, string File, long Lines, long Bytes, long Lost, string Problem, bool Deleted = false)
 {
     public static readonly RecordingStatus None = new(false, false, null, 0, 0, 0, null);
 }

@@ -1,7 +1,11 @@
 using System.Diagnostics;
 using System.Text.Json.Nodes;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Nowpose.Gateway.Status;
+using Nowpose.Gateway.Status.Events;
+using Nowpose.Headless.Tests.Repository;
+using YamlDotNet.Serialization;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
@@ -25,13 +29,19 @@ public class MetricsTests
     }
 
     static StatusSnapshot Snapshot(params JsonObject[] headsets) => new(
-        "press", "1.2.3", "2026-11-20T12:00:00Z", 5, 100, new ClockStatus("own", "synchronised", true, 120, 3, 0.5, 1000, 2),
+        "press", "cell-pc", "1.2.3", new OverallStatus("ok", "fine"), "2026-11-20T12:00:00Z", 5, 100, new ClockStatus("own", "synchronised", true, 120, 3, 0.5, 1000, 2),
         [new PlantClockView("press", true, true, "synchronised", null, null, 1.5, 200, 1000, 40, 2, "no answer within 2 s")],
-        [Words("press", ("state", "connected"), ("samples", 12.0))],
-        [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120), ["b"])], headsets, new SpanStatus(0.2, 0.9),
+        [Words("press", ("state", "connected"), ("samples", 12.0), ("refused", 9.0), ("refused/bad_status", 7.0), ("refused/nan", 2.0))],
+        [new SourceStatus(["a", "b"], 49.9, new AgeStatus(80, 120), ["b"])],
+        [
+            new JointView("a", "press", "live", "2026-11-20T12:00:00.000Z", 0.08, 49.9, ""),
+            new JointView("b", "press", "refused", "2026-11-20T12:00:01.000Z", null, 0, "status Bad"),
+        ],
+        headsets, new SpanStatus(0.2, 0.9),
         new Dictionary<string, ConnectionStatus> { ["sync"] = new(2, 5, new Dictionary<string, long> { ["Silence"] = 3 }) },
         new Dictionary<string, long> { ["/joint_states"] = 77 }, new Dictionary<string, long> { ["NotJson"] = 4 },
-        new RecordingStatus(true, true, "x.jsonl", 10, 2000, 1, null), false, true);
+        new RecordingStatus(true, true, "x.jsonl", 10, 2000, 1, null), false, true,
+        [new EventView(1, "joint", "b (press)", "is refused", "status Bad", "error", "2026-11-20T12:00:01.000Z", null)]);
 
     static JsonNode Parse(string text)
     {
@@ -76,11 +86,58 @@ public class MetricsTests
         Assert.That(Value(families, "nowpose_connections_closed_total", "Silence"), Is.EqualTo(3));
         Assert.That(Value(families, "nowpose_recording_lost_lines"), Is.EqualTo(1));
         Assert.That(Value(families, "nowpose_source_beyond_limits"), Is.EqualTo(1));
+        Assert.That(Value(families, "nowpose_adapter_refusals_total", "bad_status"), Is.EqualTo(7));
+        Assert.That(Value(families, "nowpose_events_active", "joint"), Is.EqualTo(1));
         foreach (var family in families.AsArray())
         {
             Assert.That((string)family[0], Is.Not.EqualTo("unknown").And.Not.EqualTo("untyped"), family.ToJsonString());
             Assert.That((string)family[1], Is.Not.Empty, family.ToJsonString());
         }
+    }
+
+    [Test]
+    public void Of_AJoint_IsOneForItsStateAndZeroForTheOthers()
+    {
+        var lines = Metrics.Of(Snapshot(), new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_state{", StringComparison.Ordinal)).ToList();
+
+        Assert.That(lines, Has.Count.EqualTo(2 * 6));
+        Assert.That(lines.Where(line => line.EndsWith(" 1", StringComparison.Ordinal)), Is.EqualTo(new[]
+        {
+            "nowpose_joint_state{joint=\"a\",source=\"press\",state=\"live\"} 1", "nowpose_joint_state{joint=\"b\",source=\"press\",state=\"refused\"} 1",
+        }));
+    }
+
+    [TestCase("held", "held")]
+    [TestCase("coarse", "coarse")]
+    [TestCase("a word of a later release", "other")]
+    public void Of_AHeadsetsPose_IsOneOfAFixedSetOfStates(string pose, string expected)
+    {
+        var text = Metrics.Of(Snapshot(Words("goggles", ("pose", pose), ("missing_joints", "a,b"), ("current_share", 0.25))), new ForwardingTimes());
+
+        Assert.That(text, Does.Contain($"nowpose_headset_pose_state{{headset=\"goggles\",state=\"{expected}\"}} 1"));
+        Assert.That(text.Split('\n').Count(line => line.StartsWith("nowpose_headset_pose_state{", StringComparison.Ordinal)), Is.EqualTo(7));
+        Assert.That(text, Does.Contain("nowpose_headset_current_share_ratio{headset=\"goggles\"} 0.25"));
+        Assert.That(text, Does.Contain("nowpose_headset_missing_joints{headset=\"goggles\"} 2"));
+    }
+
+    [Test]
+    public void AlertRules_OfTheExample_UseMetricsAndStatesThatExist()
+    {
+        var rules = new DeserializerBuilder().Build().Deserialize<Dictionary<string, object>>(RepositoryFiles.Read("Gateway/Packaging/nowpose-alerts.yaml"));
+        var group = (Dictionary<object, object>)((List<object>)rules["groups"]).Single();
+        var expressions = ((List<object>)group["rules"]).Cast<Dictionary<object, object>>().Select(rule =>
+        {
+            Assert.That(rule.Keys, Does.Contain("alert").And.Contain("expr").And.Contain("annotations"));
+            return (string)rule["expr"];
+        }).ToList();
+
+        var state = Snapshot(Words("goggles", ("pose", "held"))) with { CertificateExpiresUtc = DateTime.UnixEpoch };
+        var written = Metrics.Of(state, new ForwardingTimes());
+        foreach (var name in expressions.SelectMany(expression => Regex.Matches(expression, @"nowpose_\w+").Select(match => match.Value)))
+            Assert.That(written, Does.Contain($"# TYPE {name} "), name);
+        foreach (var word in expressions.SelectMany(expression => Regex.Matches(expression, "state=~\"([a-z|]+)\"").SelectMany(match => match.Groups[1].Value.Split('|'))))
+            Assert.That(written, Does.Contain($"state=\"{word}\""), word);
+        Assert.That(expressions, Has.Count.GreaterThan(4));
     }
 
     [Test]

@@ -33,13 +33,13 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         }
 
-        public static void Write(JsonWriter json, DiagnosticsMessage message, RosTimeForm form)
+        public static void Write(JsonWriter json, DiagnosticsMessage message, RosTimeForm form, string name = "nowpose", int level = 0)
         {
             json.WriteStartObject();
             Header(json, message.Stamp, form);
             json.WritePropertyName("status");
             json.WriteStartArray();
-            Status(json, message);
+            Status(json, message, name, level);
             json.WriteEndArray();
             json.WriteEndObject();
         }
@@ -69,12 +69,12 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         }
 
-        static void Status(JsonWriter json, DiagnosticsMessage message)
+        static void Status(JsonWriter json, DiagnosticsMessage message, string name, int level)
         {
             json.WriteStartObject();
             json.WritePropertyName("level");
-            json.WriteValue(0);
-            Text(json, "name", "nowpose");
+            json.WriteValue(level);
+            Text(json, "name", name);
             Text(json, "message", "");
             Text(json, "hardware_id", message.HardwareId);
             json.WritePropertyName("values");

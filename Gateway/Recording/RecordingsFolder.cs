@@ -1,0 +1,47 @@
+using System.Text.RegularExpressions;
+using Nowpose.Gateway.Status;
+
+namespace Nowpose.Gateway.Recording;
+
+/// <summary>A recording in the folder.</summary>
+sealed record StoredRecording(string Name, long Bytes, string ChangedUtc);
+
+/// <summary>The recordings in the gateway's folder. Any thread.</summary>
+/// <param name="path">Null where the gateway has no folder.</param>
+sealed partial class RecordingsFolder(string path)
+{
+    internal const int MaxListed = 1000;
+
+    /// <summary>The newest first; empty while the folder cannot be read.</summary>
+    public IReadOnlyList<StoredRecording> List()
+    {
+        try
+        {
+            if (path == null) return [];
+            return
+            [
+                .. new DirectoryInfo(path).EnumerateFiles("*.jsonl").Where(IsRecording).OrderByDescending(file => file.LastWriteTimeUtc).Take(MaxListed)
+                    .Select(file => new StoredRecording(file.Name, file.Length, UtcText.Of(file.LastWriteTimeUtc))),
+            ];
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return [];
+        }
+    }
+
+    /// <summary>The file of a recording; null for a name that is none in this folder.</summary>
+    public FileInfo Find(string name)
+    {
+        // A name that matches has no separator: it cannot lead out of the folder.
+        if (path == null || !Name().IsMatch(name)) return null;
+        var file = new FileInfo(Path.Combine(path, name));
+        return file.Exists && IsRecording(file) ? file : null;
+    }
+
+    // A link could lead to a file that is no recording.
+    static bool IsRecording(FileInfo file) => file.LinkTarget == null && Name().IsMatch(file.Name);
+
+    [GeneratedRegex(@"\A[A-Za-z0-9_-]{1,100}\.jsonl\z")]
+    private static partial Regex Name();
+}

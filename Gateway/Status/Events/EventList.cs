@@ -1,0 +1,67 @@
+using System.Globalization;
+
+namespace Nowpose.Gateway.Status.Events;
+
+/// <summary>What was wrong since the start, from when to when. Keeps the newest; writes each begin and end to the log. Any thread.</summary>
+sealed class EventList(TimeProvider time, Action<string> log)
+{
+    internal const int MaxEvents = 500;
+
+    readonly Lock _lock = new();
+    // The oldest first.
+    readonly List<StatusEvent> _events = [];
+    long _lastId;
+
+    /// <summary>Begins the events of new conditions and ends those of conditions that are over.</summary>
+    public void Update(IReadOnlyCollection<Condition> present)
+    {
+        List<string> lines = [];
+        lock (_lock)
+        {
+            var now = time.GetUtcNow();
+            var byKey = present.DistinctBy(condition => condition.Key).ToDictionary(condition => condition.Key);
+            for (var i = 0; i < _events.Count; i++)
+            {
+                var known = _events[i];
+                if (known.Until != null) continue;
+                if (byKey.Remove(known.Condition.Key, out var condition)) _events[i] = known with { Condition = condition };
+                else lines.Add(EndLine(_events[i] = known with { Until = now }));
+            }
+
+            foreach (var condition in byKey.Values) lines.Add(Begin(condition, condition.Since ?? now, null));
+        }
+
+        lines.ForEach(log);
+    }
+
+    /// <summary>Adds something that happened and does not last.</summary>
+    public void Note(Condition condition)
+    {
+        string line;
+        lock (_lock)
+        {
+            var now = time.GetUtcNow();
+            line = Begin(condition, now, now);
+        }
+
+        log(line);
+    }
+
+    /// <summary>The newest, and all that last; the newest first.</summary>
+    public IReadOnlyList<StatusEvent> Read(int newest = MaxEvents)
+    {
+        lock (_lock) return [.. Enumerable.Reverse(_events).Where((one, i) => i < newest || one.Until == null)];
+    }
+
+    string Begin(Condition condition, DateTimeOffset since, DateTimeOffset? until)
+    {
+        // One that lasts is more important than an older one that is over.
+        if (_events.Count >= MaxEvents) _events.RemoveAt(Math.Max(0, _events.FindIndex(known => known.Until != null)));
+        _events.Add(new StatusEvent(++_lastId, condition, since, until));
+        return $"event {_lastId}: {condition.Text}";
+    }
+
+    static string EndLine(StatusEvent ended) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"event {ended.Id}: over after {(ended.Until.Value - ended.Since).TotalSeconds:0.0} s: {ended.Condition.Kind} {ended.Condition.Which} {ended.Condition.What}");
+}

@@ -1,0 +1,7 @@
+namespace Nowpose.Gateway.Status.Events;
+
+/// <summary>An event as /operations/state and /operations/events write it.</summary>
+/// <param name="Level">ok, warning or error.</param>
+/// <param name="UntilUtc">Null while it lasts.</param>
+sealed record EventView(
+    long Id, string Kind, string Which, string What, string Reason, string Level, string SinceUtc, string UntilUtc);

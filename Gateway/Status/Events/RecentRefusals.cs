@@ -1,0 +1,33 @@
+using Nowpose.Gateway.Hub;
+
+namespace Nowpose.Gateway.Status.Events;
+
+/// <summary>Sources whose samples are refused because another source publishes one of their joints. Any thread; bounded.</summary>
+sealed class RecentRefusals(TimeProvider time)
+{
+    const int MaxRefusals = 64;
+
+    /// <summary>A source that stopped trying is no longer refused.</summary>
+    static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
+
+    readonly Lock _lock = new();
+    readonly Dictionary<(HubSource Source, string Joint), (long At, string Owner)> _refusals = [];
+
+    public void Add(HubSource source, string joint, HubSource owner)
+    {
+        lock (_lock)
+        {
+            if (_refusals.Count < MaxRefusals || _refusals.ContainsKey((source, joint))) _refusals[(source, joint)] = (time.GetTimestamp(), owner.Name);
+        }
+    }
+
+    public IReadOnlyList<(string Source, string Joint, string Owner)> Read()
+    {
+        lock (_lock)
+        {
+            foreach (var (key, refusal) in _refusals)
+                if (time.GetElapsedTime(refusal.At) > Span) _refusals.Remove(key);
+            return [.. _refusals.Select(one => (one.Key.Source.Name, one.Key.Joint, one.Value.Owner))];
+        }
+    }
+}

@@ -1,0 +1,11 @@
+namespace Nowpose.Gateway.Status.Events;
+
+/// <summary>A condition with its begin and end.</summary>
+/// <param name="Id">Counts from 1 at each start of the gateway.</param>
+/// <param name="Until">Null while it lasts.</param>
+sealed record StatusEvent(long Id, Condition Condition, DateTimeOffset Since, DateTimeOffset? Until)
+{
+    public EventView View => new(
+        Id, Condition.Kind, Condition.Which, Condition.What, Condition.Reason, Condition.Level.ToString().ToLowerInvariant(), UtcText.Of(Since),
+        Until is { } end ? UtcText.Of(end) : null);
+}

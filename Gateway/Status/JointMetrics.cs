@@ -1,0 +1,76 @@
+using System.Text.Json.Nodes;
+using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Joints;
+
+namespace Nowpose.Gateway.Status;
+
+/// <summary>Writes what an alert needs: a state per joint and source, refusals by reason, the poses of headsets, and events that last.</summary>
+/// <remarks>Labels are bounded: states are a fixed set, and joints, adapters, reasons and headsets are limited where they are received.</remarks>
+static class JointMetrics
+{
+    const string Gauge = "gauge", Counter = "counter", RefusedPrefix = "refused/", Other = "other";
+    const int MaxReasons = 32;
+
+    static readonly string[] JointStates = [.. Enum.GetNames<JointHealth>().Select(name => name.ToLowerInvariant())];
+
+    // The words of the protocol for pose; every other word counts as other.
+    static readonly string[] PoseStates = ["current", "coarse", "held", "unsynchronised", "incomplete", "outside", Other];
+
+    public static void Add(PrometheusText text, StatusSnapshot state)
+    {
+        AddJoints(text, state.Joints);
+        AddRefusals(text, state.Adapters);
+        AddPoses(text, state.Headsets);
+        if (state.Events.Count == 0) return;
+        text.Begin("nowpose_events_active", Gauge, "Events that last, by kind.");
+        foreach (var kind in state.Events.GroupBy(one => one.Kind)) text.Add(kind.Count(one => one.UntilUtc == null), ("kind", kind.Key));
+    }
+
+    static void AddJoints(PrometheusText text, IReadOnlyList<JointView> joints)
+    {
+        if (joints.Count == 0) return;
+        text.Begin("nowpose_joint_state", Gauge, "1 for the present state of the joint, 0 for the other states.");
+        foreach (var joint in joints)
+            foreach (var word in JointStates)
+                text.Add(joint.State == word ? 1 : 0, ("joint", joint.Name), ("source", joint.Source), ("state", word));
+        text.Begin("nowpose_joint_age_seconds", Gauge, "Control time minus the stamp of the joint's newest sample.");
+        foreach (var joint in joints) text.Add(joint.AgeS, ("joint", joint.Name), ("source", joint.Source));
+        text.Begin("nowpose_joint_rate_hertz", Gauge, "Samples of the joint per second.");
+        foreach (var joint in joints) text.Add(joint.RateHz, ("joint", joint.Name), ("source", joint.Source));
+    }
+
+    static void AddRefusals(PrometheusText text, IReadOnlyList<JsonObject> adapters)
+    {
+        var isBegun = false;
+        foreach (var adapter in adapters)
+        {
+            foreach (var (key, _) in adapter.Where(pair => pair.Key.StartsWith(RefusedPrefix, StringComparison.Ordinal)).Take(MaxReasons))
+            {
+                if (!isBegun) text.Begin("nowpose_adapter_refusals_total", Counter, "Values that the adapter refused, by reason.");
+                isBegun = true;
+                text.Add(StatusObjects.Number(adapter, key), ("adapter", (string)adapter["name"]), ("reason", key[RefusedPrefix.Length..]));
+            }
+        }
+    }
+
+    static void AddPoses(PrometheusText text, IReadOnlyList<JsonObject> headsets)
+    {
+        var known = headsets.Where(headset => StatusObjects.Word(headset, "pose") != null).ToList();
+        if (known.Count == 0) return;
+        text.Begin("nowpose_headset_pose_state", Gauge, "1 for the present state of the headset's pose, 0 for the other states.");
+        foreach (var headset in known)
+        {
+            var pose = StatusObjects.Word(headset, "pose");
+            var present = PoseStates.Contains(pose) ? pose : Other;
+            foreach (var word in PoseStates) text.Add(word == present ? 1 : 0, ("headset", (string)headset["name"]), ("state", word));
+        }
+
+        text.Begin("nowpose_headset_current_share_ratio", Gauge, "Share of frames with a current pose.");
+        foreach (var headset in known) text.Add(StatusObjects.Number(headset, "current_share"), ("headset", (string)headset["name"]));
+        text.Begin("nowpose_headset_missing_joints", Gauge, "Joints of the robot that the headset has no sample of.");
+        foreach (var headset in known)
+            text.Add(
+                StatusObjects.Word(headset, "missing_joints")?.Split(',', StringSplitOptions.RemoveEmptyEntries).Length ?? 0,
+                ("headset", (string)headset["name"]));
+    }
+}

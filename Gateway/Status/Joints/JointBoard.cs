@@ -1,0 +1,124 @@
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Status.Joints;
+
+/// <summary>State of every joint and source, from the adapters' reports and from the samples that arrive. Any thread; bounded.</summary>
+/// <remarks>
+/// A joint that an adapter has in its configuration stays until the adapter reports without it. One that was only published is forgotten
+/// when it has been silent for <see cref="ForgottenAfter"/>.
+/// </remarks>
+sealed class JointBoard(TimeProvider time)
+{
+    internal const int MaxJoints = 4 * ProtocolLimits.Joints;
+
+    /// <summary>A joint without samples for this long is stale, unless its adapter explains it.</summary>
+    internal static readonly TimeSpan StaleAfter = TimeSpan.FromSeconds(1.8);
+
+    /// <summary>Adapters report once per second; a report counts for this long.</summary>
+    internal static readonly TimeSpan ReportLimit = TimeSpan.FromSeconds(2.5);
+
+    internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromMinutes(10);
+
+    readonly Lock _lock = new();
+    readonly Dictionary<string, Joint> _joints = [];
+
+    /// <param name="source">Null for the gateway's own.</param>
+    /// <param name="age">Control time minus the sample's stamp at its arrival.</param>
+    public void Add(HubSource source, string[] names, TimeSpan age)
+    {
+        lock (_lock)
+            foreach (var name in names) Find(name)?.Flow.Add(source, age);
+    }
+
+    /// <summary>A sample that was refused because another source publishes one of its joints.</summary>
+    public void Refuse(HubSource source, string name, HubSource owner)
+    {
+        lock (_lock)
+            if (_joints.TryGetValue(name, out var joint)) joint.Rows.Find(row => row.Source == source.Name)?.Refuse(owner.Name);
+    }
+
+    /// <summary>The diagnostics of an adapter, with a key for each joint of its configuration.</summary>
+    public void Report(string adapter, IEnumerable<KeyValuePair<string, string>> values)
+    {
+        var reports = new Dictionary<string, JointReport>();
+        foreach (var (key, value) in values)
+        {
+            if (reports.Count >= ProtocolLimits.Joints) break;
+            if (key.StartsWith(JointReport.KeyPrefix, StringComparison.Ordinal) && JointReport.TryParse(value, out var report))
+                reports[key[JointReport.KeyPrefix.Length..]] = report;
+        }
+
+        lock (_lock)
+        {
+            foreach (var (name, joint) in _joints)
+                if (!reports.ContainsKey(name)) joint.Rows.Find(row => row.Source == adapter)?.EndReports();
+            foreach (var (name, report) in reports) Find(name)?.RowOf(adapter, time).Report(report);
+        }
+    }
+
+    /// <summary>All joints in the order of their names and sources.</summary>
+    public IReadOnlyList<JointStatus> Read()
+    {
+        lock (_lock)
+        {
+            Forget();
+            return
+            [
+                .. _joints.Values.SelectMany(joint => joint.Judge(time)).OrderBy(row => row.Name, StringComparer.Ordinal)
+                    .ThenBy(row => row.Source, StringComparer.Ordinal),
+            ];
+        }
+    }
+
+    Joint Find(string name)
+    {
+        if (_joints.TryGetValue(name, out var known)) return known;
+        if (_joints.Count >= MaxJoints) DropOldest();
+        if (_joints.Count >= MaxJoints) return null;
+        return _joints[name] = new Joint(name, time);
+    }
+
+    // Names that a source makes up never displace a joint that is configured or live.
+    void DropOldest()
+    {
+        var oldest = _joints.Values.Where(joint => !joint.IsConfigured && !joint.Flow.IsFlowing).MaxBy(joint => joint.Flow.Silence);
+        if (oldest != null) _joints.Remove(oldest.Name);
+    }
+
+    void Forget()
+    {
+        foreach (var (name, joint) in _joints)
+            if (!joint.IsConfigured && (!joint.Flow.HasAny || joint.Flow.Silence > ForgottenAfter)) _joints.Remove(name);
+    }
+
+    sealed class Joint(string name, TimeProvider time)
+    {
+        public string Name => name;
+        public SampleFlow Flow { get; } = new(time);
+        public List<JointRow> Rows { get; } = [];
+        public bool IsConfigured => Rows.Exists(row => row.IsConfigured);
+
+        public JointRow RowOf(string source, TimeProvider time)
+        {
+            var row = Rows.Find(row => row.Source == source);
+            if (row == null) Rows.Add(row = new JointRow(name, source, time));
+            return row;
+        }
+
+        public IEnumerable<JointStatus> Judge(TimeProvider time)
+        {
+            var owner = Flow.HasAny ? OwnerRow(time) : null;
+            Rows.RemoveAll(row => !row.IsConfigured && row != owner);
+            return Rows.Select(row => row.Judge(row == owner ? Flow : null));
+        }
+
+        // An adapter that has just connected again has not told its name yet: its samples count for the only adapter of the joint.
+        JointRow OwnerRow(TimeProvider time)
+        {
+            var configured = Rows.FindAll(row => row.IsConfigured);
+            var isUnnamed = Flow.Source?.Name is null or HubSource.Unnamed;
+            return isUnnamed && configured.Count == 1 ? configured[0] : RowOf(Flow.Source?.Name ?? HubSource.Own, time);
+        }
+    }
+}

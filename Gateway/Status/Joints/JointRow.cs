@@ -1,0 +1,53 @@
+namespace Nowpose.Gateway.Status.Joints;
+
+/// <summary>One joint of one source: what the adapter reports, what arrives, and the state that follows from both.</summary>
+sealed class JointRow(string joint, string source, TimeProvider time)
+{
+    JointHealth? _last;
+    DateTimeOffset _since;
+    JointReport _report;
+    long _reportedAt;
+    long _refusedAt;
+    string _owner;
+
+    public string Source { get; } = source;
+
+    /// <summary>Whether an adapter has this joint in its configuration.</summary>
+    public bool IsConfigured { get; private set; }
+
+    public void Report(in JointReport report)
+    {
+        (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
+    }
+
+    /// <summary>The adapter no longer has the joint.</summary>
+    public void EndReports() => IsConfigured = false;
+
+    /// <summary>The gateway refused a sample because the joint belongs to another source.</summary>
+    public void Refuse(string owner) => (_owner, _refusedAt) = (owner, time.GetTimestamp());
+
+    /// <param name="flow">The samples of this source; null when the joint's samples are another source's.</param>
+    public JointStatus Judge(SampleFlow flow)
+    {
+        var (state, since, reason) = StateOf(flow);
+        var now = time.GetUtcNow();
+        if (since is { } known && known <= now) _since = known;
+        else if (_last != state) _since = now;
+        _last = state;
+        return new JointStatus(joint, Source, state, _since, flow?.Age, Math.Round(flow?.RateHz ?? 0, 2), reason);
+    }
+
+    (JointHealth State, DateTimeOffset? Since, string Reason) StateOf(SampleFlow flow)
+    {
+        var isFlowing = flow is { IsFlowing: true };
+        if (_owner != null && !isFlowing && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter)
+            return (JointHealth.Refused, null, $"the source {_owner} already publishes this joint; each joint has one source");
+        var isReportFresh = IsConfigured && time.GetElapsedTime(_reportedAt) < JointBoard.ReportLimit;
+        if (isReportFresh && _report.State != JointHealth.Live) return (_report.State, _report.Since, _report.Reason);
+        if (isFlowing) return (JointHealth.Live, null, "");
+        if (flow is not { HasAny: true }) return (JointHealth.Missing, null, isReportFresh
+            ? "the adapter reports a live joint, but no sample has arrived at the gateway" : "the adapter stopped reporting before the first sample");
+        if (IsConfigured && !isReportFresh) return (JointHealth.Stale, flow.LastUtc, $"samples stopped and the adapter {Source} does not report");
+        return (JointHealth.Stale, flow.LastUtc, isReportFresh ? "samples stopped arriving; the adapter reports a live joint" : "samples stopped arriving");
+    }
+}

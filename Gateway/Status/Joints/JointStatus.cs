@@ -1,0 +1,12 @@
+namespace Nowpose.Gateway.Status.Joints;
+
+/// <summary>State of one joint of one source at one moment.</summary>
+/// <param name="Age">Control time minus the newest sample's stamp; null before the first sample.</param>
+/// <param name="RateHz">Samples per second; 0 when they stopped.</param>
+/// <param name="Reason">One sentence; empty for a live joint.</param>
+readonly record struct JointStatus(
+    string Name, string Source, JointHealth State, DateTimeOffset Since, TimeSpan? Age, double RateHz, string Reason)
+{
+    public bool IsGood => State is JointHealth.Live or JointHealth.Rest;
+    public string Word => State.ToString().ToLowerInvariant();
+}

@@ -1,0 +1,43 @@
+using System.Globalization;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Status.Joints;
+
+/// <summary>Publishes the joints that are not live on /nowpose/joint_status: on each change, and every second while there are any.</summary>
+/// <remarks>Called by one thread at a time.</remarks>
+sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider time) : IDisposable
+{
+    static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
+
+    const int MaxReasonLength = 200;
+
+    // Of all reasons together: with the names, the message stays below the 64 KiB that clients read.
+    const int MaxReasonsLength = 16 * 1024;
+
+    readonly HubSource _source = hub.OpenSource();
+    List<(string Name, JointHealth State, string Reason)> _sent;
+    long _sentAt;
+
+    public void Publish(IReadOnlyList<JointStatus> joints)
+    {
+        // A joint of two sources is as good as the better one: the other's samples are refused.
+        var troubled = joints.GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
+            .Where(row => row.State != JointHealth.Live).Take(ProtocolLimits.Joints).ToList();
+        var content = troubled.ConvertAll(row => (row.Name, row.State, row.Reason));
+        var isSame = _sent != null && content.SequenceEqual(_sent);
+        if (isSame && (content.Count == 0 || time.GetElapsedTime(_sentAt) < Interval)) return;
+        (_sent, _sentAt) = (content, time.GetTimestamp());
+        var now = (Control: clock.Now, Utc: time.GetUtcNow());
+        var longest = Math.Min(MaxReasonLength, MaxReasonsLength / Math.Max(1, troubled.Count));
+        var values = troubled.ConvertAll(row => KeyValuePair.Create(row.Name, ValueOf(row, now.Control - (now.Utc - row.Since), longest)));
+        var level = troubled.Count == 0 ? 0 : troubled.TrueForAll(row => row.IsGood) ? 1 : 2;
+        _source.PublishJointStatus(new DiagnosticsMessage(now.Control, "gateway", values), level);
+    }
+
+    public void Dispose() => _source.Dispose();
+
+    static string ValueOf(JointStatus row, ControlTime since, int longest) => string.Create(
+        CultureInfo.InvariantCulture, $"{row.Word} {since.SinceEpoch.TotalSeconds:0.000} {InputException.OneLine(row.Reason, longest)}").TrimEnd();
+}

@@ -1,0 +1,43 @@
+using Nowpose.Gateway.Hub;
+
+namespace Nowpose.Gateway.Status.Joints;
+
+/// <summary>Arrival of one joint's samples at the gateway: rate, age, and when they stopped.</summary>
+sealed class SampleFlow(TimeProvider time)
+{
+    // Of a new interval in the mean interval: a few bursts over TCP do not change the rate.
+    const double Weight = 0.05;
+
+    long _last;
+    TimeSpan _ageAtArrival;
+    double _meanSeconds;
+
+    /// <summary>The source of the newest sample; null where it is not known.</summary>
+    public HubSource Source { get; private set; }
+
+    public DateTimeOffset LastUtc { get; private set; }
+
+    public bool HasAny { get; private set; }
+
+    /// <summary>Time since the newest sample arrived.</summary>
+    public TimeSpan Silence => time.GetElapsedTime(_last);
+
+    public bool IsFlowing => HasAny && Silence < JointBoard.StaleAfter;
+
+    /// <summary>Control time minus the newest sample's stamp.</summary>
+    public TimeSpan? Age => HasAny ? _ageAtArrival + Silence : null;
+
+    public double RateHz => IsFlowing && _meanSeconds > 0 ? 1 / Math.Max(_meanSeconds, Silence.TotalSeconds) : 0;
+
+    /// <param name="age">Control time minus the sample's stamp at its arrival.</param>
+    public void Add(HubSource source, TimeSpan age)
+    {
+        var now = time.GetTimestamp();
+        var interval = time.GetElapsedTime(_last, now).TotalSeconds;
+        // A rest is no interval between samples.
+        if (!IsFlowing) _meanSeconds = 0;
+        else _meanSeconds = _meanSeconds == 0 ? interval : _meanSeconds + Weight * (interval - _meanSeconds);
+        HasAny = true;
+        (Source, _last, _ageAtArrival, LastUtc) = (source, now, age, time.GetUtcNow());
+    }
+}

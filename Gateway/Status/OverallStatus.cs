@@ -1,0 +1,30 @@
+using System.Globalization;
+using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Joints;
+
+namespace Nowpose.Gateway.Status;
+
+/// <summary>The state of the gateway and its plants in one line.</summary>
+/// <param name="Level">ok, warning or error.</param>
+sealed record OverallStatus(string Level, string Text)
+{
+    /// <param name="conditions">The worst first.</param>
+    public static OverallStatus Of(
+        IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints,
+        IReadOnlyList<(string Name, TimeSpan, IReadOnlyList<KeyValuePair<string, string>>)> said)
+    {
+        if (conditions.Count == 0) return new("ok", Summary(joints, said.Count(one => !StatusObjects.IsAdapter(one.Name))));
+        var more = conditions.Count == 1 ? "" : $" (and {conditions.Count - 1} more)";
+        return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].Text + more);
+    }
+
+    static string Summary(IReadOnlyList<JointStatus> joints, int headsets)
+    {
+        if (joints.Count == 0) return "no source publishes joint positions yet";
+        var resting = joints.Count(joint => joint.State == JointHealth.Rest);
+        var live = resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} at rest";
+        return $"{live}, {Count(headsets, "headset")}";
+    }
+
+    static string Count(int number, string noun) => string.Create(CultureInfo.InvariantCulture, $"{number} {noun}{(number == 1 ? "" : "s")}");
+}

@@ -1,0 +1,165 @@
+using System.Net;
+using System.Net.Http.Headers;
+using System.Net.Sockets;
+using System.Text;
+using System.Text.Json;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Recording;
+
+namespace Nowpose.Headless.Tests.Gateway.Recording;
+
+/// <summary>The recordings of a gateway: list, download, and files that are deleted.</summary>
+public class RecordingsTests
+{
+    const string Secret = "not for download";
+
+    string _outer;
+    string _folder;
+
+    [SetUp]
+    public void SetUp()
+    {
+        _outer = Directory.CreateTempSubdirectory("nowpose-recordings-").FullName;
+        _folder = Directory.CreateDirectory(Path.Combine(_outer, "recordings")).FullName;
+        File.WriteAllText(Path.Combine(_outer, "tokens.jsonl"), Secret);
+        File.WriteAllText(Path.Combine(_folder, "tokens.txt"), Secret);
+    }
+
+    [TearDown]
+    public void TearDown() => Directory.Delete(_outer, true);
+
+    Task<GatewayServer> StartAsync(bool hasTokens = false) =>
+        Gateways.StartAsync(Gateways.Options() with { Recordings = _folder, Tokens = hasTokens ? Gateways.Tokens : Nowpose.Gateway.Security.TokenList.None });
+
+    static async Task<(HttpStatusCode Status, string Text)> GetAsync(GatewayServer gateway, string path, string token = null)
+    {
+        using var http = new HttpClient();
+        using var request = new HttpRequestMessage(HttpMethod.Get, new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}{path}"));
+        if (token != null) request.Headers.Authorization = new AuthenticationHeaderValue("Bearer", token);
+        using var response = await http.SendAsync(request).Bounded();
+        return (response.StatusCode, await response.Content.ReadAsStringAsync().Bounded());
+    }
+
+    // HttpClient would resolve dots before it sends them.
+    static async Task<string> GetRawAsync(GatewayServer gateway, string path)
+    {
+        using var tcp = new TcpClient();
+        await tcp.ConnectAsync(gateway.WebSocketEndPoint).Bounded();
+        var port = gateway.WebSocketEndPoint.Port;
+        await tcp.GetStream().WriteAsync(Encoding.ASCII.GetBytes($"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n")).AsTask().Bounded();
+        using var reader = new StreamReader(tcp.GetStream());
+        return await reader.ReadToEndAsync().Bounded();
+    }
+
+    static async Task<JsonElement> StateAsync(GatewayServer gateway) =>
+        JsonDocument.Parse((await GetAsync(gateway, "/operations/state")).Text).RootElement;
+
+    [Test]
+    public async Task List_OfAFolder_HasNameAndSizeOfItsRecordingsOnly()
+    {
+        File.WriteAllText(Path.Combine(_folder, "press-20261120T120000Z.jsonl"), "12345\n");
+        await using var gateway = await StartAsync();
+
+        var one = JsonDocument.Parse((await GetAsync(gateway, "/operations/recordings")).Text).RootElement.EnumerateArray().Single();
+
+        Assert.That(one.GetProperty("name").GetString(), Is.EqualTo("press-20261120T120000Z.jsonl"));
+        Assert.That(one.GetProperty("bytes").GetInt64(), Is.EqualTo(6));
+        Assert.That((await GetAsync(gateway, "/operations/recordings/press-20261120T120000Z.jsonl")).Text, Is.EqualTo("12345\n"));
+    }
+
+    [TestCase(null, HttpStatusCode.Unauthorized)]
+    [TestCase(Gateways.ObserverToken, HttpStatusCode.Forbidden)]
+    [TestCase(Gateways.SourceToken, HttpStatusCode.Forbidden)]
+    [TestCase(Gateways.OperatorToken, HttpStatusCode.OK)]
+    public async Task Recordings_WithTokens_AreForOperators(string token, HttpStatusCode expected)
+    {
+        File.WriteAllText(Path.Combine(_folder, "a.jsonl"), "{}\n");
+        await using var gateway = await StartAsync(hasTokens: true);
+
+        foreach (var path in new[] { "/operations/recordings", "/operations/recordings/a.jsonl" })
+            Assert.That((await GetAsync(gateway, path, token)).Status, Is.EqualTo(expected), path);
+    }
+
+    [TestCase("..%2Ftokens.jsonl")]
+    [TestCase("..%5Ctokens.jsonl")]
+    [TestCase("%2e%2e%2ftokens.jsonl")]
+    [TestCase("%252e%252e%252ftokens.jsonl")]
+    [TestCase("./tokens.txt")]
+    [TestCase("tokens.txt")]
+    [TestCase("tokens.txt%00.jsonl")]
+    [TestCase("link.jsonl")]
+    [TestCase("a.jsonl/")]
+    [TestCase("none.jsonl")]
+    [TestCase("a.jsonl%0a")]
+    public async Task Download_NameThatIsNoRecordingOfTheFolder_IsNotFound(string name)
+    {
+        File.WriteAllText(Path.Combine(_folder, "a.jsonl"), "{}\n");
+        if (!OperatingSystem.IsWindows()) File.CreateSymbolicLink(Path.Combine(_folder, "link.jsonl"), Path.Combine(_outer, "tokens.jsonl"));
+        await using var gateway = await StartAsync();
+
+        var answer = await GetRawAsync(gateway, $"/operations/recordings/{name}");
+
+        Assert.That(answer, Does.StartWith("HTTP/1.1 4").And.Not.Contain(Secret));
+    }
+
+    [Test]
+    public async Task Download_RecordingThatIsBeingWritten_IsWholeLinesSoFar()
+    {
+        await using var gateway = await StartAsync();
+        gateway.Recorder.SwitchOn();
+        await Soon.BecomesAsync(() => File.Exists(gateway.Recorder.Path) && new FileInfo(gateway.Recorder.Path).Length > 0, "the header is written");
+
+        var (status, text) = await GetAsync(gateway, $"/operations/recordings/{Path.GetFileName(gateway.Recorder.Path)}");
+
+        Assert.That(status, Is.EqualTo(HttpStatusCode.OK));
+        Assert.That(text, Does.EndWith("\n"));
+    }
+
+    [Test]
+    public async Task Deleted_WhileItIsWritten_IsAProblemAndTheRecordingIsOver()
+    {
+        await using var gateway = await StartAsync();
+        gateway.Recorder.SwitchOn();
+        await Soon.BecomesAsync(() => File.Exists(gateway.Recorder.Path), "it is made");
+
+        File.Delete(gateway.Recorder.Path);
+
+        await Soon.BecomesAsync(() => !gateway.Recorder.IsOn, "it is noticed");
+        var state = await StateAsync(gateway);
+        var recording = state.GetProperty("recording");
+        Assert.That(recording.GetProperty("problem").GetString(), Does.Contain("was deleted"));
+        Assert.That(recording.GetProperty("lines").GetInt64(), Is.Zero, "nothing of it can be read");
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
+        gateway.Recorder.SwitchOn();
+        Assert.That(gateway.Recorder.IsOn, "a new file");
+    }
+
+    [Test]
+    public async Task Deleted_AfterItWasEnded_IsAnEventAndSaid()
+    {
+        await using var gateway = await StartAsync();
+        gateway.Recorder.SwitchOn();
+        await gateway.Recorder.SwitchOffAsync().Bounded();
+        var (path, name) = (gateway.Recorder.Path, Path.GetFileName(gateway.Recorder.Path));
+        gateway.RecordingsWatch.Look();
+
+        File.Delete(path);
+
+        await Soon.BecomesAsync(
+            () => StateAsync(gateway).Result.GetProperty("events").EnumerateArray().Any(
+                one => one.GetProperty("which").GetString() == name && one.GetProperty("what").GetString() == "was deleted"),
+            "it is an event");
+        Assert.That((await StateAsync(gateway)).GetProperty("recording").GetProperty("deleted").GetBoolean());
+        Assert.That((await StateAsync(gateway)).GetProperty("recording").TryGetProperty("problem", out _), Is.False);
+    }
+
+    [Test]
+    public void Find_NameWithASeparator_IsNull()
+    {
+        var folder = new RecordingsFolder(_folder);
+
+        foreach (var name in new[] { "../tokens.jsonl", "/etc/passwd", "", ".jsonl", "a/../../tokens.jsonl" }) Assert.That(folder.Find(name), Is.Null, name);
+        Assert.That(new RecordingsFolder(null).List(), Is.Empty);
+    }
+}

@@ -1,0 +1,299 @@
+using System.Net;
+using System.Net.Http.Headers;
+using System.Text.Json;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Security;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway.Status;
+
+/// <summary>Faults as a gateway shows them: in its state, in /readyz, in metrics and in the list of events.</summary>
+public class FaultStatusTests
+{
+    readonly List<string> _log = [];
+    SteppedTime _time;
+    GatewayServer _gateway;
+    HubSource _source;
+
+    async Task StartAsync(Func<GatewayOptions, GatewayOptions> with = null, IControlClock clock = null)
+    {
+        var options = Gateways.Options() with { Time = _time };
+        _gateway = await GatewayServer.StartAsync(with?.Invoke(options) ?? options, clock ?? new StopwatchControlClock(Gateways.Start), Log).Bounded();
+        _source = _gateway.Hub.OpenSource();
+    }
+
+    [SetUp]
+    public void SetUp()
+    {
+        _time = new SteppedTime();
+        _log.Clear();
+    }
+
+    [TearDown]
+    public async Task Close()
+    {
+        _source?.Dispose();
+        if (_gateway != null) await _gateway.DisposeAsync();
+        (_source, _gateway) = (null, null);
+    }
+
+    void Log(string line)
+    {
+        lock (_log) _log.Add(line);
+    }
+
+    async Task<(HttpStatusCode Status, string Text, HttpContentHeaders Headers)> GetAsync(string path, string token = null)
+    {
+        using var http = new HttpClient();
+        using var request = new HttpRequestMessage(HttpMethod.Get, new Uri($"http://127.0.0.1:{_gateway.WebSocketEndPoint.Port}{path}"));
+        if (token != null) request.Headers.Authorization = new AuthenticationHeaderValue("Bearer", token);
+        using var response = await http.SendAsync(request).Bounded();
+        return (response.StatusCode, await response.Content.ReadAsStringAsync().Bounded(), response.Content.Headers);
+    }
+
+    async Task<JsonElement> StateAsync() => JsonDocument.Parse((await GetAsync("/operations/state")).Text).RootElement;
+
+    async Task<string[]> ReadyAsync(HttpStatusCode expected)
+    {
+        var (status, text, _) = await GetAsync("/readyz");
+        Assert.That(status, Is.EqualTo(expected), text);
+        return text.TrimEnd('\n').Split('\n');
+    }
+
+    void Publish(params string[] joints) => _source.TryPublish(Gateways.State(1, joints));
+
+    void Report(string name, params (string Key, string Value)[] values) =>
+        _source.Publish(new DiagnosticsMessage(Gateways.Start, name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]));
+
+    string Since(double secondsAgo = 0) =>
+        ((_time.GetUtcNow() - TimeSpan.FromSeconds(secondsAgo)).ToUnixTimeMilliseconds() / 1000.0).ToString("0.000", System.Globalization.CultureInfo.InvariantCulture);
+
+    async Task<JsonElement> EventAsync(string kind, string which) =>
+        (await StateAsync()).GetProperty("events").EnumerateArray().FirstOrDefault(
+            one => one.GetProperty("kind").GetString() == kind && one.GetProperty("which").GetString() == which);
+
+    // The list is brought up to date several times per second.
+    Task BeginsAsync(string kind, string which) => Soon.BecomesAsync(
+        () => EventAsync(kind, which).Result.ValueKind == JsonValueKind.Object, $"{kind} {which} begins");
+
+    Task EndsAsync(string kind, string which) => Soon.BecomesAsync(
+        () => EventAsync(kind, which).Result is { ValueKind: JsonValueKind.Object } one && one.TryGetProperty("until_utc", out _), $"{kind} {which} ends");
+
+    [Test]
+    public async Task Joint_SamplesStop_IsNamedEverywhereWithinTwoSecondsAndGreenAgainAtOnce()
+    {
+        await StartAsync();
+        Publish("a", "b");
+        Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+
+        _time.Advance(TimeSpan.FromSeconds(1));
+        Publish("b");
+        _time.Advance(TimeSpan.FromSeconds(1));
+
+        var lines = await ReadyAsync(HttpStatusCode.ServiceUnavailable);
+        Assert.That(lines, Has.Length.EqualTo(2), "the other joint goes on");
+        Assert.That(lines[0], Is.EqualTo("waiting"));
+        Assert.That(lines[1], Does.StartWith("joint a (gateway) is stale: "));
+        var state = await StateAsync();
+        var joint = state.GetProperty("joints")[0];
+        Assert.That(joint.GetProperty("state").GetString(), Is.EqualTo("stale"));
+        Assert.That(joint.GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T12:00:00.000Z"));
+        Assert.That(joint.GetProperty("reason").GetString(), Is.Not.Empty);
+        Assert.That(state.GetProperty("joints")[1].GetProperty("state").GetString(), Is.EqualTo("live"));
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("joint a"));
+        var metrics = (await GetAsync("/metrics")).Text;
+        Assert.That(metrics, Does.Contain("nowpose_joint_state{joint=\"a\",source=\"gateway\",state=\"stale\"} 1"));
+        Assert.That(metrics, Does.Contain("nowpose_ready 0"));
+        await BeginsAsync("joint", "a (gateway)");
+
+        Publish("a");
+
+        Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("ok"));
+        await EndsAsync("joint", "a (gateway)");
+        lock (_log) Assert.That(_log.Count(line => line.Contains("joint a (gateway) is stale")), Is.EqualTo(2), string.Join('\n', _log));
+    }
+
+    [TestCase("refused", "is refused")]
+    [TestCase("missing", "is missing")]
+    [TestCase("fault", "is in fault")]
+    public async Task Joint_AdapterReportsAFault_IsNamedWithReasonAndSince(string word, string what)
+    {
+        await StartAsync(options => options with { ExpectsSources = true });
+        Publish("a", "b");
+
+        Report("adapter/press", ("state", "connected"), ("joint/a", $"{word} {Since(90)} the node ns=2;s=Axis1 is gone"), ("joint/b", $"live {Since()} "));
+
+        Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[]
+        {
+            "waiting", $"joint a (press) {what}: the node ns=2;s=Axis1 is gone",
+        }));
+        var joints = (await StateAsync()).GetProperty("joints");
+        Assert.That(joints.GetArrayLength(), Is.EqualTo(2));
+        Assert.That(joints[0].GetProperty("source").GetString(), Is.EqualTo("press"));
+        Assert.That(joints[0].GetProperty("since_utc").GetString(), Is.EqualTo("2026-11-20T11:58:30.000Z"));
+        Assert.That(joints[1].GetProperty("state").GetString(), Is.EqualTo("live"));
+        Assert.That((await GetAsync("/metrics")).Text, Does.Contain($"nowpose_joint_state{{joint=\"a\",source=\"press\",state=\"{word}\"}} 1"));
+    }
+
+    [Test]
+    public async Task Joint_AtRest_IsReady()
+    {
+        await StartAsync(options => options with { ExpectsSources = true });
+        Publish("a");
+        _time.Advance(TimeSpan.FromSeconds(100));
+
+        Report("adapter/press", ("state", "connected"), ("joint/a", $"rest {Since(99)} assumed at rest"));
+
+        Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+        Assert.That((await StateAsync()).GetProperty("joints")[0].GetProperty("state").GetString(), Is.EqualTo("rest"));
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("ok"));
+    }
+
+    [Test]
+    public async Task JointStatus_Subscribed_TellsTheJointsThatAreNotLive()
+    {
+        await StartAsync();
+        Publish("a", "b");
+        Report("adapter/press", ("state", "connected"), ("joint/a", $"refused {Since(5)} status Bad"), ("joint/b", $"live {Since()} "));
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await client.SubscribeAsync(RosTopics.JointStatus, "diagnostic_msgs/DiagnosticArray");
+
+        JsonElement told;
+        do told = JsonDocument.Parse(await client.ReceiveTextAsync()).RootElement.GetProperty("msg").GetProperty("status")[0];
+        while (told.GetProperty("values").GetArrayLength() == 0);
+
+        Assert.That(told.GetProperty("hardware_id").GetString(), Is.EqualTo("gateway"));
+        var value = told.GetProperty("values").EnumerateArray().Single();
+        Assert.That(value.GetProperty("key").GetString(), Is.EqualTo("a"));
+        var words = value.GetProperty("value").GetString().Split(' ', 3);
+        Assert.That((words[0], words[2]), Is.EqualTo(("refused", "status Bad")));
+        var since = double.Parse(words[1], System.Globalization.CultureInfo.InvariantCulture);
+        Assert.That(since, Is.InRange(Gateways.Start.SinceEpoch.TotalSeconds - 5.01, _gateway.Clock.Now.SinceEpoch.TotalSeconds - 4.9), "on the control clock");
+    }
+
+    [Test]
+    public async Task Observer_WithTheNameOfAnAdapter_IsRefused()
+    {
+        await StartAsync(options => options with { Tokens = Gateways.Tokens });
+        using var client = await RawRosbridgeClient.ConnectAsync(
+            _gateway, set => set.SetRequestHeader("Authorization", $"Bearer {Gateways.ObserverToken}"));
+
+        await client.SendAsync(RosbridgeWriter.PublishDiagnostics(
+            RosTopics.Diagnostics, new DiagnosticsMessage(default, "adapter/press", [KeyValuePair.Create("joint/a", $"fault {Since()} made up")]), RosTimeForm.Sec));
+
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("NotAllowed"));
+        Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+    }
+
+    [Test]
+    public async Task Adapter_NotConnectedThenSilent_IsAnEventEach()
+    {
+        await StartAsync();
+        Report("adapter/press", ("state", "refused"), ("reason", "the certificate is not trusted"));
+        await BeginsAsync("adapter", "press");
+        Assert.That((await EventAsync("adapter", "press")).GetProperty("reason").GetString(), Is.EqualTo("refused: the certificate is not trusted"));
+
+        _time.Advance(TimeSpan.FromMinutes(5));
+
+        await Soon.BecomesAsync(() => EventAsync("adapter", "press").Result.GetProperty("what").GetString() == "does not report", "it is silent");
+        Assert.That((await StateAsync()).GetProperty("adapters").GetArrayLength(), Is.EqualTo(1), "an adapter that is gone stays in the state");
+    }
+
+    [Test]
+    public async Task Clock_NotServed_IsAnEventAndAReason()
+    {
+        await StartAsync(clock: new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
+
+        Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[] { "waiting", "clock own is not served: its state is converging" }));
+        await BeginsAsync("clock", "own");
+    }
+
+    [Test]
+    public async Task Headset_NotCurrentThenLost_IsAnEventEachAndNoReason()
+    {
+        await StartAsync();
+        Report("goggles", ("pose", "incomplete"), ("missing_joints", "a,b"));
+        await BeginsAsync("headset", "goggles");
+        Assert.That((await EventAsync("headset", "goggles")).GetProperty("reason").GetString(), Does.Contain("a,b"));
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
+        Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }), "other headsets can be served");
+
+        Report("goggles", ("pose", "coarse"));
+        await EndsAsync("headset", "goggles");
+        _time.Advance(TimeSpan.FromSeconds(4));
+
+        await Soon.BecomesAsync(() => EventAsync("headset", "goggles").Result.GetProperty("what").GetString() == "is lost", "it is lost");
+    }
+
+    [Test]
+    public async Task Source_SecondOfAJoint_IsAnEventThatEnds()
+    {
+        await StartAsync();
+        Publish("a");
+        using var second = _gateway.Hub.OpenSource();
+        second.Name = "copy";
+
+        Assert.That(second.TryPublish(Gateways.State(1, "a")), Is.EqualTo("a"));
+
+        await BeginsAsync("source", "copy of joint a");
+        _time.Advance(TimeSpan.FromSeconds(6));
+        await EndsAsync("source", "copy of joint a");
+    }
+
+    [Test]
+    public async Task Certificate_AboutToExpire_IsAnEvent()
+    {
+        using var certificate = CertificateFiles.Generate();
+        _time.Advance(certificate.NotAfter.ToUniversalTime() - TimeSpan.FromDays(3) - _time.GetUtcNow());
+        await StartAsync(options => options with { Certificate = certificate });
+
+        await Soon.BecomesAsync(() => Logged("certificate of the gateway is about to expire"), "it is in the log");
+        Assert.That(Logged("has expired"), Is.False);
+        _time.Advance(TimeSpan.FromDays(4));
+        await Soon.BecomesAsync(() => Logged("certificate of the gateway has expired"), "it is in the log");
+    }
+
+    bool Logged(string part)
+    {
+        lock (_log) return _log.Exists(line => line.Contains(part, StringComparison.Ordinal));
+    }
+
+    [TestCase(null, HttpStatusCode.Unauthorized)]
+    [TestCase(Gateways.ObserverToken, HttpStatusCode.OK)]
+    public async Task Events_Downloaded_AreForThoseWhoMaySeeTheState(string token, HttpStatusCode expected)
+    {
+        await StartAsync(options => options with { Tokens = Gateways.Tokens });
+
+        Assert.That((await GetAsync("/operations/events", token)).Status, Is.EqualTo(expected));
+    }
+
+    [Test]
+    public async Task Events_Downloaded_AreJsonOrCsv()
+    {
+        await StartAsync();
+        Publish("a");
+        _time.Advance(TimeSpan.FromSeconds(2));
+        await BeginsAsync("joint", "a (gateway)");
+
+        var (_, json, headers) = await GetAsync("/operations/events");
+        Assert.That(JsonDocument.Parse(json).RootElement[0].GetProperty("which").GetString(), Is.EqualTo("a (gateway)"));
+        Assert.That(headers.ContentDisposition.DispositionType, Is.EqualTo("attachment"));
+        var (_, csv, type) = await GetAsync("/operations/events?format=csv");
+        Assert.That(csv.Split("\r\n")[1], Does.StartWith("1,\"joint\",\"a (gateway)\",\"is stale\","));
+        Assert.That(type.ContentType.MediaType, Is.EqualTo("text/csv"));
+        Assert.That((await GetAsync("/operations/events?format=xml")).Status, Is.EqualTo(HttpStatusCode.BadRequest));
+    }
+
+    [Test]
+    public async Task State_OfAGateway_NamesItsHost()
+    {
+        await StartAsync();
+
+        Assert.That((await StateAsync()).GetProperty("host").GetString(), Is.EqualTo(Environment.MachineName));
+    }
+}

@@ -1,0 +1,227 @@
+using System.Globalization;
+using NUnit.Framework;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Status.Joints;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
+
+public class JointBoardTests
+{
+    readonly SteppedTime _time = new();
+    readonly MessageHub _hub = new();
+    JointBoard _board;
+    HubSource _source;
+
+    [SetUp]
+    public void Open()
+    {
+        _board = new JointBoard(_time);
+        _source = _hub.OpenSource();
+    }
+
+    void Send(double seconds, params string[] names)
+    {
+        for (var i = 0; i < seconds * 20; i++)
+        {
+            _board.Add(_source, names, TimeSpan.FromMilliseconds(70));
+            _time.Advance(TimeSpan.FromMilliseconds(50));
+        }
+    }
+
+    void Report(string adapter, params (string Joint, string State, string Reason)[] joints)
+    {
+        var since = _time.GetUtcNow().ToUnixTimeMilliseconds() / 1000.0;
+        _board.Report(adapter, joints.Select(joint => KeyValuePair.Create(
+            $"joint/{joint.Joint}", string.Create(CultureInfo.InvariantCulture, $"{joint.State} {since:0.000} {joint.Reason}"))));
+    }
+
+    JointStatus Joint(string name, string source = null) =>
+        _board.Read().Single(joint => joint.Name == name && (source == null || joint.Source == source));
+
+    [Test]
+    public void Read_JointWithSamples_IsLiveWithRateAndAge()
+    {
+        Send(5, "a");
+
+        var joint = Joint("a");
+
+        Assert.That(joint.State, Is.EqualTo(JointHealth.Live));
+        Assert.That(joint.RateHz, Is.EqualTo(20).Within(0.1));
+        Assert.That(joint.Age.Value.TotalSeconds, Is.EqualTo(0.07 + 0.05).Within(1e-6));
+        Assert.That(joint.Source, Is.EqualTo("gateway"));
+    }
+
+    [Test]
+    public void Read_SamplesStop_IsStaleWithinTwoSecondsSinceTheLastSample()
+    {
+        Send(5, "a", "b");
+        var last = _time.GetUtcNow() - TimeSpan.FromMilliseconds(50);
+
+        Send(1.5, "b");
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live), "a short gap");
+        Send(0.4, "b");
+
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale));
+        Assert.That(Joint("a").Since, Is.EqualTo(last));
+        Assert.That(Joint("a").RateHz, Is.Zero);
+        Assert.That(Joint("a").Reason, Is.Not.Empty);
+        Assert.That(Joint("b").State, Is.EqualTo(JointHealth.Live), "the other joint goes on");
+    }
+
+    [Test]
+    public void Read_SamplesComeAgain_IsLiveSinceThen()
+    {
+        Send(2, "a");
+        _time.Advance(TimeSpan.FromSeconds(60));
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale));
+
+        var again = _time.GetUtcNow();
+        _board.Add(_source, ["a"], TimeSpan.Zero);
+
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
+        Assert.That(Joint("a").Since, Is.EqualTo(again));
+        Send(2, "a");
+        Assert.That(Joint("a").RateHz, Is.EqualTo(20).Within(0.5), "the pause is no interval between samples");
+    }
+
+    [Test]
+    public void Read_SamplesStopAndTheAdapterSaysRest_IsRest()
+    {
+        _source.Name = "press";
+        Send(3, "a");
+        var since = _time.GetUtcNow();
+        Report("press", ("a", "rest", "no change since then"));
+
+        for (var second = 0; second < 30; second++)
+        {
+            _time.Advance(TimeSpan.FromSeconds(1));
+            _board.Report("press", [KeyValuePair.Create("joint/a", $"rest {since.ToUnixTimeSeconds()}.000 no change since then")]);
+            Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Rest));
+        }
+
+        Assert.That(Joint("a").Since, Is.EqualTo(since).Within(TimeSpan.FromSeconds(1)));
+        Assert.That(Joint("a").Age.Value.TotalSeconds, Is.GreaterThan(29));
+    }
+
+    [Test]
+    public void Read_RestAndThenTheAdapterFallsSilent_IsStale()
+    {
+        _source.Name = "press";
+        Send(3, "a");
+        Report("press", ("a", "rest", ""));
+
+        _time.Advance(TimeSpan.FromSeconds(3));
+
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale), "no adapter vouches for the rest");
+        Assert.That(Joint("a").Reason, Does.Contain("press"));
+    }
+
+    [TestCase("refused")]
+    [TestCase("fault")]
+    [TestCase("missing")]
+    public void Read_AdapterReportsAFault_IsThatFaultWithItsReason(string word)
+    {
+        _source.Name = "press";
+        Send(3, "a", "b");
+
+        Report("press", ("a", word, "status Bad"), ("b", "live", ""));
+
+        Assert.That(Joint("a").Word, Is.EqualTo(word));
+        Assert.That(Joint("a").Reason, Is.EqualTo("status Bad"));
+        Assert.That(Joint("b").State, Is.EqualTo(JointHealth.Live));
+    }
+
+    [Test]
+    public void Read_AdapterSaysLiveAndNothingArrives_IsMissingThenStale()
+    {
+        Report("press", ("a", "live", ""));
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Missing));
+
+        _source.Name = "press";
+        Send(2, "a");
+        Report("press", ("a", "live", ""));
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
+        _time.Advance(TimeSpan.FromSeconds(1.9));
+        Report("press", ("a", "live", ""));
+
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale));
+    }
+
+    [Test]
+    public void Read_AdapterConnectsAgainAndHasNotReported_KeepsItsJoint()
+    {
+        _source.Name = "press";
+        Send(2, "a");
+        Report("press", ("a", "live", ""));
+
+        _source = _hub.OpenSource();
+        _source.Name = HubSource.Unnamed;
+        Send(1, "a");
+
+        Assert.That(_board.Read().Single().Source, Is.EqualTo("press"));
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
+    }
+
+    [Test]
+    public void Read_AdapterWithAJointOfAnotherSource_IsRefusedAndNamesTheOwner()
+    {
+        _source.Name = "press";
+        Send(2, "a");
+        Report("press", ("a", "live", ""));
+        var second = _hub.OpenSource();
+        second.Name = "copy";
+        Report("copy", ("a", "live", ""));
+
+        _board.Refuse(second, "a", _source);
+
+        Assert.That(Joint("a", "press").State, Is.EqualTo(JointHealth.Live));
+        Assert.That(Joint("a", "copy").State, Is.EqualTo(JointHealth.Refused));
+        Assert.That(Joint("a", "copy").Reason, Does.Contain("press"));
+    }
+
+    [Test]
+    public void Read_AdapterWithoutTheJointAnyMore_ForgetsIt()
+    {
+        Report("press", ("a", "missing", ""), ("b", "missing", ""));
+
+        Report("press", ("b", "missing", ""));
+
+        Assert.That(_board.Read().Select(joint => joint.Name), Is.EqualTo(new[] { "b" }));
+    }
+
+    [Test]
+    public void Read_ConfiguredJointOfALostAdapter_IsNeverForgotten()
+    {
+        Report("press", ("a", "live", ""));
+        Send(2, "client joint");
+
+        _time.Advance(TimeSpan.FromDays(3));
+
+        var joint = _board.Read().Single();
+        Assert.That(joint.Name, Is.EqualTo("a"));
+        Assert.That(joint.IsGood, Is.False);
+    }
+
+    [Test]
+    public void Read_SinceInTheFuture_IsNow()
+    {
+        _board.Report("press", [KeyValuePair.Create("joint/a", "fault 9999999999.000 a wrong clock")]);
+
+        Assert.That(Joint("a").Since, Is.EqualTo(_time.GetUtcNow()));
+    }
+
+    [Test]
+    public void Add_EverNewNames_StaysBoundedAndKeepsConfiguredAndLiveJoints()
+    {
+        Report("press", ("configured", "missing", ""));
+        for (var i = 0; i < 5000; i++)
+        {
+            _board.Add(_source, [$"joint {i}"], TimeSpan.Zero);
+            _time.Advance(TimeSpan.FromMilliseconds(10));
+            if (i % 50 == 0) _board.Add(_source, ["live"], TimeSpan.Zero);
+        }
+
+        Assert.That(_board.Read(), Has.Count.EqualTo(JointBoard.MaxJoints));
+        Assert.That(_board.Read().Select(joint => joint.Name), Does.Contain("configured").And.Contain("live"));
+    }
+}

@@ -1,0 +1,103 @@
+using System.Globalization;
+using NUnit.Framework;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
+
+public class JointStatusTopicTests
+{
+    readonly SteppedTime _time = new();
+    MessageHub _hub;
+    JointStatusTopic _topic;
+    List<DiagnosticsMessage> _received;
+
+    [SetUp]
+    public void Open()
+    {
+        _hub = new MessageHub();
+        _topic = new JointStatusTopic(_hub, new StoppedClock(), _time);
+        _received = [];
+        _hub.Subscribe(RosTopics.JointStatus, message => _received.Add((DiagnosticsMessage)message.Content));
+    }
+
+    [TearDown]
+    public void Close() => _topic.Dispose();
+
+    JointStatus Joint(string name, JointHealth state, string reason = "", double secondsAgo = 4) =>
+        new(name, "press", state, _time.GetUtcNow() - TimeSpan.FromSeconds(secondsAgo), null, 0, reason);
+
+    [Test]
+    public void Publish_JointsThatAreNotLive_NamesThemSinceWhenOnTheControlClock()
+    {
+        _topic.Publish([Joint("a", JointHealth.Live), Joint("b", JointHealth.Rest, "assumed at rest"), Joint("c", JointHealth.Fault, "the node is gone", 1.25)]);
+
+        Assert.That(_received.Single().HardwareId, Is.EqualTo("gateway"));
+        Assert.That(_received.Single().Values, Is.EqualTo(new[]
+        {
+            KeyValuePair.Create("b", "rest 4996.000 assumed at rest"), KeyValuePair.Create("c", "fault 4998.750 the node is gone"),
+        }));
+    }
+
+    [Test]
+    public void Publish_OverTime_OnEachChangeAndEverySecondWhileThereAreAny()
+    {
+        JointStatus[] fault = [Joint("a", JointHealth.Fault)];
+        JointStatus[] none = [Joint("a", JointHealth.Live)];
+        void Look(JointStatus[] joints, double seconds)
+        {
+            for (var i = 0; i < seconds * 5; i++)
+            {
+                _topic.Publish(joints);
+                _time.Advance(TimeSpan.FromSeconds(0.2));
+            }
+        }
+
+        Look(none, 3);
+        Assert.That(_received, Has.Count.EqualTo(1), "the empty one, once");
+        Look(fault, 3);
+        Assert.That(_received, Has.Count.EqualTo(4), "at once, and every second");
+        Look(none, 3);
+        Assert.That(_received, Has.Count.EqualTo(5));
+        Assert.That(_received[^1].Values, Is.Empty);
+    }
+
+    [Test]
+    public void Subscribe_Later_GetsTheNewest()
+    {
+        _topic.Publish([Joint("a", JointHealth.Stale)]);
+        var late = new List<HubMessage>();
+
+        _hub.Subscribe(RosTopics.JointStatus, late.Add);
+
+        var text = System.Text.Encoding.UTF8.GetString(late.Single().Utf8(RosTimeForm.Sec).Span);
+        Assert.That(text, Does.Contain("\"name\":\"joints\"").And.Contain("\"hardware_id\":\"gateway\"").And.Contain("\"level\":2"));
+        Assert.That(text, Does.Contain("\"key\":\"a\",\"value\":\"stale 4996.000\""));
+    }
+
+    [Test]
+    public void Publish_OneSourceOfTheJointIsLive_LeavesItOut()
+    {
+        _topic.Publish([Joint("a", JointHealth.Live), Joint("a", JointHealth.Refused)]);
+
+        Assert.That(_received.Single().Values, Is.Empty);
+    }
+
+    [Test]
+    public void Publish_ManyJointsWithLongReasons_FitsIntoOneMessage()
+    {
+        _topic.Publish([.. Enumerable.Range(0, 256).Select(i => Joint(i.ToString("000", CultureInfo.InvariantCulture), JointHealth.Fault, new string('x', 300)))]);
+
+        var late = new List<HubMessage>();
+        _hub.Subscribe(RosTopics.JointStatus, late.Add);
+        Assert.That(_received.Single().Values, Has.Count.EqualTo(256));
+        Assert.That(late.Single().Utf8(RosTimeForm.Secs).Length, Is.LessThan(ProtocolLimits.MessageBytes));
+    }
+
+    sealed class StoppedClock : IControlClock
+    {
+        public ControlTime Now => Gateways.Start;
+    }
+}
