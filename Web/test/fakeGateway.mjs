@@ -55,6 +55,7 @@ export class FakeGateway {
   urdf = urdf;
   sockets = new Map();
   posts = [];
+  recordings = [{ name: 'press-1.jsonl', bytes: 2_500_000, changed_utc: '2026-11-20T12:00:00.000Z' }];
   connects = 0;
   /** How fast the joints swing; 0 for a robot that rests. */
   pace = 1;
@@ -75,7 +76,7 @@ export class FakeGateway {
   get now() { return 1000 + (Date.now() - this.began) / 1000; }
 
   state = {
-    cell: 'Press 3', version: '0.1.0', uptime_s: 12, control_time_s: 1012,
+    cell: 'Press 3', host: 'cell-pc', version: '0.1.0', status: { level: 'ok', text: '5 joints live, 2 headsets' }, uptime_s: 12, control_time_s: 1012,
     clock: { source: 'press', state: 'synchronised', error_bound_us: 120, skew_ppm: 3.1, rtt_ms: 1.2, resolution_us: 1000, steps: 0 },
     plant_clocks: [
       { name: 'press', connected: true, is_control_clock: true, state: 'synchronised', offset_to_control_ms: 0, drift_ppm: 0, rtt_ms: 1.2, error_bound_us: 120, resolution_us: 1000, exchanges: 60, failures: 0 },
@@ -86,8 +87,10 @@ export class FakeGateway {
       { name: 'belt', seen_s_ago: 0.4, kind: 'ads', state: 'refused', reason: 'the router does not know this machine', samples: 0, refused: 3, reconnects: 7 },
     ],
     sources: [{ joints: JOINTS, rate_hz: 20, age_ms: { p50: 71, p95: 104 } }],
+    joints: JOINTS.map(name => ({ name, source: 'press', state: 'live', since_utc: new Date(Date.now() - 60_000).toISOString(), age_s: 0.071, rate_hz: 20, reason: '' })),
+    events: [],
     headsets: [
-      { name: 'left door', seen_s_ago: 0.3, state: 'synchronised', rtt_ms: 3.2, error_bound_us: 410, l_app_ms: 82, l_visu_ms: 40, render_ms: 11, range: 'inside', error_mm_hold: 31, error_mm: 2.1, reduction: 0.932, samples: 900, dropped: 1, budget_ms: { plant: 71, gateway: 0.3, network: 1.6, queue: 9.1, render: 11, display: 29 } },
+      { name: 'left door', seen_s_ago: 0.3, state: 'synchronised', pose: 'current', current_share: 0.987, rtt_ms: 3.2, error_bound_us: 410, l_app_ms: 82, l_visu_ms: 40, render_ms: 11, range: 'inside', error_mm_hold: 31, error_mm: 2.1, reduction: 0.932, samples: 900, dropped: 1, budget_ms: { plant: 71, gateway: 0.3, network: 1.6, queue: 9.1, render: 11, display: 29 } },
       { name: 'right door', seen_s_ago: 8, state: 'holdover', rtt_ms: 45, error_bound_us: 9000, l_app_ms: 140, l_visu_ms: 40, render_ms: 31, range: 'outside', error_mm_hold: 60, error_mm: 30, reduction: 0.5, samples: 400, dropped: 12, budget_ms: { plant: 71, gateway: 0.3, network: 22.5, queue: 46, render: 31, display: 9 } },
     ],
     forward_ms: { p50: 0.3, p99: 1.9 },
@@ -149,6 +152,9 @@ export class FakeGateway {
     if (this.token && !request.headers.cookie?.includes('nowpose=abc')) return reply(401, 'no or an unknown bearer token');
     if (this.isSilent) return request.destroy();
     if (path === '/operations/state') return reply(200, this.state);
+    if (path === '/operations/recordings') return reply(200, this.recordings);
+    if (path.startsWith('/operations/recordings/')) return reply(200, 'a recording');
+    if (path.startsWith('/operations/events')) return reply(200, 'id,kind');
     if (path === '/operations/logout') {
       response.setHeader('Set-Cookie', 'nowpose=; Path=/; Max-Age=0');
       return reply(200, {});

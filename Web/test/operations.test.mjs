@@ -80,11 +80,11 @@ describe('what it shows', () => {
 
     assert.equal(await page.textContent('h1'), 'Press 3');
     const [left, right] = [await cells(page, 'left door'), await cells(page, 'right door')];
-    assert.deepEqual(left.slice(0, 8), ['synchronised', '410', '2.10', '31', '93.2', '3.20', '82', '40']);
-    assert.match(left[8], /^in range, 11/);
-    assert.deepEqual(left.slice(9), ['900', '1']);
-    assert.equal(right[0], 'silent for 8 s');
-    assert.match(right[8], /^OUT OF RANGE/);
+    assert.deepEqual(left.slice(0, 10), ['synchronised', 'current', '98.7', '2.10', '31', '93.2', '410', '3.20', '82', '40']);
+    assert.match(left[10], /^in range, 11/);
+    assert.deepEqual(left.slice(11), ['900', '1']);
+    assert.deepEqual(right.slice(0, 2), ['silent for 8 s', 'not known']);
+    assert.match(right[10], /^OUT OF RANGE/);
     assert.deepEqual(page.complaints, []);
   });
 
@@ -186,8 +186,8 @@ describe('what it shows', () => {
 
     assert.ok(await page.locator('input[value="right door"]').isChecked());
     assert.equal(await page.evaluate(() => document.activeElement.value), 'right door');
-    assert.equal((await cells(page, 'right door'))[5], '77');
-    assert.equal((await cells(page, 'new one'))[1], '–');
+    assert.equal((await cells(page, 'right door'))[7], '77');
+    assert.equal((await cells(page, 'new one'))[2], '–');
   });
 
   it('shows hostile names as text', async () => {
@@ -211,7 +211,194 @@ describe('what it shows', () => {
   });
 });
 
+describe('faults', () => {
+  const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
+  const refused = { state: 'refused', since_utc: ago(95), age_s: 95.2, rate_hz: 0, reason: 'status Bad of node ns=2;s=Axis3' };
+  const event = (id, level, more = {}) => ({
+    id, kind: 'joint', which: 'arm_joint_3 (press)', what: 'is refused', reason: refused.reason, level, since_utc: ago(95), ...more,
+  });
+
+  /** The joint's row: source, state, since, rate, age. */
+  const jointCells = (page, name) => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) td`).allInnerTexts();
+
+  function fail() {
+    Object.assign(gateway.state.joints[2], refused);
+    gateway.state.status = { level: 'error', text: `joint arm_joint_3 (press) is refused: ${refused.reason}` };
+    gateway.state.events = [event(7, 'error')];
+  }
+
+  it('are not there: title, place and one line say so', async () => {
+    const page = await open();
+
+    assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.1.0');
+    assert.equal(await page.textContent('#place'), 'host cell-pc · Nowpose gateway 0.1.0');
+    assert.equal(await page.textContent('#status'), 'OK: 5 joints live, 2 headsets');
+    assert.equal(await page.getAttribute('#status', 'class'), 'level ok');
+    assert.ok(await page.locator('#alarms').isHidden());
+    assert.match(await page.textContent('#events'), /Nothing has gone wrong/);
+    const headings = await page.locator('#content h2').allInnerTexts();
+    assert.equal(headings[0], 'Plants');
+  });
+
+  it('of a joint are named in title, line, alarms and table, with reason and since when', async () => {
+    fail();
+    const page = await open();
+
+    assert.match(await page.title(), /^Fault: Press 3/);
+    assert.match(await page.textContent('#status'), /^Fault: joint arm_joint_3 \(press\) is refused: status Bad/);
+    assert.match(await page.textContent('#alarms'), /arm_joint_3 \(press\) is refused: status Bad of node ns=2;s=Axis3 – since \d\d:\d\d:\d\d/);
+    const [source, state, since, rate, age] = await jointCells(page, 'arm_joint_3');
+    assert.deepEqual([source, state, rate, age], ['press', 'refused', '0', '95\u00a0s']);
+    assert.match(since, /\d\d:\d\d:\d\d$/);
+    assert.equal(await page.locator('[aria-label="Joints"] tbody:has(th:text-is("arm_joint_3")) .note').innerText(), refused.reason);
+    assert.deepEqual((await jointCells(page, 'arm_joint_2')).slice(0, 2), ['press', 'live'], 'the others go on');
+
+    Object.assign(gateway.state.joints[2], gateway.state.joints[1], { name: 'arm_joint_3' });
+    gateway.state.status = { level: 'ok', text: '5 joints live, 2 headsets' };
+    gateway.state.events = [event(7, 'error', { until_utc: ago(0) })];
+    await becomes(page, '#status', 'OK');
+    assert.ok(await page.locator('#alarms').isHidden());
+    assert.match(await page.textContent('#events'), /over.*arm_joint_3 \(press\) is refused/);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('that are over stay in the list, below those that last', async () => {
+    gateway.state.events = [event(9, 'error', { until_utc: ago(10) }), event(8, 'warning'), event(7, 'error', { until_utc: ago(90) })];
+    const page = await open();
+
+    const rows = await page.locator('#events tbody tr:not(.note)').evaluateAll(all => all.map(row => row.querySelector('th').textContent));
+    assert.deepEqual(rows, ['8', '9', '7']);
+    const [over] = await page.locator('#events tr:has(th:text-is("7"))').locator('td').evaluateAll(cells => [cells.map(cell => cell.innerText)]);
+    assert.deepEqual([over[0], over[3]], ['over', '5\u00a0s']);
+  });
+
+  it('are downloaded as CSV and as JSON', async () => {
+    const page = await open();
+
+    for (const format of ['csv', 'json']) {
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click(`.downloads a[href$="format=${format}"]`)]);
+      assert.equal(download.suggestedFilename(), `nowpose-events.${format}`);
+    }
+  });
+
+  it('have words, icon and colour, and can be read on light and dark', async () => {
+    fail();
+    gateway.state.events.push(event(6, 'warning', { kind: 'headset', which: 'left door' }));
+    gateway.state.joints[0].state = 'rest';
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await open({ colorScheme });
+      await page.waitForSelector('#alarms .warning');
+      const levels = await page.evaluate(() => {
+        const channels = colour => colour.match(/[\d.]+/g).map(Number);
+        const luminance = colour => channels(colour).slice(0, 3).map(c => c / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+          .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+        const backOf = element => {
+          for (let at = element; at; at = at.parentElement) {
+            const back = getComputedStyle(at).backgroundColor;
+            if ((channels(back)[3] ?? 1) === 1) return back;
+          }
+          throw new Error('no background');
+        };
+        return [...document.querySelectorAll('.level')].filter(e => e.checkVisibility()).map(e => {
+          const [a, b] = [luminance(getComputedStyle(e).color), luminance(backOf(e))];
+          return { level: e.className, text: e.textContent, icon: getComputedStyle(e, '::before').content, contrast: (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) };
+        });
+      });
+
+      assert.ok(['level ok', 'level rest', 'level warning', 'level error'].every(level => levels.some(one => one.level === level)), JSON.stringify(levels));
+      for (const { level, text, icon, contrast } of levels) {
+        assert.ok(contrast > 4.5, `${colorScheme} ${level}: ${contrast}`);
+        assert.ok(text.length > 1 && icon !== 'none', `${level}: words and an icon`);
+      }
+    }
+  });
+
+  it('fit into a narrow window', async () => {
+    fail();
+    gateway.state.events[0].reason = 'x'.repeat(300);
+    const page = await open({ viewport: { width: 390, height: 844 } });
+    await page.waitForSelector('#alarms li');
+
+    const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(content <= window, `${content} px of content`);
+  });
+
+  it('of a headset are in its row', async () => {
+    Object.assign(gateway.state.headsets[0], { pose: 'incomplete', missing_joints: 'a,b', current_share: 0.4, profile_mismatch: 'made for HoloLens 2' });
+    const page = await open();
+
+    assert.deepEqual((await cells(page, 'left door')).slice(1, 3), ['incomplete', '40']);
+    const note = await page.locator('#headsets .note p').first().innerText();
+    assert.equal(note, 'missing joints: a, b; the latency profile does not match this headset: made for HoloLens 2');
+  });
+
+  it('do not include a coarse clock, which is shown with its ±', async () => {
+    Object.assign(gateway.state.headsets[0], { state: 'coarse', pose: 'coarse', error_bound_us: 9000, estimated_error_us: 3000 });
+    Object.assign(gateway.state.clock, { state: 'coarse', error_bound_us: 4000 });
+    const page = await open();
+
+    assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill('coarse, ±\u00a03\u00a0ms'));
+    assert.equal(await page.textContent('#clock'), 'coarse, ±\u00a04\u00a0ms, of press');
+    assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
+  });
+
+  it('of an adapter are counted by reason', async () => {
+    Object.assign(gateway.state.adapters[0], { 'refused/bad_status': 7, 'refused/nan': 2, 'refused/late': 0 });
+    const page = await open();
+
+    assert.equal(await page.locator('[aria-label="Plant connections"] .note p').first().innerText(), 'refused values: bad_status 7, nan 2');
+  });
+
+  it('of the gateway itself leave no OK behind', async () => {
+    const page = await open();
+
+    gateway.isSilent = true;
+
+    await becomes(page, '#status', 'Not known');
+    assert.match(await page.title(), /^Not known: Press 3/);
+    assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
+  });
+
+  it('explain their terms and units on hover', async () => {
+    const page = await open();
+
+    for (const term of ['RTT (ms)', 'L_app (ms)', 'L_visu (ms)', 'Drift against it (ppm)', 'P95 (ms)', 'Age', 'Pose', 'Control clock']) {
+      const title = await page.locator('abbr', { hasText: new RegExp(`^${term.replace(/[()]/g, '\\$&')}$`) }).first().getAttribute('title');
+      assert.ok(title.length > 10, term);
+    }
+  });
+});
+
 describe('the robot', () => {
+  it('is not drawn below a joint that was never received, nor compared there', async () => {
+    gateway.turned = 0;
+    const page = await open({ reducedMotion: 'reduce' });
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    const whole = await picture(page, page.locator('.stage'));
+
+    gateway.turned = null;
+    gateway.sets = [JOINTS.slice(0, 1)];
+    await page.reload();
+    await becomes(page, '#robot .level', 'arm_joint_2 has not been received');
+    await becomes(page, '.apart', 'Where the tool was is not known');
+    const base = await picture(page, page.locator('.stage'));
+
+    assert.ok(base.grey > 100, `${base.grey} pixels of its base`);
+    assert.ok(base.grey < whole.grey, `${base.grey} of ${whole.grey} pixels`);
+  });
+
+  it('is not drawn below a joint whose data is not live, while the others go on', async () => {
+    const page = await open();
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+
+    Object.assign(gateway.state.joints[2], { state: 'stale', reason: 'samples stopped arriving' });
+    await becomes(page, '#robot .level', 'arm_joint_3 is stale');
+    await becomes(page, '.apart', 'Where the tool was is not known');
+
+    gateway.state.joints[2].state = 'rest';
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+  });
+
   it('says how far what a headset showed is from the truth of the same moment', async () => {
     const page = await open();
 
@@ -376,6 +563,38 @@ describe('what can be done', () => {
     assert.deepEqual(gateway.posts, [['/operations/recording', { on: 'true' }], ['/operations/recording', { on: 'false' }]]);
   });
 
+  it('offers no recorder without a folder', async () => {
+    gateway.state.recording = { can: false, on: false };
+    const page = await open();
+
+    assert.ok(await page.locator('#record').isHidden());
+    assert.ok(await page.locator('#recordings-section').isHidden());
+    assert.match(await page.textContent('#recording'), /no folder/);
+  });
+
+  it('lists recordings with their sizes, downloads them, and notices one that is deleted', async () => {
+    const page = await open();
+    await becomes(page, '#recordings', 'press-1.jsonl');
+    assert.equal((await cells(page, 'press-1.jsonl'))[0], '2.50');
+
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#recordings a')]);
+    assert.equal(download.suggestedFilename(), 'press-1.jsonl');
+    assert.match(download.url(), /\/operations\/recordings\/press-1\.jsonl$/);
+
+    gateway.recordings = [];
+    await becomes(page, '#recordings-note', 'Deleted: press-1.jsonl');
+    gateway.state.recording = { can: true, on: false, file: 'press-1.jsonl', lines: 5, bytes: 10, lost: 0, deleted: true };
+    await becomes(page, '#recording', 'last press-1.jsonl: the file was deleted');
+  });
+
+  it('lists no recordings for others than operators', async () => {
+    gateway.state.role = 'observer';
+    const page = await open();
+
+    await becomes(page, '#recordings-note', 'log in with a token of the role operator');
+    assert.equal(await page.locator('#recordings a').count(), 0);
+  });
+
   it('tells who may not record, and what went wrong', async () => {
     gateway.state.role = 'observer';
     const page = await open();
@@ -517,7 +736,7 @@ describe('any window, any eye', () => {
 
     assert.deepEqual(nameless, []);
     assert.equal(await page.locator('h1').count(), 1);
-    assert.deepEqual(await page.locator('[role="status"], [aria-live]').evaluateAll(all => all.map(e => e.id)), ['trouble']);
+    assert.deepEqual(await page.locator('[role="status"], [aria-live]').evaluateAll(all => all.map(e => e.id)), ['status', 'trouble']);
   });
 
   for (const [width, height] of [[1280, 720], [390, 844], [320, 640]]) {

@@ -2,6 +2,7 @@ import { el } from '../dom';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
 import { type Headset, numberOf, textOf } from './state';
+import { stateWords } from './terms';
 
 /** Silent for longer than this, what it said is no news. */
 const SILENT_S = 3;
@@ -19,17 +20,19 @@ export class Headsets {
   constructor(private readonly chosenChanged: (name: string | null) => void) {
     this.table = new LiveTable<Headset>('Headsets', [
       { label: 'Clock', cell: headset => stateOf(headset) },
-      number('Clock within (µs)', 'error_bound_us'),
+      { label: 'Pose', cell: poseOf, level: poseLevel },
+      number('Current (%)', 'current_share', v => 100 * v),
       number('Error (mm)', 'error_mm'),
       number('Held (mm)', 'error_mm_hold'),
       number('Error reduction (%)', 'reduction', v => 100 * v),
+      number('Clock within (µs)', 'error_bound_us'),
       number('RTT (ms)', 'rtt_ms'),
       number('L_app (ms)', 'l_app_ms'),
       number('L_visu (ms)', 'l_visu_ms'),
       { label: 'Render time', cell: headset => rangeOf(headset) },
       number('Samples', 'samples'),
       number('Dropped', 'dropped'),
-    ], headset => headset.name, 'No headset is connected.', name => this.choiceOf(name), 'Shown');
+    ], headset => headset.name, 'No headset is connected.', name => this.choiceOf(name), 'Shown', noteOf);
     this.element = this.table.element;
   }
 
@@ -55,7 +58,27 @@ export class Headsets {
 }
 
 function stateOf(headset: Headset): string {
-  return headset.seen_s_ago > SILENT_S ? `silent for ${Math.round(headset.seen_s_ago)} s` : textOf(headset, 'state') || 'not known';
+  return headset.seen_s_ago > SILENT_S ? `silent for ${Math.round(headset.seen_s_ago)} s` : withError(headset, 'state') || 'not known';
+}
+
+/** A state of the clock or the pose; a coarse one with its ±. */
+function withError(headset: Headset, key: string): string {
+  return stateWords(textOf(headset, key), numberOf(headset, 'estimated_error_us'), numberOf(headset, 'error_bound_us'));
+}
+
+function poseOf(headset: Headset): string {
+  return headset.seen_s_ago > SILENT_S ? 'not known' : withError(headset, 'pose') || 'not reported';
+}
+
+function poseLevel(headset: Headset): string {
+  if (headset.seen_s_ago > SILENT_S) return 'warning';
+  const pose = textOf(headset, 'pose');
+  return pose === '' ? '' : pose === 'current' || pose === 'coarse' ? 'ok' : 'warning';
+}
+
+function noteOf(headset: Headset): string {
+  const missing = textOf(headset, 'missing_joints').split(',').filter(Boolean).join(', '), mismatch = textOf(headset, 'profile_mismatch');
+  return [missing && `missing joints: ${missing}`, mismatch && `the latency profile does not match this headset: ${mismatch}`].filter(Boolean).join('; ');
 }
 
 function rangeOf(headset: Headset): string {

@@ -1,5 +1,6 @@
 import { el } from '../dom';
 import { scrollable } from '../tables';
+import { term } from './terms';
 
 export interface Column<T> {
   label: string;
@@ -7,6 +8,10 @@ export interface Column<T> {
   cell: (item: T) => string;
   /** Numbers stand to the right. */
   isNumber?: boolean;
+  /** Text that may take several lines. */
+  isLong?: boolean;
+  /** A word for the style: the cell becomes a badge with an icon; none where it is empty. */
+  level?: (item: T) => string;
 }
 
 /** A table whose rows stay what they are while their text changes: the focus and a reader's place in it are not lost. */
@@ -26,7 +31,7 @@ export class LiveTable<T> {
     none: string, private readonly head: (key: string) => Node | string = name => name, first = 'Name',
     private readonly noteOf: (item: T) => string = () => '') {
     this.none = el('p', { class: 'missing' }, none);
-    const labels = [el('th', { scope: 'col' }, first), ...columns.map(c => el('th', { scope: 'col', class: c.isNumber ? 'n' : null }, c.label))];
+    const labels = [el('th', { scope: 'col' }, term(first)), ...columns.map(c => el('th', { scope: 'col', class: c.isNumber ? 'n' : null }, term(c.label)))];
     this.table = el('table', {}, el('caption', {}, caption), el('thead', {}, el('tr', {}, ...labels)));
     this.element = el('div', { class: 'live' }, scrollable(this.caption, this.table), this.none);
   }
@@ -49,7 +54,13 @@ export class LiveTable<T> {
     if (!entry) this.rows.set(key, entry = this.entryOf(key));
     const { body, cells, note } = entry, present = this.table.tBodies[place];
     if (present !== body) this.table.insertBefore(body, present ?? null);
-    this.columns.forEach((column, i) => setText(cells[i], column.cell(item)));
+    this.columns.forEach((column, i) => {
+      const level = column.level?.(item) ?? '';
+      // The badge is within the cell: the cell keeps its place in the table.
+      const badge = column.level ? cells[i].firstElementChild! : cells[i];
+      if (column.level) badge.className = level ? `level ${level}` : '';
+      setText(badge, column.cell(item));
+    });
     const text = this.noteOf(item);
     setText(note.querySelector('p')!, text);
     note.hidden = text === '';
@@ -57,7 +68,7 @@ export class LiveTable<T> {
 
   // A body for each item: its note moves with it.
   private entryOf(key: string) {
-    const cells = this.columns.map(c => el('td', { class: c.isNumber ? 'n' : null }));
+    const cells = this.columns.map(c => el('td', { class: c.isNumber ? 'n' : c.isLong ? 'long' : null }, c.level ? el('span') : null));
     const note = el('tr', { class: 'note', hidden: true }, el('td', { colspan: 1 + cells.length }, el('p')));
     return { body: el('tbody', {}, el('tr', {}, el('th', { scope: 'row' }, this.head(key)), ...cells), note), cells, note };
   }

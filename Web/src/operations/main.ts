@@ -3,13 +3,16 @@ import '../report.css';
 import './operations.css';
 import { byId } from '../pairing/elements';
 import { Budget } from './budget';
+import { Events } from './events';
 import { Headsets } from './headsets';
 import { setText } from './liveTable';
 import { Login } from './login';
+import { Overall } from './overall';
 import { startPairing } from './pairing';
 import { clockWords, Plants } from './plants';
 import { Plots } from './plots';
 import { Recorder } from './recorder';
+import { Recordings } from './recordings';
 import { RobotPanel } from './robotPanel';
 import { Rosbridge } from './rosbridge';
 import { ask, type State } from './state';
@@ -24,6 +27,9 @@ const robot = new RobotPanel(link, matchMedia('(prefers-reduced-motion: reduce)'
 const plots = new Plots();
 const budget = new Budget();
 const plants = new Plants();
+const overall = new Overall();
+const events = new Events();
+const recordings = new Recordings();
 const headsets = new Headsets(() => plots.chooseAnother());
 const recorder = new Recorder(() => void read());
 const login = new Login(() => {
@@ -39,6 +45,7 @@ byId('robot').append(robot.element);
 byId('budget').append(budget.element);
 byId('plots').append(plots.element);
 byId('plants').append(plants.element);
+byId('events').append(events.element);
 startPairing();
 void poll();
 
@@ -75,7 +82,7 @@ function show(state: State): void {
   seen = new Date().toLocaleTimeString('en-GB');
   byId('content').classList.remove('stale');
   setText(byId('trouble'), '');
-  setText(byId('cell'), state.cell || 'Operations');
+  overall.show(state);
   setText(byId('clock'), clockWords(state));
   setText(byId('forwarding'), state.forward_ms ? `${state.forward_ms.p50.toFixed(2)} ms, P99 ${state.forward_ms.p99.toFixed(2)} ms` : 'nothing forwarded');
   setText(byId('connections'), Object.entries(state.connections ?? {}).map(([name, { open }]) => `${open} ${name}`).join(', ') || 'none');
@@ -83,15 +90,19 @@ function show(state: State): void {
   setText(byId('role'), state.role ?? '–');
   byId('pairing').hidden = !state.pairs_headsets;
   headsets.show(state.headsets ?? []);
+  robot.setJoints(state.joints ?? []);
   robot.choose(state.headsets?.find(h => h.name === headsets.chosen) ?? null);
   budget.show(state.headsets ?? []);
   plots.add(performance.now() / 1000, state, headsets.chosen);
   plants.show(state);
   recorder.show(state);
+  recordings.show(state);
+  events.show(state.events ?? []);
 }
 
 // Said once: what is still there must not be taken for news.
 function lose(why: string): void {
   byId('content').classList.add('stale');
+  overall.lose();
   setText(byId('trouble'), seen ? `${why}. What is shown is of ${seen}.` : `${why}`);
 }

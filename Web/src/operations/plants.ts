@@ -1,7 +1,17 @@
 import { el } from '../dom';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
-import { type PlantClock, type Source, type State, textOf, type Words } from './state';
+import { type Joint, numberOf, type PlantClock, type Source, type State, textOf, type Words } from './state';
+import { stateWords } from './terms';
+import { lengthWords, localTime } from './times';
+
+/** Adapters report once per second. */
+const SILENT_S = 3;
+
+const KEY = '\u0000';
+
+const JOINT_LEVELS: Record<string, string> = { live: 'ok', rest: 'rest' };
+const JOINT_WORDS: Record<string, string> = { rest: 'assumed at rest' };
 
 const word = (label: string, key: string) => ({ label, cell: (words: Words) => textOf(words, key) || '–' });
 const count = (label: string, key: string) => ({
@@ -13,19 +23,29 @@ export class Plants {
   readonly element: HTMLElement;
   private readonly adapters = new LiveTable<Words>('Plant connections', [
     word('Kind', 'kind'),
-    { label: 'State', cell: a => (a.seen_s_ago > 3 ? `silent for ${Math.round(a.seen_s_ago)} s` : textOf(a, 'state') || 'not known') },
+    {
+      label: 'State', cell: a => (a.seen_s_ago > SILENT_S ? `silent for ${lengthWords(a.seen_s_ago)}` : textOf(a, 'state') || 'not known'),
+      level: a => (a.seen_s_ago <= SILENT_S && textOf(a, 'state') === 'connected' ? 'ok' : 'error'),
+    },
     word('Endpoint', 'endpoint'), word('Security', 'security'),
     count('Samples', 'samples'), count('Refused', 'refused'), count('Reconnects', 'reconnects'), count('Sampling (ms)', 'sampling_ms'),
   ], a => a.name, 'No adapter runs: joint positions come from the gateway itself, or from other rosbridge clients.', undefined, undefined,
-  a => textOf(a, 'reason'));
-  private readonly sources = new LiveTable<Source>('Joint positions', [
+  adapterNote);
+  private readonly joints = new LiveTable<Joint>('Joints', [
+    { label: 'Source', cell: j => j.source },
+    { label: 'State', cell: j => JOINT_WORDS[j.state] ?? j.state, level: j => JOINT_LEVELS[j.state] ?? 'error' },
+    { label: 'Since', cell: j => localTime(j.since_utc) },
+    { label: 'Rate (Hz)', isNumber: true, cell: j => format(j.rate_hz) },
+    { label: 'Age', isNumber: true, cell: j => (j.age_s == null ? '–' : lengthWords(j.age_s)) },
+  ], j => j.name + KEY + j.source, 'No joint is configured, and no joint positions have arrived.', key => key.split(KEY)[0], 'Joint', j => j.reason);
+  private readonly sources = new LiveTable<Source>('Sources of joint positions', [
     { label: 'Rate (Hz)', isNumber: true, cell: s => format(s.rate_hz) },
     { label: 'Age at the gateway, median (ms)', isNumber: true, cell: s => format(s.age_ms?.p50) },
     { label: 'P95 (ms)', isNumber: true, cell: s => format(s.age_ms?.p95) },
   ], s => s.joints.join(', '), 'No joint positions arrive.', undefined, 'Joints', limitWords);
   private readonly clocks = new LiveTable<PlantClock>('Clocks of the plant', [
     { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'compared with it') },
-    { label: 'State', cell: c => (c.connected ? c.state : 'not connected') },
+    { label: 'State', cell: c => (c.connected ? stateWords(c.state, null, c.error_bound_us) : 'not connected') },
     { label: 'Ahead of the control clock (ms)', isNumber: true, cell: c => format(c.offset_to_control_ms) },
     { label: 'Drift against it (ppm)', isNumber: true, cell: c => format(c.drift_ppm) },
     { label: 'RTT (ms)', isNumber: true, cell: c => format(c.rtt_ms) },
@@ -36,14 +56,22 @@ export class Plants {
   c => (c.last_failure ? `last failure: ${c.last_failure}` : ''));
 
   constructor() {
-    this.element = el('div', {}, this.adapters.element, this.sources.element, this.clocks.element);
+    this.element = el('div', {}, this.joints.element, this.adapters.element, this.sources.element, this.clocks.element);
   }
 
   show(state: State): void {
+    this.joints.show(state.joints ?? []);
     this.adapters.show(state.adapters ?? []);
     this.sources.show(state.sources ?? []);
     this.clocks.show(state.plant_clocks ?? []);
   }
+}
+
+/** Why it is not connected, and how many values it refused for which reason. */
+function adapterNote(adapter: Words): string {
+  const refused = Object.keys(adapter).filter(key => key.startsWith('refused/') && numberOf(adapter, key));
+  const counts = refused.map(key => `${key.slice('refused/'.length)} ${format(numberOf(adapter, key))}`);
+  return [textOf(adapter, 'reason'), counts.length > 0 ? `refused values: ${counts.join(', ')}` : ''].filter(Boolean).join('; ');
 }
 
 function limitWords({ beyond_limits: joints }: Source): string {
@@ -57,5 +85,6 @@ export function clockWords({ clock }: State): string {
   if (!clock) return 'not known';
   const source = clock.source === 'own' ? 'the gateway’s own' : `of ${clock.source}`;
   // Its own is not compared with any other.
-  return `${clock.state}, ${source}${!clock.error_bound_us ? '' : `, within ${format(clock.error_bound_us, 'µs')}`}`;
+  const bound = clock.error_bound_us && clock.state !== 'coarse' ? `, within ${format(clock.error_bound_us, 'µs')}` : '';
+  return `${stateWords(clock.state, clock.estimated_error_us, clock.error_bound_us)}, ${source}${bound}`;
 }

@@ -5,7 +5,7 @@ import { RobotView } from '../robot/view';
 import { setText } from './liveTable';
 import { LiveClock } from './liveClock';
 import { readJointState, type Rosbridge } from './rosbridge';
-import { type Headset, numberOf } from './state';
+import { type Headset, type Joint, numberOf } from './state';
 
 /** Shown is what was so long ago: by then the samples on both sides of it, and what the headset showed, have arrived. */
 const BEHIND_S = 0.5;
@@ -28,15 +28,18 @@ export class RobotPanel {
   readonly element: HTMLElement;
   private readonly view = new RobotView('The robot as it was half a second ago, and what the shown headset displayed for the same moment.');
   private readonly words = el('p', { class: 'apart' }, 'No robot description has arrived.');
+  private readonly doubt = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S);
   private displayed = new JointTracks(KEEP_S);
   private readonly clock = new LiveClock();
   private headset: Headset | null = null;
+  /** By name, why a joint's newest position is not where the joint is. */
+  private faults = new Map<string, string>();
   private spoken = 0;
   private drawn = 0;
 
   constructor(link: Rosbridge, isCalm: boolean) {
-    this.element = el('div', {}, this.words, this.view.element);
+    this.element = el('div', {}, this.words, this.doubt, this.view.element);
     link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
     // Fast enough for the eye, whatever the plant's rate; several may wait, for arm and gripper often publish apart.
     link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
@@ -49,6 +52,13 @@ export class RobotPanel {
   choose(headset: Headset | null): void {
     if (headset?.name !== this.headset?.name) this.displayed = new JointTracks(KEEP_S);
     this.headset = headset;
+  }
+
+  /** The joints' states at the gateway: one that is not live nor at rest is not drawn. */
+  setJoints(joints: Joint[]): void {
+    const isGood = (joint: Joint) => joint.state === 'live' || joint.state === 'rest';
+    const good = new Set(joints.filter(isGood).map(joint => joint.name));
+    this.faults = new Map(joints.filter(joint => !isGood(joint) && !good.has(joint.name)).map(joint => [joint.name, joint.state]));
   }
 
   private describe(text: string): void {
@@ -82,13 +92,26 @@ export class RobotPanel {
     if (!bodies || now === null) return;
     const time = now - BEHIND_S;
     const poses = { truth: this.truth.at(time), displayed: this.recent(time), hold: this.held(time) };
-    for (const part of ['truth', 'displayed', 'hold'] as const) bodies.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
+    for (const part of ['truth', 'displayed', 'hold'] as const) {
+      const received = new Set(poses[part]?.names);
+      bodies.showKnown(part, joint => received.has(joint) && (part === 'displayed' || !this.faults.has(joint)));
+      bodies.pose(part, poses[part]?.names ?? [], poses[part]?.positions ?? null);
+    }
     this.view.ask();
     if (performance.now() - this.spoken < NUMBERS_MS) return;
     this.spoken = performance.now();
+    this.tellDoubt(bodies.joints, new Set(poses.truth?.names));
     // Held beyond its last sample, the truth is none.
     if ((this.truth.last ?? 0) < time) setText(this.words, 'Joint positions come too late to compare anything with them.');
     else this.speak(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
+  }
+
+  // A joint at 0, or where it was when its data stopped, must not pass for the truth.
+  private tellDoubt(all: string[], received: Set<string>): void {
+    const words = all.filter(joint => !received.has(joint) || this.faults.has(joint))
+      .map(joint => (received.has(joint) ? `${joint} is ${this.faults.get(joint)}` : `${joint} has not been received`));
+    this.doubt.hidden = words.length === 0;
+    setText(this.doubt, words.length === 0 ? '' : `${words.join(', ')}: the links below are not drawn.`);
   }
 
   // A headset that has fallen silent shows nothing here.
@@ -106,6 +129,8 @@ export class RobotPanel {
   private speak(displayed: number | null, hold: number | null): void {
     const name = this.headset?.name;
     if (!name) return setText(this.words, 'No headset is shown.');
+    const isToolKnown = this.view.bodies!.isToolDrawn('truth');
+    if (!isToolKnown) return setText(this.words, 'Where the tool was is not known, because the position of a joint is not known.');
     const shown = displayed == null ? `${name} does not tell what it shows` : `${name} shows the tool ${apart(displayed)} from where it was`;
     setText(this.words, hold == null ? `${shown}.` : `${shown}; without compensation ${about(hold)}.`);
   }

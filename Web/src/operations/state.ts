@@ -1,13 +1,18 @@
 /** What /operations/state answers; a field that is missing or null is not known. Units stand in the names. */
 export interface State {
   cell?: string | null;
+  host?: string;
   version?: string;
+  status?: { level: Level; text: string };
   uptime_s?: number;
   control_time_s?: number;
   clock?: ClockState | null;
   plant_clocks?: PlantClock[];
   adapters?: Words[];
   sources?: Source[];
+  joints?: Joint[];
+  /** The newest first; those that last are never left out. */
+  events?: StatusEvent[];
   headsets?: Headset[];
   forward_ms?: { p50: number; p99: number } | null;
   connections?: Record<string, { open: number; accepted: number }>;
@@ -17,9 +22,39 @@ export interface State {
   role?: 'observer' | 'source' | 'operator';
 }
 
+export type Level = 'ok' | 'warning' | 'error';
+
+export interface Joint {
+  name: string;
+  source: string;
+  state: 'live' | 'rest' | 'stale' | 'refused' | 'fault' | 'missing';
+  since_utc: string;
+  age_s?: number | null;
+  rate_hz: number;
+  reason: string;
+}
+
+export interface StatusEvent {
+  id: number;
+  kind: string;
+  which: string;
+  what: string;
+  reason: string;
+  level: Level;
+  since_utc: string;
+  until_utc?: string | null;
+}
+
+export interface StoredRecording {
+  name: string;
+  bytes: number;
+  changed_utc: string;
+}
+
 export interface ClockState {
   source: string;
   state: string;
+  estimated_error_us?: number | null;
   error_bound_us?: number | null;
   skew_ppm?: number | null;
   rtt_ms?: number | null;
@@ -65,6 +100,8 @@ export interface Recording {
   bytes?: number;
   lost?: number;
   problem?: string | null;
+  /** The newest recording was ended and its file was deleted since. */
+  deleted?: boolean;
 }
 
 /** The gateway's answer, or why there is none. */

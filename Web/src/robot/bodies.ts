@@ -3,7 +3,7 @@ import {
   type Object3D, Vector3,
 } from 'three';
 import { colour, type Ink } from '../theme';
-import { paint, readUrdf, type Robot, setJoints, toolPosition } from './urdf';
+import { isDrawn, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
 
 /** What can be shown of one robot at one time. */
 export type Part = 'truth' | 'displayed' | 'hold';
@@ -44,6 +44,14 @@ export class Bodies {
     this.recolour();
   }
 
+  /** The joints of the robot that need positions. */
+  get joints(): string[] { return movingJoints(this.robots.truth); }
+
+  /** Draws no link below a joint without a known position: at 0 it would look like a measured one. */
+  showKnown(part: Part, isKnown: (joint: string) => boolean): void {
+    showKnown(this.robots[part], isKnown);
+  }
+
   /** @param positions Null hides it. */
   pose(part: Part, names: string[], positions: ArrayLike<number> | null): void {
     this.robots[part].root.visible = positions !== null;
@@ -55,6 +63,11 @@ export class Bodies {
     return this.robots[part].root.visible;
   }
 
+  /** Whether the position of the tool is known. */
+  isToolDrawn(part: Part): boolean {
+    return isDrawn(this.robots[part].tool);
+  }
+
   /** Makes a box larger by what is shown. */
   addTo(box: Box3): void {
     for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
@@ -62,7 +75,7 @@ export class Bodies {
 
   /** Between the tools of two of them, mm; null where one is not shown. */
   distance(a: Part, b: Part): number | null {
-    if (!this.isShown(a) || !this.isShown(b)) return null;
+    if (!isDrawn(this.robots[a].tool) || !isDrawn(this.robots[b].tool)) return null;
     return 1000 * toolPosition(this.robots[a], this.points.from).distanceTo(toolPosition(this.robots[b], this.points.to));
   }
 
@@ -98,7 +111,8 @@ export class Bodies {
     let at = 0;
     for (const joint of Object.values(root.joints)) {
       const link = joint.children.find(child => 'isURDFLink' in child);
-      for (const end of [joint.parent!, link ?? joint] as Object3D[]) {
+      // A line of no length where the joint's position is not known.
+      for (const end of [joint.parent!, isDrawn(joint) ? link ?? joint : joint.parent!] as Object3D[]) {
         const { x, y, z } = root.worldToLocal(end.getWorldPosition(this.points.from));
         places.setXYZ(at++, x, y, z);
       }

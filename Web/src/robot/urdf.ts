@@ -1,5 +1,5 @@
 import { MeshPhongMaterial, type Object3D, Vector3 } from 'three';
-import URDFLoader, { type URDFRobot } from 'urdf-loader';
+import URDFLoader, { type URDFJoint, type URDFRobot } from 'urdf-loader';
 
 /** The link that works, as the headset finds it. */
 const TOOLS = ['tool_centre_point', 'tool0', 'flange'];
@@ -39,6 +39,26 @@ export function setJoints({ root }: Robot, names: string[], positions: ArrayLike
     if (has(root.joints, name) && Number.isFinite(positions[i])) root.joints[name].setJointValue(positions[i]);
   });
   root.updateMatrixWorld(true);
+}
+
+/** The joints that need positions: those that move and follow no other joint. */
+export function movingJoints({ root }: Robot): string[] {
+  return Object.entries(root.joints).filter(([, joint]) => MOVING.includes(joint.jointType) && masterOf(joint) === null).map(([name]) => name);
+}
+
+/** Draws the links below joints whose position is known, and no others. */
+export function showKnown({ root }: Robot, isKnown: (joint: string) => boolean): void {
+  for (const [name, joint] of Object.entries(root.joints)) joint.visible = !MOVING.includes(joint.jointType) || isKnown(masterOf(joint) ?? name);
+}
+
+/** Whether an object and everything above it is drawn. */
+export function isDrawn(object: Object3D): boolean {
+  for (let at: Object3D | null = object; at; at = at.parent) if (!at.visible) return false;
+  return true;
+}
+
+function masterOf(joint: URDFJoint): string | null {
+  return (joint as { mimicJoint?: string }).mimicJoint ?? null;
 }
 
 /** In metres, in the robot's base frame. */

@@ -1,0 +1,53 @@
+import { el } from '../dom';
+import { byId } from '../pairing/elements';
+import { setText } from './liveTable';
+import type { Level, State, StatusEvent } from './state';
+import { localTime } from './times';
+
+const WORDS: Record<Level, string> = { ok: 'OK', warning: 'Warning', error: 'Fault' };
+const MOST_ALARMS = 8;
+
+/** The title, the status line and the alarms at the top of the page. */
+export class Overall {
+  private readonly line = byId('status');
+  private readonly alarms = byId('alarms');
+
+  show({ cell, host, version, status, events }: State): void {
+    setText(byId('cell'), cell || 'Operations');
+    setText(byId('place'), [host && `host ${host}`, version && `Nowpose gateway ${version}`].filter(Boolean).join(' · '));
+    const level = status?.level ?? 'ok';
+    const title = [cell || 'Operations', host, version && `Nowpose ${version}`].filter(Boolean).join(' · ');
+    document.title = level === 'ok' ? title : `${WORDS[level]}: ${title}`;
+    this.setLine(level, status ? `${WORDS[level]}: ${status.text}` : '');
+    this.showAlarms((events ?? []).filter(event => !event.until_utc));
+  }
+
+  /** The gateway does not answer: what it said before is not its state. */
+  lose(): void {
+    document.title = `Not known: ${document.title.replace(/^(Warning|Fault|Not known): /, '')}`;
+    this.setLine('unknown', 'Not known: the gateway tells nothing to this page.');
+  }
+
+  private setLine(level: Level | 'unknown', text: string): void {
+    this.line.className = `level ${level}`;
+    setText(this.line, text);
+  }
+
+  private showAlarms(active: StatusEvent[]): void {
+    const worst = [...active].sort((a, b) => Number(b.level === 'error') - Number(a.level === 'error'));
+    const lines = worst.slice(0, MOST_ALARMS).map(event => ({ level: event.level, text: `${eventWords(event)} – since ${localTime(event.since_utc)}` }));
+    if (worst.length > MOST_ALARMS) lines.push({ level: 'warning', text: `and ${worst.length - MOST_ALARMS} more, in the list of events` });
+    this.alarms.hidden = lines.length === 0;
+    while (this.alarms.children.length > lines.length) this.alarms.lastElementChild!.remove();
+    while (this.alarms.children.length < lines.length) this.alarms.append(el('li'));
+    lines.forEach(({ level, text }, i) => {
+      this.alarms.children[i].className = `level ${level}`;
+      setText(this.alarms.children[i], text);
+    });
+  }
+}
+
+/** What happened, in one sentence. */
+export function eventWords({ kind, which, what, reason }: StatusEvent): string {
+  return `${kind} ${which} ${what}${reason ? `: ${reason}` : ''}`;
+}

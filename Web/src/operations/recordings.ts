@@ -1,0 +1,52 @@
+import { el } from '../dom';
+import { format } from '../numbers';
+import { byId } from '../pairing/elements';
+import { LiveTable, setText } from './liveTable';
+import { ask, type State, type StoredRecording } from './state';
+import { localTime } from './times';
+
+const POLL_MS = 5000;
+
+/** The recordings in the gateway's folder: for operators, with their sizes, to download. */
+export class Recordings {
+  private readonly note = byId('recordings-note');
+  private readonly table = new LiveTable<StoredRecording>('Recordings', [
+    { label: 'Size (MB)', isNumber: true, cell: file => format(file.bytes / 1e6) },
+    { label: 'Last written', cell: file => localTime(file.changed_utc) },
+  ], file => file.name, 'There are no recordings in the folder.', linkTo, 'File');
+  private listed = new Set<string>();
+  private asked = -Infinity;
+  private file = '';
+
+  constructor() {
+    byId('recordings').append(this.table.element);
+  }
+
+  show({ recording, role }: State): void {
+    const can = recording?.can ?? false, may = role === 'operator';
+    byId('recordings-section').hidden = !can;
+    this.table.element.hidden = !may;
+    if (!can) return;
+    if (!may) return setText(this.note, 'To see and download recordings, log in with a token of the role operator.');
+    const file = `${recording?.on} ${recording?.file}`;
+    if (file === this.file && performance.now() - this.asked < POLL_MS) return;
+    this.file = file;
+    this.asked = performance.now();
+    void this.read();
+  }
+
+  private async read(): Promise<void> {
+    const answer = await ask<StoredRecording[]>('recordings');
+    if ('trouble' in answer) return setText(this.note, `The recordings cannot be listed: ${answer.trouble}`);
+    const names = new Set(answer.value.map(file => file.name));
+    const deleted = [...this.listed].filter(name => !names.has(name));
+    if (deleted.length > 0) setText(this.note, `Deleted: ${deleted.join(', ')}`);
+    else if (this.listed.size === 0 || !this.note.textContent!.startsWith('Deleted')) setText(this.note, '');
+    this.listed = names;
+    this.table.show(answer.value);
+  }
+}
+
+function linkTo(name: string): Node {
+  return el('a', { href: `/operations/recordings/${encodeURIComponent(name)}`, download: name }, name);
+}

@@ -1,0 +1,15 @@
+/** A time of the gateway as the reader's local time; with the day unless it is today. */
+export function localTime(utc: string): string {
+  const time = new Date(utc);
+  const clock = time.toLocaleTimeString('en-GB');
+  return time.toDateString() === new Date().toDateString() ? clock : `${time.toLocaleDateString('en-GB', { day: 'numeric', month: 'short' })} ${clock}`;
+}
+
+/** A length in the unit that suits it. */
+export function lengthWords(seconds: number): string {
+  const of = (value: number, unit: string) => `${value}\u00a0${unit}`;
+  if (seconds < 1) return of(Math.round(seconds * 1000), 'ms');
+  if (seconds < 10) return of(Number(seconds.toFixed(1)), 's');
+  if (seconds < 120) return of(Math.round(seconds), 's');
+  return seconds < 7200 ? of(Math.round(seconds / 60), 'min') : of(Math.round(seconds / 3600), 'h');
+}
