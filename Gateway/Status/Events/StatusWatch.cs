@@ -12,15 +12,14 @@ sealed class StatusWatch : IDisposable
     readonly EventList _events;
     readonly JointBoard _joints;
     readonly JointStatusTopic _topic;
-    readonly PlantClocks _plant;
+    readonly ClockSteps _steps;
     readonly Lock _lock = new();
     readonly ITimer _timer;
-    (string Source, int Steps)? _clock;
     bool _isDisposed;
 
     public StatusWatch(Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, PlantClocks plant, TimeProvider time)
     {
-        (_conditions, _events, _joints, _topic, _plant) = (conditions, events, joints, topic, plant);
+        (_conditions, _events, _joints, _topic, _steps) = (conditions, events, joints, topic, new ClockSteps(plant, events));
         _timer = time.CreateTimer(_ => Look(), null, Interval, Interval);
     }
 
@@ -33,7 +32,7 @@ sealed class StatusWatch : IDisposable
             if (_isDisposed) return;
             _events.Update(_conditions.Read());
             _topic.Publish(_joints.Read());
-            NoteSteps();
+            _steps.Look();
         }
         finally
         {
@@ -46,14 +45,5 @@ sealed class StatusWatch : IDisposable
         _timer.Dispose();
         lock (_lock) _isDisposed = true;
         _topic.Dispose();
-    }
-
-    void NoteSteps()
-    {
-        if (_plant.Control is not { } control) return;
-        var now = (control.Name, control.Model.Steps);
-        if (_clock is { } before && before.Source == now.Name && now.Steps > before.Steps)
-            _events.Note(new Condition("clock", control.Name, "was stepped", "samples from before the step are not comparable", Level.Warning));
-        _clock = now;
     }
 }

@@ -146,7 +146,7 @@ public class ServedClockTests
     }
 
     /// <summary>A gateway's counter and the clocks that are measured against it, every 200 ms, each way 0.4 ms long and up to 0.2 ms longer.</summary>
-    sealed class VirtualPlant : IPerformanceCounterClock
+    internal sealed class VirtualPlant : IPerformanceCounterClock
     {
         readonly List<VirtualPlantClock> _clocks = [];
         readonly Random _random = new(7);
@@ -181,7 +181,7 @@ public class ServedClockTests
         TimeSpan Way() => OneWay + TimeSpan.FromMilliseconds(0.2 * _random.NextDouble());
     }
 
-    sealed class VirtualPlantClock(VirtualPlant plant, PlantClock measured, ControlTime start, double skew)
+    internal sealed class VirtualPlantClock(VirtualPlant plant, PlantClock measured, ControlTime start, double skew)
     {
         readonly HeadsetTime _started = plant.Now;
         ControlTime _start = start;
