@@ -141,7 +141,7 @@ public sealed class Recorder : IAsyncDisposable
             file.SetDeleted(isRecording);
             if (!isRecording) return;
             End(file);
-            _log(file.Problem);
+            _log($"recording {file.Path}: {file.Problem}");
         }
     }
 
