@@ -56,7 +56,7 @@ sealed class ServerArguments
 
     readonly Option<string> _cell = new("--cell")
     {
-        Description = "Name of the cell, which the page of pairing begins with", HelpName = "NAME",
+        Description = "Name of the cell: the title of the pages, and the first part of the names of recordings", HelpName = "NAME",
     };
 
     readonly Option<string> _recordings = new("--recordings")
@@ -161,8 +161,6 @@ sealed class ServerArguments
     void CheckPairing(ParseResult parsed)
     {
         var path = parsed.GetValue(_pairing);
-        if (path == null && parsed.GetValue(_cell) != null)
-            throw new InputException("--cell: belongs to --pairing, which is missing");
         // What was paired with the key of one run would take the next one for another gateway.
         if (path != null && parsed.GetValue(_tls) && parsed.GetValue(_certificate) == null)
             throw new InputException("--pairing with --tls: headsets trust one key, and each start makes another; add --certificate FILE");

@@ -38,7 +38,6 @@ public class GatewayCommandLineTests
     [TestCase("serve --clock-start-s -1", "--clock-start-s")]
     [TestCase("serve --certificate-key key.pem", "--certificate")]
     [TestCase("serve --tokens none.txt", "none.txt")]
-    [TestCase("serve --cell a", "--pairing")]
     [TestCase("serve --pairing list.txt --tls", "--certificate")]
     [TestCase("serve --pairing none/list.txt", "none/list.txt")]
     [TestCase("cell --cell a", "--host")]

@@ -113,8 +113,7 @@ public class ConfigurationTests
     {
         var (status, output, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\ncell: from the file\nbind: 127.0.0.2\n", "--bind", "localhost");
 
-        Assert.That(status, Is.EqualTo(2), "a cell needs a pairing");
-        Assert.That(errors.Single(), Does.Contain("gateway.yaml:3: cell: belongs to --pairing"));
+        Assert.That(status, Is.EqualTo(0), string.Join(" | ", errors));
         Assert.That(output, Does.Contain("sync 127.0.0.1:0"));
     }
 
@@ -246,7 +245,6 @@ public class ConfigurationTests
     [TestCase("pairing: .", "pairing", "")]
     [TestCase("certificate: /proc/gateway.pem", "certificate", "")]
     [TestCase("pairing: /proc/headsets.txt", "pairing", "")]
-    [TestCase("cell: press 3", "cell: belongs to --pairing")]
     [TestCase("tokens: none.txt", "tokens: ", "none.txt: cannot be read")]
     [TestCase("bind: any", "bind 0.0.0.0: plain connections")]
     [TestCase("record: true", "record: belongs to --recordings")]
