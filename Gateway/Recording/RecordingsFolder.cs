@@ -39,7 +39,7 @@ sealed partial class RecordingsFolder(string path)
         return file.Exists && IsRecording(file) ? file : null;
     }
 
-    // A link could lead to a file that is no recording.
+    // A link could lead to a file outside the folder.
     static bool IsRecording(FileInfo file) => file.LinkTarget == null && Name().IsMatch(file.Name);
 
     [GeneratedRegex(@"\A[A-Za-z0-9_-]{1,100}\.jsonl\z")]

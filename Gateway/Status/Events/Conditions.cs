@@ -10,10 +10,10 @@ sealed class Conditions(
     GatewayOptions options, ServedClock clock, JointBoard joints, DiagnosticsBoard diagnostics, RecentRefusals refusals, LimitAlarm limits,
     Recorder recorder)
 {
-    /// <summary>Adapters and headsets report once per second.</summary>
+    /// <summary>Timeout of the reports of adapters and headsets, which come once per second.</summary>
     static readonly TimeSpan Silence = TimeSpan.FromSeconds(3);
 
-    /// <summary>Of a certificate that is about to expire.</summary>
+    /// <summary>Remaining validity from which on a certificate is reported.</summary>
     static readonly TimeSpan CertificateNotice = TimeSpan.FromDays(30);
 
     static readonly string[] CurrentPoses = ["current", "coarse"];

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>What was wrong since the start, from when to when. Keeps the newest; writes each begin and end to the log. Any thread.</summary>
+/// <summary>Keeps the newest events with begin and end, and writes each begin and end to the log. Any thread.</summary>
 sealed class EventList(TimeProvider time, Action<string> log)
 {
     internal const int MaxEvents = 500;

@@ -34,7 +34,7 @@ sealed class SampleFlow(TimeProvider time)
     {
         var now = time.GetTimestamp();
         var interval = time.GetElapsedTime(_last, now).TotalSeconds;
-        // A rest is no interval between samples.
+        // The pause before does not count as an interval between samples.
         if (!IsFlowing) _meanSeconds = 0;
         else _meanSeconds = _meanSeconds == 0 ? interval : _meanSeconds + Weight * (interval - _meanSeconds);
         HasAny = true;

@@ -155,7 +155,7 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task JointStatus_Subscribed_TellsTheJointsThatAreNotLive()
+    public async Task JointStatus_Subscribed_ContainsTheJointsThatAreNotLive()
     {
         await StartAsync();
         Publish("a", "b");

@@ -81,11 +81,11 @@ public class JointBoardTests
         Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
         Assert.That(Joint("a").Since, Is.EqualTo(again));
         Send(2, "a");
-        Assert.That(Joint("a").RateHz, Is.EqualTo(20).Within(0.5), "the pause is no interval between samples");
+        Assert.That(Joint("a").RateHz, Is.EqualTo(20).Within(0.5), "the pause does not count as an interval");
     }
 
     [Test]
-    public void Read_SamplesStopAndTheAdapterSaysRest_IsRest()
+    public void Read_SamplesStopAndTheAdapterReportsRest_IsRest()
     {
         _source.Name = "press";
         Send(3, "a");
@@ -132,7 +132,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_AdapterSaysLiveAndNothingArrives_IsMissingThenStale()
+    public void Read_AdapterReportsLiveAndNothingArrives_IsMissingThenStale()
     {
         Report("press", ("a", "live", ""));
         Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Missing));

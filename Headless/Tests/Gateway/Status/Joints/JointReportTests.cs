@@ -26,7 +26,7 @@ public class JointReportTests
     [TestCase("live -1")]
     [TestCase("live 1e300")]
     [TestCase("live 99999999999999")]
-    [TestCase("stale 1790000000 only the gateway says so")]
+    [TestCase("stale 1790000000 a state of the gateway only")]
     [TestCase("LIVE 1790000000")]
     public void TryParse_AnotherValue_IsRefused(string value) => Assert.That(JointReport.TryParse(value, out _), Is.False);
 
