@@ -26,12 +26,14 @@ sealed record StatusSnapshot(
 sealed record JointView(string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason);
 
 /// <param name="Source">"own", or the name of the plant clock that is served.</param>
-/// <param name="State">unsynchronised, converging, synchronised or holdover.</param>
+/// <param name="State">unsynchronised, converging, coarse, synchronised or holdover.</param>
 /// <param name="IsServed">Whether headsets are told that they may trust it.</param>
 /// <param name="ErrorBoundUs">Null while nothing is known of it; likewise what follows.</param>
+/// <param name="EstimatedErrorUs">The ± of a plant's clock that is known coarsely; null otherwise.</param>
 /// <param name="SkewPpm">Its rate over that of the gateway's counter, less one.</param>
 sealed record ClockStatus(
-    string Source, string State, bool IsServed, double? ErrorBoundUs, double? SkewPpm, double? RttMs, double? ResolutionUs, long? Steps);
+    string Source, string State, bool IsServed, double? ErrorBoundUs, double? SkewPpm, double? RttMs, double? ResolutionUs, long? Steps,
+    double? EstimatedErrorUs = null);
 
 /// <param name="OffsetToControlMs">This clock less the control clock; null while one of them is not known.</param>
 /// <param name="RttMs">Null before the first exchange: 0 would be the best there is. Likewise what follows.</param>

@@ -41,12 +41,12 @@ sealed class JointBoard(TimeProvider time)
     /// <summary>The diagnostics of an adapter, with a key for each joint of its configuration.</summary>
     public void Report(string adapter, IEnumerable<KeyValuePair<string, string>> values)
     {
-        var reports = new Dictionary<string, JointReport>();
+        var reports = new Dictionary<string, AdapterJointReport>();
         foreach (var (key, value) in values)
         {
             if (reports.Count >= ProtocolLimits.Joints) break;
-            if (key.StartsWith(JointReport.KeyPrefix, StringComparison.Ordinal) && JointReport.TryParse(value, out var report))
-                reports[key[JointReport.KeyPrefix.Length..]] = report;
+            if (key.StartsWith(AdapterJointReport.KeyPrefix, StringComparison.Ordinal) && AdapterJointReport.TryParse(value, out var report))
+                reports[key[AdapterJointReport.KeyPrefix.Length..]] = report;
         }
 
         lock (_lock)

@@ -5,7 +5,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
 {
     JointHealth? _last;
     DateTimeOffset _since;
-    JointReport _report;
+    AdapterJointReport _report;
     long _reportedAt;
     long _refusedAt;
     string _owner;
@@ -15,7 +15,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     /// <summary>Whether an adapter has this joint in its configuration.</summary>
     public bool IsConfigured { get; private set; }
 
-    public void Report(in JointReport report)
+    public void Report(in AdapterJointReport report)
     {
         (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
     }

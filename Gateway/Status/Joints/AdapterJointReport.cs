@@ -4,7 +4,7 @@ namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>State of one joint as its adapter reports it: the value STATE SINCE REASON of the key joint/NAME.</summary>
 /// <param name="Since">On the wall clock of the adapter's machine.</param>
-readonly record struct JointReport(JointHealth State, DateTimeOffset Since, string Reason)
+readonly record struct AdapterJointReport(JointHealth State, DateTimeOffset Since, string Reason)
 {
     public const string KeyPrefix = "joint/";
     const int MaxReasonLength = 300;
@@ -19,7 +19,7 @@ readonly record struct JointReport(JointHealth State, DateTimeOffset Since, stri
         ["missing"] = JointHealth.Missing,
     };
 
-    public static bool TryParse(string value, out JointReport report)
+    public static bool TryParse(string value, out AdapterJointReport report)
     {
         report = default;
         var words = value.Split(' ', 3);
@@ -27,7 +27,7 @@ readonly record struct JointReport(JointHealth State, DateTimeOffset Since, stri
         var isNumber = double.TryParse(words[1], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var seconds);
         if (!isNumber || seconds is not (>= 0 and <= MaxUnixSeconds)) return false;
         var reason = words.Length == 3 ? InputException.OneLine(words[2].Trim(), MaxReasonLength) : "";
-        report = new JointReport(state, DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(seconds), reason);
+        report = new AdapterJointReport(state, DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(seconds), reason);
         return true;
     }
 }

@@ -3,7 +3,7 @@ using Nowpose.Gateway.Status.Joints;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 
-public class JointReportTests
+public class AdapterJointReportTests
 {
     [TestCase("live 1790000000.250", "live", "")]
     [TestCase("rest 1790000000.250 assumed at rest; read back", "rest", "assumed at rest; read back")]
@@ -12,7 +12,7 @@ public class JointReportTests
     [TestCase("missing 1790000000.250 ", "missing", "")]
     public void TryParse_ValueOfTheInterface_IsRead(string value, string state, string reason)
     {
-        Assert.That(JointReport.TryParse(value, out var report), value);
+        Assert.That(AdapterJointReport.TryParse(value, out var report), value);
 
         Assert.That(report.State.ToString().ToLowerInvariant(), Is.EqualTo(state));
         Assert.That(report.Since, Is.EqualTo(DateTimeOffset.FromUnixTimeMilliseconds(1_790_000_000_250)));
@@ -28,12 +28,12 @@ public class JointReportTests
     [TestCase("live 99999999999999")]
     [TestCase("stale 1790000000 a state of the gateway only")]
     [TestCase("LIVE 1790000000")]
-    public void TryParse_AnotherValue_IsRefused(string value) => Assert.That(JointReport.TryParse(value, out _), Is.False);
+    public void TryParse_AnotherValue_IsRefused(string value) => Assert.That(AdapterJointReport.TryParse(value, out _), Is.False);
 
     [Test]
     public void TryParse_LongReason_IsCut()
     {
-        Assert.That(JointReport.TryParse("fault 1 " + new string('x', 5000), out var report));
+        Assert.That(AdapterJointReport.TryParse("fault 1 " + new string('x', 5000), out var report));
 
         Assert.That(report.Reason, Has.Length.LessThanOrEqualTo(300).And.Contain("…"));
     }
