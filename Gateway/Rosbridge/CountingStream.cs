@@ -1,17 +1,31 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>A connection's stream whose received bytes pass a <see cref="FragmentCounter"/>.</summary>
-sealed class CountingStream(Stream inner, FragmentCounter counter) : Stream
+/// <summary>A WebSocket's stream: received bytes pass a <see cref="FragmentCounter"/>, and pings are sent between frames.</summary>
+/// <remarks>A WebSocket writes each frame with one call, so a ping never lands inside of one.</remarks>
+sealed class CountingStream(Stream inner, FragmentCounter counter, Action received) : Stream
 {
+    const byte FinalPing = 0x89;
+
+    readonly SemaphoreSlim _writing = new(1);
+
     public override bool CanRead => true;
     public override bool CanSeek => false;
     public override bool CanWrite => true;
     public override long Length => throw new NotSupportedException();
     public override long Position { get => throw new NotSupportedException(); set => throw new NotSupportedException(); }
 
+    /// <summary>Sends a ping; its payload has at most 125 bytes.</summary>
+    public async Task PingAsync(ReadOnlyMemory<byte> payload)
+    {
+        byte[] frame = [FinalPing, (byte)payload.Length, .. payload.Span];
+        await WriteAsync(frame);
+        await FlushAsync(CancellationToken.None);
+    }
+
     public override async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default)
     {
         var read = await inner.ReadAsync(buffer, cancellationToken);
+        if (read > 0) received();
         counter.Feed(buffer.Span[..read]);
         return read;
     }
@@ -19,25 +33,44 @@ sealed class CountingStream(Stream inner, FragmentCounter counter) : Stream
     public override Task<int> ReadAsync(byte[] buffer, int offset, int count, CancellationToken cancellationToken) =>
         ReadAsync(buffer.AsMemory(offset, count), cancellationToken).AsTask();
 
-    public override int Read(byte[] buffer, int offset, int count)
+    public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+    public override async ValueTask WriteAsync(ReadOnlyMemory<byte> buffer, CancellationToken cancellationToken = default)
     {
-        var read = inner.Read(buffer, offset, count);
-        counter.Feed(buffer.AsSpan(offset, read));
-        return read;
+        await _writing.WaitAsync(cancellationToken);
+        try
+        {
+            await inner.WriteAsync(buffer, cancellationToken);
+        }
+        finally
+        {
+            _writing.Release();
+        }
     }
 
-    public override ValueTask WriteAsync(ReadOnlyMemory<byte> buffer, CancellationToken cancellationToken = default) =>
-        inner.WriteAsync(buffer, cancellationToken);
-
     public override Task WriteAsync(byte[] buffer, int offset, int count, CancellationToken cancellationToken) =>
-        inner.WriteAsync(buffer, offset, count, cancellationToken);
+        WriteAsync(buffer.AsMemory(offset, count), cancellationToken).AsTask();
 
-    public override void Write(byte[] buffer, int offset, int count) => inner.Write(buffer, offset, count);
-    public override Task FlushAsync(CancellationToken cancellationToken) => inner.FlushAsync(cancellationToken);
-    public override void Flush() => inner.Flush();
+    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+    public override async Task FlushAsync(CancellationToken cancellationToken)
+    {
+        await _writing.WaitAsync(cancellationToken);
+        try
+        {
+            await inner.FlushAsync(cancellationToken);
+        }
+        finally
+        {
+            _writing.Release();
+        }
+    }
+
+    public override void Flush() => throw new NotSupportedException();
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
     public override void SetLength(long value) => throw new NotSupportedException();
 
+    // The lock is left to the garbage collector: a ping may still wait for it.
     protected override void Dispose(bool disposing)
     {
         if (disposing)

@@ -14,22 +14,20 @@ sealed class RosbridgeConnection : IDisposable
     readonly WebSocket _socket;
     readonly MessageReceiver _receiver;
     readonly SemaphoreSlim _sending = new(1);
-    readonly TimeSpan _patience;
+    readonly ReaderProgress _reader;
     readonly CancellationToken _serverStops;
     readonly CancellationTokenSource _stop = new();
     readonly Channel<ReadOnlyMemory<byte>> _replies;
     readonly Dictionary<string, TopicPump> _pumps = [];
     int _ended = NotEnded;
 
-    /// <param name="patience">
-    /// How long the peer may take for what is sent, for each <see cref="ProtocolLimits.MessageBytes"/> of it, before it counts as gone.
-    /// </param>
+    /// <param name="reader">How far the peer has read, and how long it may take.</param>
     public RosbridgeConnection(
-        WebSocket socket, MessageReceiver receiver, TimeSpan patience, DropCounters drops, CancellationToken serverStops)
+        WebSocket socket, MessageReceiver receiver, ReaderProgress reader, DropCounters drops, CancellationToken serverStops)
     {
         _socket = socket;
         _receiver = receiver;
-        _patience = patience;
+        _reader = reader;
         _serverStops = serverStops;
         _replies = Channel.CreateBounded<ReadOnlyMemory<byte>>(
             new BoundedChannelOptions(WaitingReplies) { FullMode = BoundedChannelFullMode.DropOldest }, _ => drops.Count(DropReason.SlowReader));
@@ -63,6 +61,7 @@ sealed class RosbridgeConnection : IDisposable
     public async Task<Closure> RunAsync(RosbridgeSession session)
     {
         var replying = PumpAsync(RepliesAsync);
+        var watching = PumpAsync(EndWhenSilentAsync);
         Closure why;
         // The client answers with its own close, which ends the receiving; or it does not, and time is up.
         await using (_serverStops.UnsafeRegister(_ => End(Closure.Stopped), null))
@@ -71,7 +70,7 @@ sealed class RosbridgeConnection : IDisposable
         if (Ended == null && why != Closure.Silence)
             await SayGoodbyeAsync(why);
         await _stop.CancelAsync();
-        await StopPumpsAsync(replying, isGone: why == Closure.Silence);
+        await StopPumpsAsync(Task.WhenAll(replying, watching), isGone: why == Closure.Silence);
         return why;
     }
 
@@ -102,31 +101,36 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
-    Closure Explain(Exception e) => (e as WebSocketException)?.WebSocketErrorCode switch
+    static Closure Explain(Exception e) => (e as WebSocketException)?.WebSocketErrorCode switch
     {
         // Frames and texts against RFC 6455, which the socket itself answers with a close of 1002 or 1007.
         WebSocketError.Faulted or WebSocketError.InvalidMessageType => Closure.MalformedFrame,
         WebSocketError.ConnectionClosedPrematurely => Closure.ByPeer,
-        // The keep-alive that had no pong aborts the socket.
-        _ => _socket.State == WebSocketState.Aborted ? Closure.Silence : Closure.ByPeer,
+        _ => Closure.ByPeer,
     };
 
     async Task RepliesAsync()
     {
-        await foreach (var reply in _replies.Reader.ReadAllAsync(_stop.Token))
-            await SendAsync(reply);
+        while (await _replies.Reader.WaitToReadAsync(_stop.Token))
+            await SendAsync(_ => _replies.Reader.TryRead(out var reply) ? reply : default);
     }
 
-    async Task SendAsync(ReadOnlyMemory<byte> message)
+    // The message is chosen when there is room for it: one that was chosen before would be old by then.
+    async Task SendAsync(Func<long, ReadOnlyMemory<byte>> next)
     {
         await _sending.WaitAsync(_stop.Token);
         try
         {
+            await _reader.OpensAsync(_stop.Token);
+            var message = next(_reader.WaitedUntil);
+            if (message.IsEmpty) return;
+            await _reader.SendsAsync(message.Length);
             var sending = _socket.SendAsync(message, WebSocketMessageType.Text, true, CancellationToken.None);
             if (sending.IsCompleted)
                 await sending;
             else
                 await BecomesSentAsync(sending.AsTask(), message.Length);
+            await _reader.SentAsync(message.Length);
         }
         finally
         {
@@ -134,12 +138,21 @@ sealed class RosbridgeConnection : IDisposable
         }
     }
 
+    // No goodbye would get past what it does not read.
+    async Task EndWhenSilentAsync()
+    {
+        await _reader.BecomesSilentAsync(_stop.Token);
+        Interlocked.CompareExchange(ref _ended, (int)Closure.Silence, NotEnded);
+        _socket.Abort();
+    }
+
     // Whatever comes from a peer counts for the pong that does not: one that sends and reads nothing would stay for ever.
     async Task BecomesSentAsync(Task sending, int length)
     {
         try
         {
-            await sending.WaitAsync(_patience * (1 + (length / ProtocolLimits.MessageBytes)));
+            await sending.WaitAsync(_reader.Patience(length));
+            _reader.OnWaited();
         }
         catch (TimeoutException)
         {

@@ -68,16 +68,20 @@ sealed class RosbridgeServer(
             rate.MinDataRate = null;
         using var socket = await context.WebSockets.AcceptWebSocketAsync(new WebSocketAcceptContext
         {
-            KeepAliveInterval = options.PingInterval,
-            KeepAliveTimeout = options.PongTimeout,
+            // The connection sends pings itself, which also tell how far the client has read.
+            KeepAliveInterval = Timeout.InfiniteTimeSpan,
         });
-        NewcomerPlaces.GiveBack(context);
+        PendingPlaces.GiveBack(context);
         var isSource = role == Role.Source;
         // Only a source sends what may be long.
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;
         var allowed = new RequestRate(isSource ? options.SourceMessagesPerSecond : options.ObserverMessagesPerSecond);
         var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, allowed, TimeProvider.System);
-        using var connection = new RosbridgeConnection(socket, receiver, options.PongTimeout, Drops, _stop.Token);
+        var reader = new ReaderProgress(upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System);
+        upgrade.Fragments.Pong = payload => reader.OnPong(payload.Span);
+        upgrade.Received = reader.OnReceived;
+        SendBuffer.Limit(context);
+        using var connection = new RosbridgeConnection(socket, receiver, reader, Drops, _stop.Token);
         using var session = new RosbridgeSession(
             hub, clock, plant, _names, role, Drops, options.QueueLength, connection.Reply, connection.Start);
         using var watched = access.Watch(

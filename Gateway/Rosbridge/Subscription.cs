@@ -11,6 +11,9 @@ sealed class Subscription : IDisposable
 {
     const int LongestQueue = 1024;
 
+    /// <summary>Samples that have waited longer for a slow reader are dropped where a newer one waits.</summary>
+    internal static readonly TimeSpan MaxSampleAge = TimeSpan.FromMilliseconds(150);
+
     readonly Channel<HubMessage> _queue;
     readonly IDisposable _subscriber;
     readonly ForwardingTimes _times;
@@ -33,12 +36,18 @@ sealed class Subscription : IDisposable
     public string Topic { get; }
 
     /// <summary>Sends what comes until the subscription is disposed or sending fails.</summary>
-    public async Task PumpAsync(Func<ReadOnlyMemory<byte>, Task> send, CancellationToken stop)
+    /// <param name="send">
+    /// Sends the message that it takes when the client has room for one. It passes until when messages had to wait for the client, a count of
+    /// <see cref="Stopwatch"/>.
+    /// </param>
+    public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
     {
-        await foreach (var message in _queue.Reader.ReadAllAsync(stop))
+        while (await _queue.Reader.WaitToReadAsync(stop))
         {
             var began = Stopwatch.GetTimestamp();
-            await send(message.Utf8(_terms.Form));
+            HubMessage message = null;
+            await send(waitedUntil => (message = Next(waitedUntil))?.Utf8(_terms.Form) ?? default);
+            if (message == null) continue;
             _times?.Add(message.ReceivedAt);
             var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
             if (rest > TimeSpan.Zero && await IsOverWithinAsync(rest, stop))
@@ -51,6 +60,21 @@ sealed class Subscription : IDisposable
     {
         while (_queue.Reader.TryRead(out _))
             _lost();
+    }
+
+    // Null when the queue was emptied meanwhile.
+    HubMessage Next(long waitedUntil)
+    {
+        while (_queue.Reader.TryRead(out var message))
+        {
+            // What waited for something else than the client, such as a busy processor, is sent late rather than never.
+            var isOld = message.Content is JointStateMessage && message.ReceivedAt < waitedUntil
+                && Stopwatch.GetElapsedTime(message.ReceivedAt) > MaxSampleAge;
+            if (!isOld || !_queue.Reader.TryPeek(out _)) return message;
+            _lost();
+        }
+
+        return null;
     }
 
     // A client may ask for a message a month: unsubscribed, nobody waits for the next one.

@@ -8,6 +8,22 @@ public class FragmentCounterTests
     const int Seed = 5;
 
     [Test]
+    public void Pong_InPieces_IsHandedOnUnmasked()
+    {
+        var pongs = new List<byte[]>();
+        var counter = new FragmentCounter { Pong = payload => pongs.Add(payload.ToArray()) };
+        byte[] mask = [7, 11, 13, 17], payload = [1, 2, 3, 4, 5, 6, 7, 8];
+        byte[] masked = [.. payload.Select((one, i) => (byte)(one ^ mask[i % 4]))];
+        byte[] frames = [0x8A, 0x88, .. mask, .. masked, 0x81, 0x81, .. mask, 42, 0x8A, 0x80, .. mask, 0x8A, 0x88, .. mask, .. masked];
+
+        foreach (var one in frames) counter.Feed([one]);
+        counter.Feed(frames);
+
+        Assert.That(pongs, Is.EqualTo(Enumerable.Repeat(payload, 4)), "a pong without payload answers no ping of the gateway");
+        Assert.That((counter.Take(), counter.Take(), counter.Take()), Is.EqualTo((1, 1, 0)));
+    }
+
+    [Test]
     public void Take_RandomFramesInRandomPieces_IsTheCountOfEachMessage()
     {
         var random = new Random(Seed);

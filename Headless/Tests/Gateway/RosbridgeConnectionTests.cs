@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net.WebSockets;
 using NUnit.Framework;
 using Nowpose.Gateway;
@@ -11,8 +12,18 @@ public class RosbridgeConnectionTests
 {
     readonly MessageHub _hub = new();
 
-    static RosbridgeConnection Over(WebSocket socket, DropCounters drops = null) =>
-        new(socket, null, TimeSpan.FromMinutes(1), drops ?? new DropCounters(), CancellationToken.None);
+    static RosbridgeConnection Over(WebSocket socket, DropCounters drops = null)
+    {
+        ReaderProgress reader = null;
+        Task Answer(ReadOnlyMemory<byte> ping)
+        {
+            reader.OnPong(ping.Span);
+            return Task.CompletedTask;
+        }
+
+        reader = new ReaderProgress(Answer, TimeSpan.FromMinutes(1), TimeSpan.FromMinutes(1), TimeProvider.System);
+        return new RosbridgeConnection(socket, null, reader, drops ?? new DropCounters(), CancellationToken.None);
+    }
 
     Subscription Subscribe(string topic, DropCounters drops = null) => new(_hub, topic, default, 16, drops ?? new DropCounters());
 
@@ -63,12 +74,14 @@ public class RosbridgeConnectionTests
         using var source = _hub.OpenSource();
         var former = Subscribe(RosTopics.JointStates);
         connection.Start(former);
-        for (var i = 0; i < 5; i++) source.TryPublish(Gateways.State(i, "a"));
+        // Never too old, however long this takes.
+        var receivedAt = Stopwatch.GetTimestamp() + (3600 * Stopwatch.Frequency);
+        for (var i = 0; i < 5; i++) source.TryPublish(Gateways.State(i, "a"), receivedAt);
         await Soon.BecomesAsync(() => socket.Sends == 1, "the first is being sent");
         former.Dispose();
         using var next = Subscribe(RosTopics.JointStates);
         connection.Start(next);
-        for (var i = 5; i < 10; i++) source.TryPublish(Gateways.State(i, "a"));
+        for (var i = 5; i < 10; i++) source.TryPublish(Gateways.State(i, "a"), receivedAt);
 
         socket.GoOn();
 

@@ -34,7 +34,36 @@ public class RosbridgeReadersTests
 
         Assert.That(received, Is.Ordered);
         Assert.That(received.Count, Is.EqualTo(sent - gateway.Drops[DropReason.SlowReader]));
-        Assert.That(received.TakeLast(16), Is.EqualTo(Enumerable.Range(sent - 15, 16).Select(i => (double)i)));
+        Assert.That(received[^1], Is.EqualTo(sent), "never the newest");
+    }
+
+    [Test]
+    public async Task Reader_ThatAnsweredAPingAndStops_IsSentNoMoreThanAWindowAndAQueue()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
+        // The system's buffers as they are, which hold thousands of samples.
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.JointStates);
+        using var source = gateway.Hub.OpenSource();
+        var read = 0;
+        while (read < 20)
+        {
+            source.TryPublish(Gateways.State(read, "a"));
+            Assert.That((await client.ReceiveAsync()).JointState.Positions[0], Is.EqualTo(read++));
+        }
+
+        const int Count = 2000;
+        for (var i = 1; i <= Count; i++) source.TryPublish(Gateways.State(read + i, "a"));
+        await Soon.BecomesAsync(() => gateway.Drops[DropReason.SlowReader] > Count / 2, "counted as dropped");
+        var received = new List<double>();
+        do
+            received.Add((await client.ReceiveAsync()).JointState.Positions[0]);
+        while (received[^1] < read + Count);
+
+        var bytes = Encoding.UTF8.GetByteCount(Gateways.StateText(0));
+        Assert.That(received, Is.Ordered);
+        Assert.That(received.Count * bytes, Is.LessThan(6000 + (16 * bytes)), "what was on its way, and what waited");
+        Assert.That(received.Count, Is.EqualTo(Count - gateway.Drops[DropReason.SlowReader]), "each of the others is counted");
     }
 
     [Test]

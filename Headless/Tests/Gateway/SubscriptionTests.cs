@@ -1,3 +1,5 @@
+using System.Diagnostics;
+using System.Text;
 using NUnit.Framework;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Rosbridge;
@@ -16,8 +18,9 @@ public class SubscriptionTests
             hub, RosTopics.JointStates, new SubscriptionTerms(RosTimeForm.Sec, int.MaxValue, 0), 16, new DropCounters());
         var sent = new TaskCompletionSource();
         var pump = subscription.PumpAsync(
-            _ =>
+            next =>
             {
+                next(long.MinValue);
                 sent.TrySetResult();
                 return Task.CompletedTask;
             },
@@ -28,5 +31,31 @@ public class SubscriptionTests
         subscription.Dispose();
 
         await pump.Bounded();
+    }
+
+    [TestCase(true, 9)]
+    [TestCase(false, 0)]
+    public async Task Pump_OldSamples_SendsTheNewestAndCountsTheOthersWhereAReaderWasSlow(bool isReaderSlow, int dropped)
+    {
+        var hub = new MessageHub();
+        using var source = hub.OpenSource();
+        var drops = new DropCounters();
+        using var subscription = new Subscription(hub, RosTopics.JointStates, default, 16, drops);
+        var old = Stopwatch.GetTimestamp() - Stopwatch.Frequency;
+        for (var i = 0; i < 10; i++)
+            source.TryPublish(new JointStateMessage(ControlTime.FromSeconds(i + 1), ["a"], [i]), old);
+        var sent = new TaskCompletionSource<string>();
+
+        _ = subscription.PumpAsync(
+            next =>
+            {
+                sent.TrySetResult(Encoding.UTF8.GetString(next(isReaderSlow ? Stopwatch.GetTimestamp() : long.MinValue).Span));
+                return Task.CompletedTask;
+            },
+            CancellationToken.None);
+
+        Assert.That(RosbridgeReader.TryRead(await sent.Task.Bounded(), out var message, out _), Is.True);
+        Assert.That(message.JointState.Positions[0], Is.EqualTo(dropped));
+        Assert.That(drops[DropReason.SlowReader], Is.EqualTo(dropped));
     }
 }

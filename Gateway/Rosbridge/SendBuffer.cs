@@ -1,0 +1,32 @@
+using System.Net.Sockets;
+using Microsoft.AspNetCore.Connections.Features;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>Bounds what the kernel keeps for a slow reader that answers no pings.</summary>
+static class SendBuffer
+{
+    const int UnsentBytes = 4096;
+    const int BufferBytes = 16 * 1024;
+
+    // From <netinet/tcp.h>.
+    const int ProtocolTcp = 6;
+    const int LinuxNotSentLowWater = 25;
+    const int MacNotSentLowWater = 0x201;
+
+    public static void Limit(HttpContext context)
+    {
+        if (context.Features.Get<IConnectionSocketFeature>()?.Socket is not { } socket) return;
+        try
+        {
+            // Unlike a small buffer this limits only what was not sent yet, so a long way costs no throughput.
+            if (OperatingSystem.IsLinux()) socket.SetRawSocketOption(ProtocolTcp, LinuxNotSentLowWater, BitConverter.GetBytes(UnsentBytes));
+            else if (OperatingSystem.IsMacOS()) socket.SetRawSocketOption(ProtocolTcp, MacNotSentLowWater, BitConverter.GetBytes(UnsentBytes));
+            else socket.SendBufferSize = BufferBytes;
+        }
+        catch (Exception e) when (e is SocketException or ObjectDisposedException)
+        {
+            // The connection has ended, which the receiving side notices.
+        }
+    }
+}

@@ -1,0 +1,98 @@
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>Limits how many bytes are on their way to a client: those that were sent and that it has not read yet.</summary>
+/// <remarks>
+/// The buffers between the gateway and the client's own read call (TLS, both kernels, proxies) hold seconds of samples for a slow
+/// reader, and no system call shows all of them. A ping in the stream does: its pong says that everything before it was read. The window
+/// is what the client reads in about <see cref="Target"/>. Takes the time as an argument; not thread-safe.
+/// </remarks>
+sealed class SendWindow
+{
+    /// <summary>A window this long keeps two messages of an arm on their way; a reader of 4 kB/s needs 0.25 s for it.</summary>
+    internal const int MinBytes = 1024;
+
+    /// <summary>Before the first pong. At 4 kB/s it is read within a third of a second.</summary>
+    internal const int FirstBytes = 1280;
+
+    /// <summary>For a client that answers within <see cref="Quick"/>: half as many pings, and at 4 kB/s still read within two thirds of a second.</summary>
+    internal const int QuickBytes = 2560;
+
+    internal const int MaxBytes = 256 * 1024;
+
+    static readonly TimeSpan Quick = TimeSpan.FromMilliseconds(50);
+
+    /// <summary>A ping stands at least half a window behind the oldest unread byte, so at most twice this is on its way.</summary>
+    internal static readonly TimeSpan Target = TimeSpan.FromMilliseconds(200);
+
+    /// <summary>A client that has answered no ping by then is sent everything: only the kernel's send buffer limits what waits for it.</summary>
+    internal static readonly TimeSpan FirstPongTimeout = TimeSpan.FromSeconds(1);
+
+    long _sent;
+    long _read;
+    long _pingPosition;
+    long _pingId;
+    TimeSpan? _pingAt;
+    bool _wasFull;
+    bool _hasAnswered;
+    bool _isUnlimited;
+
+    /// <summary>Window size, bytes.</summary>
+    public int Size { get; private set; } = FirstBytes;
+
+    /// <summary>Bytes that were sent and are not known to be read.</summary>
+    public long Unread => _sent - _read;
+
+    /// <summary>Whether the client has answered a ping.</summary>
+    public bool HasAnswered => _hasAnswered;
+
+    /// <summary>When the ping that has no pong yet was sent; null without one.</summary>
+    public TimeSpan? PingAt => _pingAt;
+
+    /// <summary>Whether a message may be sent; the last one may exceed the window.</summary>
+    public bool IsOpen(TimeSpan now)
+    {
+        if (!_hasAnswered && now - _pingAt >= FirstPongTimeout) _isUnlimited = true;
+        var isOpen = _isUnlimited || Unread < Size;
+        _wasFull |= !isOpen;
+        return isOpen;
+    }
+
+    public void OnSent(int bytes) => _sent += bytes;
+
+    /// <summary>Whether a ping should come first: behind a long message the first pong would take as long as that.</summary>
+    public bool IsPingDueBefore(int bytes) => !_hasAnswered && _pingAt == null && bytes > FirstBytes;
+
+    /// <summary>Whether a ping should follow what was sent.</summary>
+    public bool IsPingDue => _pingAt == null && 2 * (_sent - Math.Max(_read, _pingPosition)) >= Size;
+
+    /// <summary>Notes a ping at the end of what was sent.</summary>
+    /// <returns>Its number, which the pong repeats.</returns>
+    public long OnPing(TimeSpan now)
+    {
+        _pingAt = now;
+        _pingPosition = _sent;
+        return ++_pingId;
+    }
+
+    /// <summary>Takes a pong. Other numbers than that of the newest ping are ignored.</summary>
+    public void OnPong(long id, TimeSpan now)
+    {
+        if (_pingAt is not { } pingAt || id != _pingId) return;
+        _pingAt = null;
+        var hadData = _pingPosition > _read;
+        _read = _pingPosition;
+        _hasAnswered = true;
+        _isUnlimited = false;
+        // A connection that is idle, or slower than its window, says nothing about how fast the client could read.
+        var took = now - pingAt;
+        if (hadData && (_wasFull || took > Target)) Size = Fitted(took);
+        if (hadData && took < Quick) Size = Math.Max(Size, QuickBytes);
+        _wasFull = false;
+    }
+
+    int Fitted(TimeSpan took)
+    {
+        var factor = Math.Clamp(Target / (took + TimeSpan.FromTicks(1)), 0.25, 2);
+        return (int)Math.Clamp(Size * factor, MinBytes, MaxBytes);
+    }
+}

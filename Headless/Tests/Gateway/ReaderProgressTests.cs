@@ -1,0 +1,89 @@
+using NUnit.Framework;
+using Nowpose.Gateway.Rosbridge;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+[Parallelizable(ParallelScope.All)]
+public class ReaderProgressTests
+{
+    const int LongMessage = 30_000;
+    static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
+
+    [Test]
+    public async Task IsSilent_LongMessageOnItsWay_WaitsAsLongAsASlowReaderNeeds()
+    {
+        var time = new SteppedTime();
+        var pings = new List<byte[]>();
+        var progress = Progress(time, pings);
+        await progress.SendsAsync(LongMessage);
+        await progress.SentAsync(LongMessage);
+        progress.OnPong(pings[0]);
+
+        time.Advance(TimeSpan.FromSeconds(LongMessage / 4000.0));
+
+        Assert.That(pings, Has.Count.EqualTo(2), "one before the message, and one behind it");
+        Assert.That(progress.IsSilent(), Is.False);
+        time.Advance(TimeSpan.FromSeconds(9));
+        Assert.That(progress.IsSilent(), Is.True, "the time for the message and for the pong is over");
+    }
+
+    [Test]
+    public void IsSilent_ClientThatAnsweredOnceAndSends_IsSilentWithoutAPong()
+    {
+        var time = new SteppedTime();
+        var pings = new List<byte[]>();
+        var progress = Progress(time, pings);
+        progress.SentAsync(2000);
+        progress.OnPong(pings[0]);
+        progress.SentAsync(4000);
+
+        time.Advance(PongTimeout + TimeSpan.FromSeconds(2));
+        progress.OnReceived();
+
+        Assert.That(progress.IsSilent(), Is.True, "it sends, and has stopped reading");
+    }
+
+    [Test]
+    public void IsSilent_ClientThatNeverAnswersAPingAndSends_IsNot()
+    {
+        var time = new SteppedTime();
+        var progress = Progress(time, []);
+        progress.SentAsync(2000);
+
+        for (var i = 0; i < 60; i++)
+        {
+            time.Advance(TimeSpan.FromSeconds(1));
+            progress.OnReceived();
+        }
+
+        Assert.That(progress.IsSilent(), Is.False);
+        time.Advance(PongTimeout + TimeSpan.FromSeconds(1));
+        Assert.That(progress.IsSilent(), Is.True);
+    }
+
+    [Test]
+    public async Task OpensAsync_PongOfAnotherPing_IsIgnored()
+    {
+        var time = new SteppedTime();
+        var pings = new List<byte[]>();
+        var progress = Progress(time, pings);
+        await progress.SentAsync(5000);
+        using var stop = new CancellationTokenSource();
+        var opens = progress.OpensAsync(stop.Token);
+
+        progress.OnPong([1, 2, 3]);
+        progress.OnPong(new byte[8]);
+        Assert.That(opens.IsCompleted, Is.False);
+        progress.OnPong(pings[0]);
+
+        await opens.Bounded();
+    }
+
+    static ReaderProgress Progress(TimeProvider time, List<byte[]> pings) => new(
+        payload =>
+        {
+            pings.Add(payload.ToArray());
+            return Task.CompletedTask;
+        },
+        TimeSpan.FromSeconds(2), PongTimeout, time);
+}

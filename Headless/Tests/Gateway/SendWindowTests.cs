@@ -1,0 +1,159 @@
+using NUnit.Framework;
+using Nowpose.Gateway.Rosbridge;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+[Parallelizable(ParallelScope.All)]
+public class SendWindowTests
+{
+    static readonly TimeSpan Step = TimeSpan.FromMilliseconds(1);
+
+    /// <summary>Without the queue and the acquisition, which take 0.25 s of the second that a sample may be old.</summary>
+    const double MaxAgeSeconds = 0.75;
+
+    [Test]
+    public void Reader_Of4KilobytesASecond_GetsNothingOlderThanTheLimit(
+        [Values(350, 450, 900)] int messageBytes, [Values(5, 20, 50)] int intervalMs, [Values(1, 40, 120)] int roundTripMs)
+    {
+        var run = new Run(bytesPerSecond: 4000, messageBytes, intervalMs, roundTripMs);
+
+        run.Continue(TimeSpan.FromSeconds(60));
+
+        Assert.That(run.MaxAge.TotalSeconds, Is.LessThan(MaxAgeSeconds), $"window {run.Window.Size} bytes");
+        Assert.That(run.ReadMessages * messageBytes, Is.GreaterThan(0.75 * 60 * Math.Min(4000, messageBytes * 1000.0 / intervalMs)), "used");
+    }
+
+    [Test]
+    public void Reader_Fast_GetsEverythingOverALongPath([Values(1, 40, 120, 180)] int roundTripMs)
+    {
+        var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs: 20, roundTripMs);
+        run.Continue(TimeSpan.FromSeconds(5));
+        var refused = run.Refused;
+
+        run.Continue(TimeSpan.FromSeconds(60));
+
+        Assert.That(run.Refused - refused, Is.Zero, "messages that the window refused after its first seconds");
+    }
+
+    [Test]
+    public void Reader_ThatBecomesFast_GetsEverythingAgain()
+    {
+        var run = new Run(bytesPerSecond: 4000, messageBytes: 450, intervalMs: 20, roundTripMs: 40);
+        run.Continue(TimeSpan.FromSeconds(20));
+
+        run.BytesPerSecond = 1e7;
+        run.Continue(TimeSpan.FromSeconds(2));
+        var refused = run.Refused;
+        run.Continue(TimeSpan.FromSeconds(20));
+
+        Assert.That(run.Refused - refused, Is.Zero);
+    }
+
+    [Test]
+    public void IsOpen_ClientThatNeverAnswersAPing_OpensAfterTheTimeout()
+    {
+        var window = new SendWindow();
+        window.OnSent(SendWindow.FirstBytes);
+        window.OnPing(TimeSpan.Zero);
+
+        Assert.That(window.IsOpen(SendWindow.FirstPongTimeout - Step), Is.False);
+        Assert.That(window.IsOpen(SendWindow.FirstPongTimeout), Is.True);
+    }
+
+    [Test]
+    public void IsOpen_ClientThatAnsweredOnce_StaysClosedUntilThePong()
+    {
+        var window = new SendWindow();
+        window.OnPong(window.OnPing(TimeSpan.Zero), Step);
+        window.OnSent(SendWindow.FirstBytes);
+        var ping = window.OnPing(Step);
+
+        Assert.That(window.IsOpen(TimeSpan.FromMinutes(1)), Is.False);
+        window.OnPong(ping - 1, TimeSpan.FromMinutes(1));
+        Assert.That(window.IsOpen(TimeSpan.FromMinutes(1)), Is.False, "the pong of another ping");
+        window.OnPong(ping, TimeSpan.FromMinutes(1));
+        Assert.That(window.IsOpen(TimeSpan.FromMinutes(1)), Is.True);
+    }
+
+    [Test]
+    public void IsPingDueBefore_LongFirstMessage_IsTrueOnceOnly()
+    {
+        var window = new SendWindow();
+
+        Assert.That(window.IsPingDueBefore(SendWindow.FirstBytes), Is.False);
+        Assert.That(window.IsPingDueBefore(SendWindow.FirstBytes + 1), Is.True);
+        window.OnPing(TimeSpan.Zero);
+        Assert.That(window.IsPingDueBefore(SendWindow.FirstBytes + 1), Is.False);
+    }
+
+    /// <summary>A reader behind buffers of any size, on a path with a delay, in steps of a millisecond.</summary>
+    sealed class Run(double bytesPerSecond, int messageBytes, int intervalMs, int roundTripMs)
+    {
+        const int PingBytes = 10;
+
+        // What is on its way: bytes left, when it was made, and the number of a ping (0 for a message).
+        readonly Queue<(TimeSpan Arrives, double Bytes, TimeSpan Made, long Ping)> _way = [];
+        readonly Queue<(TimeSpan Arrives, long Ping)> _pongs = [];
+        TimeSpan _now;
+        double _credit;
+
+        public double BytesPerSecond { get; set; } = bytesPerSecond;
+        public SendWindow Window { get; } = new();
+        public TimeSpan MaxAge { get; private set; }
+        public int ReadMessages { get; private set; }
+        public int Refused { get; private set; }
+
+        TimeSpan OneWay => TimeSpan.FromMilliseconds(roundTripMs / 2.0);
+
+        public void Continue(TimeSpan time)
+        {
+            for (var end = _now + time; _now < end; _now += Step)
+            {
+                while (_pongs.TryPeek(out var pong) && pong.Arrives <= _now)
+                {
+                    Window.OnPong(_pongs.Dequeue().Ping, _now);
+                    PingWhenDue();
+                }
+
+                if ((long)_now.TotalMilliseconds % intervalMs == 0) Send();
+                Read();
+            }
+        }
+
+        void Send()
+        {
+            if (!Window.IsOpen(_now))
+            {
+                Refused++;
+                return;
+            }
+
+            Window.OnSent(messageBytes);
+            _way.Enqueue((_now + OneWay, messageBytes, _now, 0));
+            PingWhenDue();
+        }
+
+        void PingWhenDue()
+        {
+            if (Window.IsPingDue) _way.Enqueue((_now + OneWay, PingBytes, _now, Window.OnPing(_now)));
+        }
+
+        void Read()
+        {
+            _credit = Math.Min(_credit + (BytesPerSecond * Step.TotalSeconds), BytesPerSecond * Step.TotalSeconds + messageBytes);
+            while (_way.TryPeek(out var next) && next.Arrives <= _now && next.Bytes <= _credit)
+            {
+                _way.Dequeue();
+                _credit -= next.Bytes;
+                if (next.Ping != 0)
+                {
+                    _pongs.Enqueue((_now + OneWay, next.Ping));
+                    continue;
+                }
+
+                ReadMessages++;
+                if (_now - next.Made > MaxAge) MaxAge = _now - next.Made;
+            }
+        }
+    }
+}
