@@ -12,7 +12,8 @@ public sealed class ConnectionCounters
     public long this[Closure closure] => Interlocked.Read(ref _closures[(int)closure]);
 
     /// <summary>Takes a place if one of <paramref name="limit"/> is free; <see cref="Leave"/> gives it back.</summary>
-    internal bool TryEnter(int limit)
+    /// <param name="isFinal">Whether a connection is refused, and counted as such, without a place.</param>
+    internal bool TryEnter(int limit, bool isFinal = true)
     {
         if (Interlocked.Increment(ref _open) <= limit)
         {
@@ -21,7 +22,7 @@ public sealed class ConnectionCounters
         }
 
         Interlocked.Decrement(ref _open);
-        Count(Closure.ConnectionLimit);
+        if (isFinal) Count(Closure.ConnectionLimit);
         return false;
     }
 

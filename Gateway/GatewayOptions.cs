@@ -64,8 +64,17 @@ public sealed record GatewayOptions
     /// <summary>Of each of the two servers.</summary>
     public int MaxConnections { get; init; } = 256;
 
-    /// <summary>Of one address, on each of the two ports, that have not yet been let in.</summary>
-    public int MaxNewcomers { get; init; } = 32;
+    /// <summary>
+    /// Maximum number of connections of one address, on each of the two ports, that have not yet been let in. As many again when they
+    /// have completed a handshake. A newer one replaces the oldest.
+    /// </summary>
+    public int MaxPendingConnections { get; init; } = 32;
+
+    /// <summary>Maximum number of connections to the WebSocket port that have not yet been let in, of all addresses.</summary>
+    internal int MaxPendingInAll => Math.Max(MaxConnections, MaxPendingConnections);
+
+    /// <summary>How long the answer to a wrong token is held back from an address that has sent too many of them.</summary>
+    public TimeSpan WrongTokenDelay { get; init; } = TimeSpan.FromSeconds(1);
 
     /// <summary>Messages that a client may send within a second: what comes beyond is dropped before it is read.</summary>
     /// <remarks>For sources: four topics at the 1 kHz of a fast control cycle. For others: diagnostics and what a headset shows, and room.</remarks>
@@ -147,6 +156,7 @@ public sealed record GatewayOptions
             throw new InputException($"{OptionOfTheSamePort} {SyncPort}: both ports are the same; each needs one of its own");
         if (MaxConnections < 1)
             throw new InputException($"--max-connections {MaxConnections}: at least 1");
+        DescriptorLimit.Check(MaxConnections);
         CheckRate(nameof(SourceMessagesPerSecond), SourceMessagesPerSecond);
         CheckRate(nameof(ObserverMessagesPerSecond), ObserverMessagesPerSecond);
         CheckRate(nameof(SyncRequestsPerSecond), SyncRequestsPerSecond);

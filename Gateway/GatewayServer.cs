@@ -34,6 +34,7 @@ public sealed class GatewayServer : IAsyncDisposable
     readonly CodePage _page;
     readonly PairingRoutes _pairing;
     readonly SyncServer _sync;
+    readonly PendingConnections _webPending;
     readonly ClockComparison _comparison;
     readonly LimitAlarm _limits;
     readonly GatewayStatus _status;
@@ -50,19 +51,21 @@ public sealed class GatewayServer : IAsyncDisposable
         _comparison = new ClockComparison(Clock, Log);
         _access = new AccessWatch(options, Log);
         WebSocketConnections = new ConnectionCounters();
-        var door = new Door(options, WebSocketConnections, Log);
+        var wrong = new WrongTokens(options.Time);
+        var door = new Door(options, wrong, WebSocketConnections, Log);
         _rosbridge = new RosbridgeServer(options, Clock, PlantClocks, Hub, door, _access, WebSocketConnections, Log);
         _page = new CodePage(options, Clock, door, WebSocketConnections, Log, LightCodePage.Html);
         _pairing = new PairingRoutes(options, door, WebSocketConnections, Log, Web.PairingPage.Html);
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
-        _sync = new SyncServer(options, Clock, _access, Log);
+        _sync = new SyncServer(options, Clock, _access, wrong, Log);
         _limits = new LimitAlarm(Hub, Log);
         var events = new EventList(options.Time, Log);
         _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits, events);
         var recordings = new RecordingsFolder(options.Recordings);
         RecordingsWatch = new RecordingsWatch(Recorder, recordings, events);
+        _webPending = new PendingConnections(options.MaxPendingConnections, options.MaxPendingInAll);
         _web = GatewayWeb.Build(
-            options, WebSocketConnections, _rosbridge.ServeAsync,
+            options, new PendingPlaces(_webPending, WebSocketConnections, Log), Log, _rosbridge.ServeAsync,
             _page.ServeAsync,
             _pairing.ServeAsync,
             new StatusRoutes(_status, door).ServeAsync,
@@ -123,6 +126,12 @@ public sealed class GatewayServer : IAsyncDisposable
 
     public ConnectionCounters SyncConnections => _sync.Counters;
     public ConnectionCounters WebSocketConnections { get; }
+
+    /// <summary>Connections of both ports that were not let in yet.</summary>
+    internal int PendingCount => _sync.PendingCount + _webPending.Count;
+
+    /// <summary>Connections that end with their token.</summary>
+    internal int WatchedTokens => _access.Count;
 
     /// <summary>Starts both servers; they accept when this returns.</summary>
     /// <param name="clock">The gateway's own: what it serves until an adapter tells that of the control system.</param>

@@ -1,16 +1,18 @@
 using System.Text;
+using System.Text.RegularExpressions;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway;
 
 /// <summary>A page of Web, which may be missing where the gateway was built.</summary>
 /// <param name="html">Null where it was not built.</param>
-sealed class HtmlPage(string html)
+sealed partial class HtmlPage(string html)
 {
     /// <summary>What to do where the page is missing.</summary>
     public const string Missing =
         "the page is missing, for this gateway was built without Node.js; install Node.js 20 or newer with npm and build again";
 
+    readonly string _policy = PolicyOf(html);
     readonly byte[] _page = html == null ? null : Encoding.UTF8.GetBytes(html);
 
     public bool IsBuilt => _page != null;
@@ -24,8 +26,14 @@ sealed class HtmlPage(string html)
         response.Headers.CacheControl = "no-store";
         // Nobody had to show a token: it must not hold one of the places of those that did.
         response.Headers.Connection = "close";
-        // Another site that frames it could have the visitor click on it, or read along.
-        response.Headers.XFrameOptions = "DENY";
+        response.Headers.ContentSecurityPolicy = _policy;
         return response.Body.WriteAsync(_page).AsTask();
     }
+
+    // The page's own, which has the hashes of its script and its style. Only a header can say who may frame it: another site could have
+    // the visitor click on it, or read along.
+    static string PolicyOf(string html) => html == null ? null : $"{Policy().Match(html).Groups[1].Value}; frame-ancestors 'none'";
+
+    [GeneratedRegex("http-equiv=\"Content-Security-Policy\"\\s+content=\"([^\"]*)\"")]
+    private static partial Regex Policy();
 }

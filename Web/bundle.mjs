@@ -1,5 +1,6 @@
 // Makes dist/report.html, figures.html, calibration.html, vlc.html, pairing.html and operations.html: each one page with its script and style inside. `npm run build` and prepare.mjs call it.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
@@ -53,15 +54,20 @@ const { outputFiles } = await build({
   plugins: [noMeshes],
 });
 const licenceText = names => names.map(name => `<!-- Contains ${name}.\n${licences[name].replaceAll('--', '- -')}\n-->`).join('\n');
+// A page allows the script and the style that it was bundled with, and no others.
+const hash = text => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 const output = name => outputFiles.find(f => f.path.endsWith(name)).text;
 
 mkdirSync(join(web, 'dist'), { recursive: true });
 for (const [name, template] of Object.entries(templates)) {
+  const style = output(`${name}.css`).replaceAll('</style', '<\\/style'), script = output(`${name}.js`).replaceAll('</script', '<\\/script');
   const parts = {
     ...(template === withPlots ? { '<!--NAME-->': name } : {}),
     ...(contents[name].length > 0 ? { '<!--LICENCE-->': licenceText(contents[name]) } : {}),
-    '/*STYLE*/': output(`${name}.css`).replaceAll('</style', '<\\/style'),
-    '/*SCRIPT*/': output(`${name}.js`).replaceAll('</script', '<\\/script'),
+    STYLE_HASH: hash(style),
+    SCRIPT_HASH: hash(script),
+    '/*STYLE*/': style,
+    '/*SCRIPT*/': script,
   };
   let page = read(template);
   for (const [mark, text] of Object.entries(parts)) {

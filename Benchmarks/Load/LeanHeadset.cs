@@ -51,7 +51,7 @@ sealed class LeanHeadset : IDisposable
         await LeanSocket.SendTextAsync(_positions, RosbridgeWriter.Subscribe(RosTopics.JointStates));
         _sync = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
         await _sync.ConnectAsync(gateway.Sync);
-        // At once, as headsets do: whoever says nothing takes one of the few places that newcomers of one address have.
+        // At once, as headsets do: a connection that sends nothing takes one of the few places that an address has for those.
         if (!await TryExchangeAsync()) throw new InputException("the gateway closed the clock sync");
     }
 

@@ -7,14 +7,14 @@ namespace Nowpose.Gateway.Operations;
 /// <remarks>No script reads the cookie, no other site's page sends it, and over TLS it travels over TLS only. It ends with its token.</remarks>
 sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters counters, Action<string> log)
 {
-    readonly WrongCodes _wrong = new(options.Time);
+    readonly WrongTokens _wrong = new(options.Time);
 
     /// <summary>POST /operations/login: {"token": …}.</summary>
     public async Task LogInAsync(HttpContext context)
     {
         var address = context.Connection.RemoteIpAddress;
         if (_wrong.IsBlocked(address))
-            await RefuseAsync(context, StatusCodes.Status429TooManyRequests, "too many wrong tokens; wait a minute");
+            await Door.RefuseForNowAsync(context, _wrong.BlockedFor(address), "too many wrong tokens; wait a minute");
         else if (!options.AsksForTokens)
             await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway asks for no token");
         else if (await SmallJson.ReadAsync(context) is not { } request)

@@ -6,7 +6,7 @@ namespace Nowpose.Gateway.Pairing;
 /// <summary>Gives a headset a token of its own for the one of the shown code.</summary>
 sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, ConnectionCounters counters, Action<string> log)
 {
-    readonly WrongCodes _wrong = new(options.Time);
+    readonly WrongTokens _wrong = new(options.Time);
 
     /// <summary>POST /pair.</summary>
     public async Task ServeAsync(HttpContext context)
@@ -16,9 +16,8 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
         var address = context.Connection.RemoteIpAddress;
         if (_wrong.IsBlocked(address))
         {
-            context.Response.Headers.RetryAfter = "60";
-            await Door.AnswerAsync(
-                context, StatusCodes.Status429TooManyRequests, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
+            await Door.RefuseForNowAsync(
+                context, _wrong.BlockedFor(address), $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
             return;
         }
 

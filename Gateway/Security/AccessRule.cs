@@ -53,6 +53,9 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
         return value.StartsWith(TokenScheme, StringComparison.OrdinalIgnoreCase) ? TokenList.HashOf(value[TokenScheme.Length..].Trim()) : null;
     }
 
+    /// <summary>Whether the request shows a token in its header.</summary>
+    public static bool HasBearer(HttpContext context) => context.Request.Headers[HeaderNames.Authorization].Count > 0;
+
     /// <summary>Whether the login that let a request in still counts, from now on; null for one that was let in without.</summary>
     public Func<bool> LoginOf(HttpContext context) =>
         options.AsksForTokens && context.Request.Headers[HeaderNames.Authorization].Count == 0 && SessionOf(context) is { } id

@@ -20,6 +20,15 @@ sealed class AccessWatch : IDisposable
         _timer = new Timer(_ => Look());
     }
 
+    /// <summary>Connections that end with their token.</summary>
+    public int Count
+    {
+        get
+        {
+            lock (_watched) return _watched.Count;
+        }
+    }
+
     /// <summary>Looks now, and from now on.</summary>
     public void Start() => _timer.Change(TimeSpan.Zero, Timeout.InfiniteTimeSpan);
 

@@ -1,9 +1,10 @@
+using System.Globalization;
 using Nowpose.Gateway.Operations;
 
 namespace Nowpose.Gateway.Security;
 
 /// <summary>Lets requests in as the protocol says, and answers those it does not. One for all that a gateway serves.</summary>
-sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<string> log)
+sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
 {
     public BrowserSessions Sessions { get; } = new(options.Time);
 
@@ -14,7 +15,7 @@ sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<st
     {
         if (!await AdmitOriginAsync(context)) return null;
         if (Rule.RoleOf(context) is { } role) return role;
-        await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, "no or an unknown bearer token");
+        await RefuseTokenAsync(context);
         return null;
     }
 
@@ -67,6 +68,33 @@ sealed class Door(GatewayOptions options, ConnectionCounters counters, Action<st
     {
         context.Response.Headers.Allow = allowed;
         return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: allowed is {allowed}");
+    }
+
+    /// <summary>For requests that may be made again after a while.</summary>
+    public static Task RefuseForNowAsync(HttpContext context, TimeSpan wait, string text)
+    {
+        context.Response.Headers.RetryAfter = Math.Ceiling(wait.TotalSeconds).ToString(CultureInfo.InvariantCulture);
+        return AnswerAsync(context, StatusCodes.Status429TooManyRequests, text);
+    }
+
+    // A known token is let in before this, also from an address that others guess from.
+    async Task RefuseTokenAsync(HttpContext context)
+    {
+        const string Text = "no or an unknown bearer token";
+        var address = context.Connection.RemoteIpAddress;
+        var blocked = wrong.BlockedFor(address);
+        if (AccessRule.HasBearer(context)) wrong.Count(address);
+        if (blocked == TimeSpan.Zero || !AccessRule.HasBearer(context))
+        {
+            await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, Text);
+            return;
+        }
+
+        counters.Count(Closure.Token);
+        log("websocket: refused a connection, too many wrong tokens of its address");
+        // Also when the client goes away: its place as a pending connection is taken until then.
+        await Task.Delay(options.WrongTokenDelay);
+        await RefuseForNowAsync(context, blocked, $"{Text}, and too many of them from this address");
     }
 
     Task RefuseAsync(HttpContext context, int status, Closure why, string text)

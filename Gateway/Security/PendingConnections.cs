@@ -3,43 +3,93 @@ using System.Net;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Counts, for each address, the connections that have not yet shown whether they may be: no single address takes all places by
-/// connecting and saying nothing. Any thread.
+/// Limits, for each address and in all, the connections that have not shown yet whether they may stay. Any thread.
 /// </summary>
-sealed class Newcomers(int greatest)
+/// <remarks>
+/// A full address loses its oldest connection, never the new one: behind one NAT address there may be a headset beside many half-open
+/// clients. Connections that have completed a handshake have places of their own, so others that say nothing cannot take theirs.
+/// </remarks>
+/// <param name="maxOfAddress">Connections of one address, before the handshake and after it.</param>
+/// <param name="maxInAll">Connections of all addresses.</param>
+sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
 {
-    readonly Dictionary<IPAddress, int> _counts = [];
+    readonly Lock _lock = new();
+    readonly Dictionary<IPAddress, (LinkedList<PendingConnection> Silent, LinkedList<PendingConnection> Known)> _addresses = [];
+    readonly LinkedList<PendingConnection> _all = [];
 
-    /// <returns>To be disposed when the connection was let in, or is gone; null when there are too many from that address.</returns>
-    public IDisposable TryEnter(EndPoint remote)
+    /// <summary>Connections that have a place now.</summary>
+    internal int Count
     {
-        // From who knows where: all of these are one.
-        var address = (remote as IPEndPoint)?.Address ?? IPAddress.None;
-        lock (_counts)
+        get
         {
-            var count = _counts.GetValueOrDefault(address);
-            if (count >= greatest) return null;
-            _counts[address] = count + 1;
-        }
-
-        return new Place(this, address);
-    }
-
-    void Leave(IPAddress address)
-    {
-        lock (_counts)
-        {
-            if (--_counts[address] == 0) _counts.Remove(address);
+            lock (_lock) return _all.Count;
         }
     }
 
-    sealed class Place(Newcomers all, IPAddress address) : IDisposable
+    /// <param name="evict">Ends the connection when its place goes to a newer one. Called once at most, on the newer one's thread.</param>
+    /// <returns>To be disposed when the connection was let in, or is gone.</returns>
+    public PendingConnection Enter(EndPoint remote, Action evict)
     {
-        int _hasLeft;
-
-        public void Dispose()
+        // Connections of unknown addresses count as one address.
+        var connection = new PendingConnection(this, (remote as IPEndPoint)?.Address ?? IPAddress.None, evict);
+        PendingConnection evicted;
+        lock (_lock)
         {
-            if (Interlocked.Exchange(ref _hasLeft, 1) == 0) all.Leave(address);
+            if (!_addresses.TryGetValue(connection.Address, out var own)) _addresses.Add(connection.Address, own = ([], []));
+            evicted = own.Silent.Count >= maxOfAddress ? own.Silent.First.Value : _all.Count >= maxInAll ? OldestOfAll() : null;
+            Remove(evicted);
+            // The removal may have removed the address with its last connection.
+            _addresses.TryAdd(connection.Address, own);
+            own.Silent.AddLast(connection.OfAddress);
+            _all.AddLast(connection.OfAll);
         }
+
+        evicted?.Evict();
+        return connection;
+    }
+
+    /// <summary>Ends the oldest connection of all addresses.</summary>
+    /// <returns>False when there is none.</returns>
+    public bool TryEvictOldest()
+    {
+        PendingConnection evicted;
+        lock (_lock) Remove(evicted = OldestOfAll());
+        evicted?.Evict();
+        return evicted != null;
+    }
+
+    // One that has said nothing, while there is one.
+    PendingConnection OldestOfAll() => _all.FirstOrDefault(one => !one.IsKnown) ?? _all.First?.Value;
+
+    internal void MarkKnown(PendingConnection connection)
+    {
+        PendingConnection evicted;
+        lock (_lock)
+        {
+            if (connection.IsKnown || connection.OfAddress.List == null) return;
+            var own = _addresses[connection.Address];
+            evicted = own.Known.Count >= maxOfAddress ? own.Known.First.Value : null;
+            own.Silent.Remove(connection.OfAddress);
+            own.Known.AddLast(connection.OfAddress);
+            connection.IsKnown = true;
+            Remove(evicted);
+        }
+
+        evicted?.Evict();
+    }
+
+    internal void Leave(PendingConnection connection)
+    {
+        lock (_lock) Remove(connection);
+    }
+
+    // Nothing for one that is not there, or not any more.
+    void Remove(PendingConnection connection)
+    {
+        if (connection?.OfAddress.List is not { } list) return;
+        list.Remove(connection.OfAddress);
+        _all.Remove(connection.OfAll);
+        var (silent, known) = _addresses[connection.Address];
+        if (silent.Count == 0 && known.Count == 0) _addresses.Remove(connection.Address);
     }
 }

@@ -3,26 +3,41 @@ using Microsoft.AspNetCore.Connections.Features;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Takes a newcomer's place for each TCP connection of the web server, before TLS, and gives it back once a WebSocket was let in.</summary>
-sealed class NewcomerPlaces(Newcomers newcomers, ConnectionCounters counters)
+/// <summary>Takes a pending connection's place for each TCP connection of the web server, before TLS, and gives it back once it was let in.</summary>
+sealed class PendingPlaces(PendingConnections pending, ConnectionCounters counters, Action<string> log)
 {
     static readonly object Key = new();
 
-    /// <summary>Of a request that was let in.</summary>
-    public static void GiveBack(HttpContext context) =>
-        (context.Features.Get<IConnectionItemsFeature>()?.Items.TryGetValue(Key, out var place) == true ? place as IDisposable : null)?.Dispose();
+    /// <summary>Gives the place of a request back that was let in.</summary>
+    public static void GiveBack(HttpContext context) => Of(context.Features.Get<IConnectionItemsFeature>()?.Items)?.Dispose();
+
+    /// <summary>Notes that a connection has sent a whole request.</summary>
+    public static Task CompleteHandshakeAsync(HttpContext context, RequestDelegate next)
+    {
+        Of(context.Features.Get<IConnectionItemsFeature>()?.Items)?.CompleteHandshake();
+        return next(context);
+    }
+
+    /// <summary>Notes that the TLS handshake of a connection is complete.</summary>
+    public static Task CompleteHandshakeAsync(ConnectionContext connection, ConnectionDelegate next)
+    {
+        Of(connection.Items)?.CompleteHandshake();
+        return next(connection);
+    }
 
     public async Task ServeAsync(ConnectionContext connection, ConnectionDelegate next)
     {
-        using var place = newcomers.TryEnter(connection.RemoteEndPoint);
-        if (place == null)
-        {
-            counters.Count(Closure.ConnectionLimit);
-            connection.Abort();
-            return;
-        }
-
+        using var place = pending.Enter(connection.RemoteEndPoint, () => Evict(connection));
         connection.Items[Key] = place;
         await next(connection);
     }
+
+    void Evict(ConnectionContext connection)
+    {
+        counters.Count(Closure.ConnectionLimit);
+        log("websocket: closed a connection that was not let in yet for a newer one");
+        connection.Abort();
+    }
+
+    static PendingConnection Of(IDictionary<object, object> items) => items != null && items.TryGetValue(Key, out var place) ? place as PendingConnection : null;
 }

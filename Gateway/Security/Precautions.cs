@@ -13,6 +13,9 @@ static class Precautions
             yield return "security: runs as root or administrator, and needs no such rights; run it as a user of its own";
         if (options.Certificate == null && !options.IsLoopback)
             yield return "security: everybody on this network can read and change what is sent, for --insecure-lan was given; better use --tls";
+        foreach (var (where, bits) in options.Tokens.Weak)
+            yield return $"security: {where}: the token has a strength of {Math.Floor(bits)} bits and can be guessed; {TokenStrength.MinBits} bits "
+                + "or more are needed; replace it, for example with the output of: openssl rand -hex 32";
         if (OperatingSystem.IsWindows()) yield break;
         foreach (var path in options.SecretFiles.Where(File.Exists).Where(path => !IsBelow(credentials, path)))
         {

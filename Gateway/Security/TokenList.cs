@@ -19,6 +19,8 @@ public sealed class TokenList
 
     readonly Func<(byte[] Hash, Role Role)[]> _current;
 
+    IReadOnlyList<(string Where, double Bits)> _weak = [];
+
     public TokenList(IEnumerable<(string Token, Role Role)> tokens)
     {
         var entries = Hashed(tokens);
@@ -31,6 +33,9 @@ public sealed class TokenList
         _current = () => file.Current;
         Path = path;
     }
+
+    /// <summary>Where the file has tokens that are too easily guessed, and how strong they are, bits.</summary>
+    internal IReadOnlyList<(string Where, double Bits)> Weak => _weak;
 
     /// <summary>Of the file; null for a list without.</summary>
     internal string Path { get; }
@@ -51,7 +56,7 @@ public sealed class TokenList
         }, Settles, log);
         if (tokens.Current.Length == 0)
             throw new InputException($"{path}: holds no token; allowed are lines {Lines}");
-        return new TokenList(tokens, path);
+        return new TokenList(tokens, path) { _weak = [.. WeakEntries(path)] };
     }
 
     /// <inheritdoc cref="RoleOf(byte[])"/>
@@ -85,6 +90,12 @@ public sealed class TokenList
         .Select((line, index) => (Text: line.Trim(), Number: index + 1))
         .Where(line => line.Text.Length > 0 && line.Text[0] != '#')
         .Select(line => Entry(line.Text, $"{path}, line {line.Number}"));
+
+    static IEnumerable<(string Where, double Bits)> WeakEntries(string path) => LinesOf(path)
+        .Select((line, index) => (Words: line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries), Where: $"{path}, line {index + 1}"))
+        .Where(line => line.Words.Length == 2 && line.Words[0][0] != '#')
+        .Select(line => (line.Where, Bits: TokenStrength.BitsOf(line.Words[1])))
+        .Where(line => line.Bits < TokenStrength.MinBits);
 
     static string[] LinesOf(string path)
     {

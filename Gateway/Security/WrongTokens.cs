@@ -1,33 +1,42 @@
 using System.Net;
 using Nowpose.Pairing;
 
-namespace Nowpose.Gateway.Pairing;
+namespace Nowpose.Gateway.Security;
 
-/// <summary>Counts the wrong codes of each address: after so many in a minute it is not listened to until the minute is over. Any thread.</summary>
-/// <remarks>128 bits are not guessed at any rate; it keeps the log and the processor quiet.</remarks>
-sealed class WrongCodes(TimeProvider time)
+/// <summary>Counts the wrong tokens and codes of each address, and blocks an address with too many until the minute is over. Any thread.</summary>
+/// <remarks>128 bits are not guessed at any rate. The limit slows the guessing of weaker tokens, and keeps log and processor quiet.</remarks>
+sealed class WrongTokens(TimeProvider time)
 {
-    /// <summary>Of more addresses than this the counts begin anew: the room is not somebody else's to decide on.</summary>
-    const int GreatestAddresses = 1000;
+    /// <summary>Maximum number of addresses. All counts are reset beyond it.</summary>
+    const int MaxAddresses = 1000;
 
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);
 
     readonly Dictionary<IPAddress, (long Since, int Count)> _counts = [];
 
-    public bool IsBlocked(IPAddress address)
+    public bool IsBlocked(IPAddress address) => BlockedFor(address) > TimeSpan.Zero;
+
+    /// <summary>How long an address is still blocked; zero for one that is not.</summary>
+    public TimeSpan BlockedFor(IPAddress address)
     {
         lock (_counts)
-            return _counts.TryGetValue(address, out var wrong) && time.GetElapsedTime(wrong.Since) < Span
-                && wrong.Count >= PairingLimits.WrongCodesPerMinute;
+        {
+            if (!_counts.TryGetValue(Key(address), out var wrong) || wrong.Count < PairingLimits.WrongCodesPerMinute) return TimeSpan.Zero;
+            var left = Span - time.GetElapsedTime(wrong.Since);
+            return left > TimeSpan.Zero ? left : TimeSpan.Zero;
+        }
     }
 
     public void Count(IPAddress address)
     {
+        var key = Key(address);
         lock (_counts)
         {
-            if (_counts.Count >= GreatestAddresses && !_counts.ContainsKey(address)) _counts.Clear();
-            var isRecent = _counts.TryGetValue(address, out var wrong) && time.GetElapsedTime(wrong.Since) < Span;
-            _counts[address] = isRecent ? (wrong.Since, wrong.Count + 1) : (time.GetTimestamp(), 1);
+            if (_counts.Count >= MaxAddresses && !_counts.ContainsKey(key)) _counts.Clear();
+            var isRecent = _counts.TryGetValue(key, out var wrong) && time.GetElapsedTime(wrong.Since) < Span;
+            _counts[key] = isRecent ? (wrong.Since, wrong.Count + 1) : (time.GetTimestamp(), 1);
         }
     }
+
+    static IPAddress Key(IPAddress address) => address ?? IPAddress.None;
 }

@@ -1,3 +1,4 @@
+using System.Net;
 using System.Net.Security;
 using System.Net.Sockets;
 using System.Security.Authentication;
@@ -16,7 +17,10 @@ sealed class SyncConnection
     readonly GatewayOptions _options;
     readonly IControlClock _clock;
     readonly AccessWatch _access;
-    readonly IDisposable _newcomer;
+    readonly WrongTokens _wrong;
+    readonly IPAddress _address;
+    readonly PendingConnection _pending;
+    readonly object _delay = new();
     readonly Action<SyncConnection, Closure, Exception> _ended;
     readonly RequestRate _rate;
     readonly Thread _thread;
@@ -29,17 +33,19 @@ sealed class SyncConnection
     // What the deadline ends.
     Closure _awaited;
 
-    /// <param name="newcomer">Its place, given back once it was let in and has said something, or is gone.</param>
+    /// <param name="pending">Its place, given back once it was let in and has said something, or is gone.</param>
     /// <param name="ended">Takes why it ended, and the exception that ended it or null; on the connection's thread.</param>
     public SyncConnection(
-        Socket socket, GatewayOptions options, IControlClock clock, AccessWatch access, IDisposable newcomer,
+        Socket socket, GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, PendingConnection pending,
         Action<SyncConnection, Closure, Exception> ended)
     {
         _socket = socket;
         _options = options;
         _clock = clock;
         _access = access;
-        _newcomer = newcomer;
+        _wrong = wrong;
+        _address = pending.Address;
+        _pending = pending;
         _ended = ended;
         _isAccepted = !options.AsksForTokens;
         _rate = new RequestRate(options.SyncRequestsPerSecond);
@@ -52,6 +58,7 @@ sealed class SyncConnection
     public void Stop(Closure why)
     {
         Interlocked.CompareExchange(ref _stopped, (int)why, NotStopped);
+        lock (_delay) Monitor.PulseAll(_delay);
         _socket.Dispose();
     }
 
@@ -78,7 +85,7 @@ sealed class SyncConnection
         }
 
         _watched?.Dispose();
-        _newcomer.Dispose();
+        _pending.Dispose();
         var stopped = Volatile.Read(ref _stopped);
         // Counted before the peer can see the end.
         _ended(this, stopped == NotStopped ? why : (Closure)stopped, cause);
@@ -99,6 +106,7 @@ sealed class SyncConnection
             ServerCertificate = _options.Certificate,
             EnabledSslProtocols = SslProtocols.Tls12 | SslProtocols.Tls13,
         });
+        _pending.CompleteHandshake();
         return Exchange(secure, deadline);
     }
 
@@ -120,7 +128,7 @@ sealed class SyncConnection
                 return Closure.MalformedFrame;
             if (!_isAccepted)
                 continue;
-            _newcomer.Dispose();
+            _pending.Dispose();
             AwaitNext(deadline);
         }
     }
@@ -175,9 +183,23 @@ sealed class SyncConnection
             _watched = _access.Watch(hash, role, () => Stop(Closure.Token));
         }
 
+        else if (!_isAccepted)
+        {
+            SlowDown();
+        }
+
         SyncFrame.TokenReply(_isAccepted).Write(_frame);
         stream.Write(_frame);
         return true;
+    }
+
+    // A known token is answered at once, also from an address that others guess from.
+    void SlowDown()
+    {
+        var isBlocked = _wrong.IsBlocked(_address);
+        _wrong.Count(_address);
+        lock (_delay)
+            if (isBlocked && Volatile.Read(ref _stopped) == NotStopped) Monitor.Wait(_delay, _options.WrongTokenDelay);
     }
 
     void Overdue()

@@ -20,27 +20,33 @@ sealed class SyncServer : IDisposable
     readonly Action<string> _log;
     readonly Action<SyncConnection> _startConnection;
     readonly TcpListener _listener;
-    readonly Newcomers _newcomers;
+    readonly PendingConnections _pending;
+    readonly WrongTokens _wrong;
     readonly HashSet<SyncConnection> _connections = [];
     readonly Task _accepting;
     bool _isStopped;
 
     /// <param name="startConnection">Starts a connection's thread; null as it is.</param>
     public SyncServer(
-        GatewayOptions options, IControlClock clock, AccessWatch access, Action<string> log, Action<SyncConnection> startConnection = null)
+        GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, Action<string> log,
+        Action<SyncConnection> startConnection = null)
     {
         _options = options;
         _clock = clock;
         _access = access;
+        _wrong = wrong;
         _log = log;
         _startConnection = startConnection ?? (connection => connection.Start());
-        _newcomers = new Newcomers(options.MaxNewcomers);
+        _pending = new PendingConnections(options.MaxPendingConnections);
         _listener = PortListener.Open("--sync-port", options.Bind, options.SyncPort);
         _accepting = Task.Run(AcceptAsync);
     }
 
     public IPEndPoint EndPoint => (IPEndPoint)_listener.LocalEndpoint;
     public ConnectionCounters Counters { get; } = new();
+
+    /// <summary>Connections that were not let in yet.</summary>
+    public int PendingCount => _pending.Count;
 
     public void Dispose()
     {
@@ -67,12 +73,13 @@ sealed class SyncServer : IDisposable
             {
                 Serve(await _listener.AcceptSocketAsync());
             }
-            catch (Exception e) when (e is SocketException or ObjectDisposedException or InvalidOperationException)
+            catch (Exception e)
             {
-                // Stopped, or a peer that went before it was accepted.
+                // All of them: an exception that ended this loop would close the port for good.
                 if (Volatile.Read(ref _isStopped))
                     return;
-                // Out of handles, say: not at full speed until there are some again.
+                _log($"sync: a connection could not be accepted ({e.GetType().Name}: {e.Message})");
+                // Without file descriptors, for example, it fails until there are some again.
                 await Task.Delay(PauseAfterAFailedAccept);
             }
         }
@@ -80,24 +87,17 @@ sealed class SyncServer : IDisposable
 
     void Serve(Socket socket)
     {
-        // First: whoever is refused for its address was never let in, and is not counted as such.
-        if (_newcomers.TryEnter(RemoteOf(socket)) is not { } place)
-        {
-            _log($"sync: refused a connection of an address with {_options.MaxNewcomers} that said nothing yet");
-            Counters.Count(Closure.ConnectionLimit);
-            socket.Dispose();
-            return;
-        }
-
-        if (!Counters.TryEnter(_options.MaxConnections))
+        if (!HasPlace())
         {
             _log($"sync: refused a connection beyond {_options.MaxConnections}");
-            place.Dispose();
             socket.Dispose();
             return;
         }
 
-        var connection = new SyncConnection(socket, _options, _clock, _access, place, Ended);
+        SyncConnection connection = null;
+        var remote = RemoteOf(socket);
+        var place = _pending.Enter(remote, () => Evict(connection));
+        connection = new SyncConnection(socket, _options, _clock, _access, _wrong, place, Ended);
         lock (_connections)
         {
             _connections.Add(connection);
@@ -112,9 +112,22 @@ sealed class SyncServer : IDisposable
         catch (Exception e) when (e is OutOfMemoryException or ThreadStartException)
         {
             // The system has no thread left; it may have one for the next.
+            place.Dispose();
             Ended(connection, Closure.Failure, e);
             connection.Stop(Closure.Failure);
         }
+    }
+
+    // One that has not been let in yet leaves its place to a new one, which may be a headset with a token.
+    bool HasPlace() => Counters.TryEnter(_options.MaxConnections, isFinal: false)
+        || (_pending.TryEvictOldest() && Counters.TryEnter(_options.MaxConnections, isFinal: false))
+        || Counters.TryEnter(_options.MaxConnections);
+
+    void Evict(SyncConnection connection)
+    {
+        // At once: the place is the next one's.
+        Ended(connection, Closure.ConnectionLimit, null);
+        connection.Stop(Closure.ConnectionLimit);
     }
 
     static EndPoint RemoteOf(Socket socket)
@@ -133,9 +146,9 @@ sealed class SyncServer : IDisposable
     void Ended(SyncConnection connection, Closure why, Exception cause)
     {
         lock (_connections)
-            _connections.Remove(connection);
+            if (!_connections.Remove(connection)) return;
         Counters.Leave(why);
         if (why is not (Closure.ByPeer or Closure.Stopped))
-            _log($"sync: closed a connection, {why}{(why == Closure.Failure ? $": {cause.GetType().Name}: {cause.Message}" : "")}");
+            _log($"sync: closed a connection, {why}{(cause != null && why == Closure.Failure ? $": {cause.GetType().Name}: {cause.Message}" : "")}");
     }
 }

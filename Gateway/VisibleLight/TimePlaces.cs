@@ -25,7 +25,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
     {
         place.Why = Closure.TooManyRequests;
         log($"websocket: closed a connection, {place.Why}");
-        return Door.AnswerAsync(context, StatusCodes.Status429TooManyRequests, $"no more than {options.SyncRequestsPerSecond} requests a second");
+        return Door.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), $"no more than {options.SyncRequestsPerSecond} requests a second");
     }
 
     // Requests of one connection come one after another.
@@ -36,6 +36,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
         if (!counters.TryEnter(options.MaxConnections)) return null;
         var place = new Place(new RequestRate(options.SyncRequestsPerSecond));
         items.Add(this, place);
+        PendingPlaces.GiveBack(context);
         context.Features.GetRequiredFeature<IConnectionLifetimeFeature>().ConnectionClosed.Register(() => counters.Leave(place.Why));
         return place;
     }

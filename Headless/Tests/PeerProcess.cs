@@ -29,6 +29,17 @@ sealed class PeerProcess : IDisposable
     public static PeerProcess OfNode(string script, params string[] arguments) =>
         new(new ProcessStartInfo("node", [Path.Combine(Repository.RepositoryFiles.Root, script), .. arguments]));
 
+    /// <summary>A command line of the shell.</summary>
+    public static PeerProcess OfShell(string command) => new(new ProcessStartInfo("sh", ["-c", command]));
+
+    /// <summary>Waits for the end.</summary>
+    /// <returns>The exit status.</returns>
+    public async Task<int> EndsAsync()
+    {
+        await _process.WaitForExitAsync().Bounded();
+        return _process.ExitCode;
+    }
+
     public int Id => _process.Id;
 
     /// <summary>Of the newest line "key value"; null without one.</summary>

@@ -18,7 +18,11 @@ export function el<K extends keyof HTMLElementTagNameMap>(
 
 export function svg(tag: string, attributes: Attributes, ...children: Node[]): SVGElement {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  for (const [name, value] of Object.entries(attributes)) {
+    // The page's content security policy refuses the attribute, and allows the property.
+    if (name === 'style') element.style.cssText = String(value);
+    else element.setAttribute(name, String(value));
+  }
   element.append(...children);
   return element;
 }

@@ -64,7 +64,7 @@ public class CodePageTests
     public async Task Page_NotBuilt_IsOneLineThatSaysWhatToInstall()
     {
         var counters = new ConnectionCounters();
-        var door = new Door(Gateways.Options(), counters, _ => { });
+        var door = new Door(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, _ => { });
         var page = new CodePage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), door, counters, _ => { }, html: null);
         var context = new DefaultHttpContext { Request = { Method = "GET", Path = "/vlc" }, Response = { Body = new MemoryStream() } };
 

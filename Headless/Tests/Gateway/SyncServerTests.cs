@@ -289,7 +289,7 @@ public class SyncServerTests
         var clock = new StopwatchControlClock(Gateways.Start);
         var options = Gateways.Options() with { MaxConnections = 1 };
         using var access = new AccessWatch(options, log.Enqueue);
-        using var server = new SyncServer(options, clock, access, log.Enqueue, Start);
+        using var server = new SyncServer(options, clock, access, new WrongTokens(TimeProvider.System), log.Enqueue, Start);
         using var first = await RawSyncClient.ConnectAsync(server.EndPoint);
         Assert.That(await first.ReceiveAsync(), Is.Null);
         using var second = await RawSyncClient.ConnectAsync(server.EndPoint);

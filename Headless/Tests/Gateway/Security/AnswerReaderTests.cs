@@ -8,6 +8,7 @@ using Microsoft.AspNetCore.Http;
 using Microsoft.Extensions.DependencyInjection;
 using NUnit.Framework;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
@@ -54,7 +55,9 @@ public class AnswerReaderTests
     static async Task AskAndReadNothingAsync()
     {
         var isEnded = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-        await using var web = GatewayWeb.Build(Options, new ConnectionCounters(), context => AnswerAsync(context, isEnded));
+        await using var web = GatewayWeb.Build(
+            Options, new PendingPlaces(new PendingConnections(Options.MaxPendingConnections), new ConnectionCounters(), _ => { }), _ => { },
+            context => AnswerAsync(context, isEnded));
         await web.StartAsync().Bounded();
         using var reader = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { ReceiveBufferSize = 4096 };
         await reader.ConnectAsync(IPAddress.Loopback, PortOf(web));

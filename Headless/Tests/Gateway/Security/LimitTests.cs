@@ -18,7 +18,7 @@ public class LimitTests
     // Clients that answer no ping and never end their message must stay while their memory is measured, however long that takes.
     static readonly GatewayOptions Patient = WithTokens with
     {
-        MaxNewcomers = Clients, PongTimeout = TimeSpan.FromMinutes(2), MessageTimeout = TimeSpan.FromMinutes(2),
+        MaxPendingConnections = Clients, PongTimeout = TimeSpan.FromMinutes(2), MessageTimeout = TimeSpan.FromMinutes(2),
     };
 
     [Test]
@@ -129,15 +129,15 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Newcomers_OfOneAddress_LeavePlacesForOthers()
+    public async Task PendingConnections_OfOneAddress_LeavePlacesForOthers()
     {
-        await using var gateway = await Gateways.StartAsync(WithTokens with { MaxNewcomers = 3 });
+        await using var gateway = await Gateways.StartAsync(WithTokens with { MaxPendingConnections = 3 });
         var silent = new List<RawSyncClient>();
         try
         {
             for (var i = 0; i < 10; i++) silent.Add(await RawSyncClient.ConnectAsync(gateway));
             await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.ConnectionLimit] == 7, "no more than three");
-            Assert.That(gateway.SyncConnections.Accepted, Is.EqualTo(3));
+            Assert.That(gateway.SyncConnections.Open, Is.EqualTo(3));
 
             using var other = await RawSyncClient.ConnectAsync(gateway.SyncEndPoint, IPAddress.Parse("127.0.0.2"));
             await other.SendAsync(SyncToken.Write(Gateways.ObserverToken));

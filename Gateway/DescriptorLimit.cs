@@ -1,0 +1,50 @@
+using System.Runtime.InteropServices;
+
+namespace Nowpose.Gateway;
+
+/// <summary>Compares the number of files and sockets that the system allows this process with what its connections need.</summary>
+/// <remarks>The .NET runtime raises the soft limit to the hard one when it starts.</remarks>
+static class DescriptorLimit
+{
+    /// <summary>Descriptors of the process without connections: 155 of a gateway that has just started, and adapters, files and pages.</summary>
+    internal const int Reserve = 250;
+
+    const int LinuxOpenFiles = 7;
+    const int MacOpenFiles = 8;
+
+    /// <exception cref="InputException">The system allows too few.</exception>
+    public static void Check(int maxConnections)
+    {
+        if (Problem(maxConnections, Allowed()) is { } problem) throw new InputException(problem);
+    }
+
+    /// <returns>Null when the limit is high enough.</returns>
+    internal static string Problem(int maxConnections, ulong allowed)
+    {
+        var needed = Reserve + (2L * maxConnections);
+        if (allowed >= (ulong)needed) return null;
+        var possible = ((long)allowed - Reserve) / 2;
+        var remedy = $"raise the limit to {needed} (ulimit -n, LimitNOFILE= of the systemd unit, --ulimit nofile= of the container)";
+        return $"--max-connections {maxConnections}: two ports with so many connections need {needed} file descriptors, and the system allows "
+            + (possible < 1 ? $"{allowed}; {remedy}" : $"{allowed}; allowed are 1 to {possible} here, or {remedy}");
+    }
+
+    /// <summary>The greatest number where the system has no limit, or none that can be read.</summary>
+    static ulong Allowed()
+    {
+        if (OperatingSystem.IsWindows()) return ulong.MaxValue;
+        var resource = OperatingSystem.IsMacOS() ? MacOpenFiles : LinuxOpenFiles;
+        return ReadLimit(resource, out var limit) == 0 ? limit.Soft : ulong.MaxValue;
+    }
+
+    [DllImport("libc", EntryPoint = "getrlimit")]
+    static extern int ReadLimit(int resource, out Limit limit);
+
+    // struct rlimit of 64-bit systems.
+    [StructLayout(LayoutKind.Sequential)]
+    struct Limit
+    {
+        public ulong Soft;
+        public ulong Hard;
+    }
+}

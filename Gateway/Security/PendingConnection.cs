@@ -1,0 +1,29 @@
+using System.Net;
+
+namespace Nowpose.Gateway.Security;
+
+/// <summary>A connection that has not shown yet whether it may stay. Any thread.</summary>
+sealed class PendingConnection : IDisposable
+{
+    readonly PendingConnections _all;
+
+    public PendingConnection(PendingConnections all, IPAddress address, Action evict)
+    {
+        _all = all;
+        Address = address;
+        Evict = evict;
+        OfAddress = new LinkedListNode<PendingConnection>(this);
+        OfAll = new LinkedListNode<PendingConnection>(this);
+    }
+
+    public IPAddress Address { get; }
+    public Action Evict { get; }
+    public LinkedListNode<PendingConnection> OfAddress { get; }
+    public LinkedListNode<PendingConnection> OfAll { get; }
+    public bool IsKnown { get; set; }
+
+    /// <summary>Notes that the connection has completed its TLS handshake, or sent a whole request.</summary>
+    public void CompleteHandshake() => _all.MarkKnown(this);
+
+    public void Dispose() => _all.Leave(this);
+}

@@ -1,0 +1,60 @@
+using System.Net;
+using System.Net.Sockets;
+using Microsoft.AspNetCore.Server.Kestrel.Transport.Sockets;
+using Microsoft.Extensions.Logging.Abstractions;
+using Nowpose.Gateway;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+public class DescriptorLimitTests
+{
+    [TestCase(256, 1024ul, null)]
+    [TestCase(256, 762ul, null)]
+    [TestCase(256, 761ul, "allowed are 1 to 255 here")]
+    [TestCase(2000, 1024ul, "allowed are 1 to 387 here")]
+    [TestCase(1, 200ul, "the system allows 200; raise the limit to 252")]
+    [TestCase(10_000, ulong.MaxValue, null)]
+    public void Problem_LimitOfTheSystem_IsComparedWithTheConnections(int maxConnections, ulong allowed, string part)
+    {
+        var problem = DescriptorLimit.Problem(maxConnections, allowed);
+
+        Assert.That(problem, part == null ? Is.Null : Does.Contain(part).And.Contain($"--max-connections {maxConnections}").And.Not.Contain("\n"));
+    }
+
+    [Test]
+    public async Task Gateway_WithTooFewDescriptors_EndsWithOneLine()
+    {
+        if (OperatingSystem.IsWindows()) Assert.Ignore("Windows has no such limit");
+        using var gateway = PeerProcess.OfShell(
+            $"ulimit -n 700; exec dotnet '{Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.dll")}' simulate --sync-port 0 --ws-port 0");
+
+        var status = await gateway.EndsAsync();
+
+        Assert.That(status, Is.EqualTo(2));
+        Assert.That(gateway.Lines, Has.Count.EqualTo(1).And.All.Contain("--max-connections 256").And.All.Contain("700; allowed are 1 to 225"));
+    }
+
+    [Test]
+    public async Task Accept_ThatFails_IsTriedAgain()
+    {
+        using var listener = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        listener.Listen();
+        var failures = new Queue<Exception>(
+            [new SocketException((int)SocketError.TooManyOpenSockets), new InsufficientMemoryException("no memory"), new IOException("disk")]);
+        var log = new List<string>();
+        await using var patient = new PatientListener(
+            listener, stop => failures.TryDequeue(out var failure) ? throw failure : listener.AcceptAsync(stop),
+            new SocketConnectionContextFactory(new SocketConnectionFactoryOptions(), NullLogger.Instance), log.Add);
+        using var client = new TcpClient();
+        await client.ConnectAsync((IPEndPoint)listener.LocalEndPoint).Bounded();
+
+        await using var connection = await patient.AcceptAsync().AsTask().Bounded();
+
+        Assert.That(connection, Is.Not.Null);
+        Assert.That(log, Has.Count.EqualTo(3).And.All.Contain("could not be accepted"));
+        await patient.UnbindAsync();
+        Assert.That(await patient.AcceptAsync().AsTask().Bounded(), Is.Null);
+    }
+}

@@ -1,0 +1,82 @@
+using System.Net;
+using System.Security.Cryptography;
+using System.Text;
+using System.Text.RegularExpressions;
+using Nowpose.Gateway;
+using Nowpose.Web;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+/// <summary>What every answer tells browsers.</summary>
+public sealed class SecurityHeaderTests : IDisposable
+{
+    readonly HttpClient _http = new();
+
+    public void Dispose() => _http.Dispose();
+
+    [TestCase("/operations")]
+    [TestCase("/vlc")]
+    [TestCase("/pair")]
+    public async Task Page_Served_RunsTheScriptItWasBuiltWithAndNoOther(string path)
+    {
+        if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
+        using var folder = new TemporaryFolder();
+        var headsets = new Nowpose.Gateway.Pairing.HeadsetList(Path.Combine(folder.Path, "headsets.txt"));
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Headsets = headsets });
+
+        using var answer = await GetAsync(gateway, path);
+        var page = await answer.Content.ReadAsStringAsync();
+
+        Assert.That(answer.StatusCode, Is.EqualTo(HttpStatusCode.OK));
+        var policy = PolicyOf(answer);
+        Assert.That(policy, Does.Not.Contain("unsafe-inline").And.Contain("default-src 'none'").And.Contain("frame-ancestors 'none'"));
+        Assert.That(ScriptsOf(page).Select(HashOf), Is.EqualTo(new[] { SourceOf(policy, "script-src") }), "its one script");
+        Assert.That(SourceOf(policy, "style-src"), Does.StartWith("'sha256-"));
+    }
+
+    [TestCase("/operations", HttpStatusCode.OK)]
+    [TestCase("/healthz", HttpStatusCode.OK)]
+    [TestCase("/metrics", HttpStatusCode.Unauthorized)]
+    [TestCase("/nowhere", HttpStatusCode.Unauthorized)]
+    public async Task Answer_OfAnyKind_IsTakenForNothingElseAndFramedByNobody(string path, HttpStatusCode status)
+    {
+        if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+
+        using var answer = await GetAsync(gateway, path);
+
+        Assert.That(answer.StatusCode, Is.EqualTo(status));
+        Assert.That(answer.Headers.GetValues("X-Content-Type-Options"), Is.EqualTo(new[] { "nosniff" }));
+        Assert.That(answer.Headers.GetValues("Referrer-Policy"), Is.EqualTo(new[] { "no-referrer" }));
+        Assert.That(answer.Headers.GetValues("X-Frame-Options"), Is.EqualTo(new[] { "DENY" }));
+        Assert.That(PolicyOf(answer), Does.Contain("default-src 'none'").And.Contain("frame-ancestors 'none'"));
+    }
+
+    [Test]
+    public void Pages_OpenedFromDisk_AllowTheScriptThatTheyWereBuiltWith()
+    {
+        if (!ReportPage.HasPlots) Assert.Ignore("built without Node.js");
+
+        foreach (var page in new[] { ReportPage.Render("{}"), FiguresPage.Render("{}"), CalibrationPage.Render("{}") })
+        {
+            var policy = Regex.Match(page, "http-equiv=\"Content-Security-Policy\"\\s+content=\"([^\"]*)\"").Groups[1].Value;
+            // Drawings among their data have style attributes.
+            Assert.That(policy.Replace("style-src-attr 'unsafe-inline'", ""), Does.Not.Contain("unsafe-inline"));
+            Assert.That(ScriptsOf(page).Select(HashOf), Is.EqualTo(new[] { SourceOf(policy, "script-src") }));
+        }
+    }
+
+    Task<HttpResponseMessage> GetAsync(GatewayServer gateway, string path) =>
+        _http.GetAsync(new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}{path}")).Bounded();
+
+    static string PolicyOf(HttpResponseMessage answer) => answer.Headers.GetValues("Content-Security-Policy").Single();
+
+    static string SourceOf(string policy, string directive) => Regex.Match(policy, directive + " ([^;]*)").Groups[1].Value;
+
+    // Scripts that are run: data stand in elements of another type.
+    static IEnumerable<string> ScriptsOf(string page) =>
+        Regex.Matches(page, "<script>(.*?)</script>", RegexOptions.Singleline).Select(match => match.Groups[1].Value);
+
+    static string HashOf(string script) => $"'sha256-{Convert.ToBase64String(SHA256.HashData(Encoding.UTF8.GetBytes(script)))}'";
+}

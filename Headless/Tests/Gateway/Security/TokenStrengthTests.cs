@@ -1,0 +1,57 @@
+using System.Security.Cryptography;
+using Nowpose.Gateway.Security;
+using Nowpose.Pairing;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+public class TokenStrengthTests
+{
+    [TestCase("observer-token", 14 * 5.858)]
+    [TestCase("12345678", 8 * 3.3219)]
+    [TestCase("0123456789abcdef0123456789abcdef", 128)]
+    [TestCase("0123456789ABCDEF0123456789ABCDE", 124)]
+    [TestCase("aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", 0)]
+    [TestCase("Tr0ub4dor&3", 11 * 6.5546)]
+    public void BitsOf_Token_IsItsLengthTimesTheBitsOfItsAlphabet(string token, double bits) =>
+        Assert.That(TokenStrength.BitsOf(token), Is.EqualTo(bits).Within(0.01));
+
+    [Test]
+    public void BitsOf_RandomTokensOf128BitsInHexadecimal_AreNeverWarnedOf()
+    {
+        var random = new Random(7);
+        var bytes = new byte[16];
+        for (var i = 0; i < 10_000; i++)
+        {
+            random.NextBytes(bytes);
+            var token = Convert.ToHexStringLower(bytes);
+            Assert.That(TokenStrength.BitsOf(token), Is.GreaterThanOrEqualTo(TokenStrength.MinBits), $"seed 7, {token}");
+        }
+    }
+
+    [Test]
+    public void Tokens_TheGatewayMakesItself_AreStrong()
+    {
+        using var folder = new TemporaryFolder();
+        var list = new Nowpose.Gateway.Pairing.HeadsetList(Path.Combine(folder.Path, "headsets.txt"));
+
+        Assert.That(TokenStrength.BitsOf(list.Add("a", out _)), Is.GreaterThan(TokenStrength.MinBits));
+        Assert.That(TokenStrength.BitsOf(Gateways.Options().AdapterToken), Is.GreaterThan(TokenStrength.MinBits));
+        Assert.That(TokenCode.TokenBytes * 8, Is.GreaterThanOrEqualTo(TokenStrength.MinBits), "of a code that is worth something for minutes");
+    }
+
+    [Test]
+    public async Task TokensFile_WithAWeakToken_IsWarnedOfByItsLine()
+    {
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, "tokens.txt");
+        var strong = Convert.ToHexString(RandomNumberGenerator.GetBytes(16));
+        await File.WriteAllTextAsync(path, $"# a comment\nsource {strong}\n\nobserver hunter2\n# observer old\n");
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = TokenList.Read(path) });
+
+        var warning = gateway.Warnings.Single(line => line.Contains("bits"));
+
+        Assert.That(warning, Does.Contain($"{path}, line 4").And.Contain("36 bits").And.Contain("128 bits").And.Contain("openssl"));
+        Assert.That(warning, Does.Not.Contain("hunter2"));
+    }
+}
