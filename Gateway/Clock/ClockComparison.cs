@@ -26,7 +26,13 @@ sealed class ClockComparison(ServedClock served, Action<string> log) : IDisposab
         try
         {
             var clocks = served.Status();
+            served.Stamps.Look(log);
             foreach (var clock in clocks) LookAt(clock, clocks.FirstOrDefault(other => other.IsControlClock));
+        }
+        catch (Exception e)
+        {
+            // All of them: an exception that leaves a timer's thread ends the process.
+            log($"clock: the clocks could not be compared ({e.GetType().Name}: {e.Message})");
         }
         finally
         {

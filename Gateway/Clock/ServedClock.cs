@@ -17,7 +17,12 @@ public sealed class ServedClock : IControlClock
     {
         _own = own;
         _plant = plant;
+        var system = new SystemControlClock();
+        Stamps = new StampWatch(() => Now, () => _plant.Control == null ? _own : null, () => system.Now, TimeProvider.System);
     }
+
+    /// <summary>Compares the stamps of sources with this clock.</summary>
+    internal StampWatch Stamps { get; }
 
     /// <summary>The name of the plant's clock that is C1; <see cref="PlantClocks.Own"/> for the gateway's.</summary>
     public string Source => _plant.Control?.Name ?? PlantClocks.Own;

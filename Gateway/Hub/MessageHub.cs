@@ -17,6 +17,15 @@ public sealed class MessageHub
     /// <summary>How many topics somebody subscribes to.</summary>
     internal int Topics => Volatile.Read(ref _subscribers).Count;
 
+    /// <summary>The robot description; null before a source has published one.</summary>
+    internal string Description
+    {
+        get
+        {
+            lock (_lock) return (string)_description?.Content;
+        }
+    }
+
     /// <summary>How long joint states took from their receipt to the sockets of those that subscribe.</summary>
     public ForwardingTimes Forwarding { get; } = new();
 

@@ -17,6 +17,9 @@ static class Publications
     /// <summary>Every topic with its type.</summary>
     public static IReadOnlyCollection<KeyValuePair<string, string>> All => Types;
 
+    /// <summary>The type of a known topic, in ROS 1's spelling.</summary>
+    public static string TypeOf(string topic) => Types[topic];
+
     public static bool IsKnown(string topic) => Types.ContainsKey(topic);
 
     /// <summary>Whether a type named for a known topic is the topic's, in either ROS's spelling; none named is.</summary>

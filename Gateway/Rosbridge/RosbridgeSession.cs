@@ -13,6 +13,7 @@ sealed class RosbridgeSession : IDisposable
     const string Operations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, advertise_service, unadvertise_service, "
         + "service_response, status, set_level";
 
+    readonly MessageHub _hub;
     readonly HubSource _source;
     readonly ServedClock _clock;
     readonly PlantTimeOffers _offers;
@@ -23,7 +24,9 @@ sealed class RosbridgeSession : IDisposable
     readonly SubscriptionSet _subscriptions;
     readonly HashSet<string> _advertised = [];
     RosTimeForm _form;
-    bool _wantsNoStatus;
+    bool _isRos2;
+    string _level;
+    string _text;
     string _name;
     long _receivedAt;
 
@@ -31,6 +34,7 @@ sealed class RosbridgeSession : IDisposable
         MessageHub hub, ServedClock clock, PlantClocks plant, NamesInUse names, Role role, DropCounters drops, int queueLength,
         Action<ReadOnlyMemory<byte>> reply, Action<Subscription> start)
     {
+        _hub = hub;
         _source = hub.OpenSource();
         _source.Name = HubSource.Unnamed;
         _clock = clock;
@@ -45,6 +49,7 @@ sealed class RosbridgeSession : IDisposable
     public void Handle(in Received received)
     {
         _receivedAt = received.Count;
+        _text = received.Text;
         _offers.TryAgain();
         var message = default(RosbridgeMessage);
         var reason = received.Fault;
@@ -65,6 +70,12 @@ sealed class RosbridgeSession : IDisposable
 
     void Do(RosbridgeMessage message, long count)
     {
+        if (message.Topic?.StartsWith('/') == false && message.Op is RosbridgeOp.Subscribe or RosbridgeOp.Advertise or RosbridgeOp.Publish)
+        {
+            Drop(message, DropReason.UnknownTopic, rule: $"a topic name begins with a slash: /{Short(message.Topic)}");
+            return;
+        }
+
         switch (message.Op)
         {
             case RosbridgeOp.Subscribe: Subscribe(message); break;
@@ -77,16 +88,22 @@ sealed class RosbridgeSession : IDisposable
             case RosbridgeOp.UnadvertiseService: _offers.Withdraw(message.Service); break;
             case RosbridgeOp.ServiceResponse: _offers.Answer(message, count); break;
             case RosbridgeOp.Status: break;
-            // Only errors are told anyway.
-            case RosbridgeOp.SetLevel: _wantsNoStatus = message.Level == "none"; break;
+            case RosbridgeOp.SetLevel: _level = message.Level; break;
             default: Drop(message, DropReason.UnknownOp); break;
         }
     }
 
     void Subscribe(RosbridgeMessage message)
     {
+        if (Publications.IsKnown(message.Topic) && !Publications.HasType(message.Topic, message.Type))
+        {
+            Drop(message, DropReason.WrongType, rule: $"{message.Topic} has the type {Publications.TypeOf(message.Topic)}, not {Short(message.Type)}");
+            return;
+        }
+
         if (!HasRoomFor(message))
             return;
+        Warn(message);
         Remember(message.Type);
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
     }
@@ -121,7 +138,7 @@ sealed class RosbridgeSession : IDisposable
         var reason = Allowance(message.Topic);
         var stamp = Publications.StampOf(message) ?? default;
         if (reason == DropReason.None && stamp != default)
-            reason = Judge(ref stamp);
+            reason = Judge(ref stamp, isSample: message.JointState != null);
         var name = Publications.NameIn(message);
         if (reason == DropReason.None && name != null && !IsOwn(name))
             reason = DropReason.NotAllowed;
@@ -137,11 +154,13 @@ sealed class RosbridgeSession : IDisposable
     }
 
     // What another clock of the plant stamped is put on C1.
-    DropReason Judge(ref ControlTime stamp)
+    DropReason Judge(ref ControlTime stamp, bool isSample)
     {
         if (!_clock.TryMap(_offers.StampClock, stamp, out stamp))
             return DropReason.Unsynchronised;
-        return StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
+        var isInFuture = StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound);
+        if (isSample && _offers.StampClock == null) _clock.Stamps.Add(stamp, isInFuture);
+        return isInFuture ? DropReason.StampInFuture : DropReason.None;
     }
 
     // Returns what belongs to somebody else.
@@ -170,10 +189,14 @@ sealed class RosbridgeSession : IDisposable
 
     void Call(RosbridgeMessage message)
     {
+        Warn(message);
         switch (Absolute(message.Service))
         {
             case RosTopics.GetTime: Reply(RosbridgeWriter.TimeResponse(message.Service, message.Id, _clock.Now, _form)); break;
-            case RosTopics.GetTopics: Reply(RosbridgeWriter.TopicsResponse(message.Service, message.Id, Publications.All)); break;
+            case RosTopics.GetTopics: Reply(RosbridgeWriter.TopicsResponse(message.Service, message.Id, [.. Rosapi.Types(_isRos2)])); break;
+            case var service when Rosapi.Call(service, _text, _isRos2, _hub) is { } values:
+                Reply(RosbridgeWriter.ServiceResponse(message.Service, message.Id, values));
+                break;
             default:
                 _drops.Count(DropReason.UnknownService);
                 Reply(RosbridgeWriter.FailedResponse(message.Service, message.Id, DropText.Of(DropReason.UnknownService)));
@@ -203,18 +226,26 @@ sealed class RosbridgeSession : IDisposable
     // The newest type a client named tells which ROS it speaks; responses of services name none.
     void Remember(string type)
     {
-        if (!string.IsNullOrEmpty(type))
-            _form = RosTopics.TimeFormOf(type);
+        if (string.IsNullOrEmpty(type)) return;
+        _form = RosTopics.TimeFormOf(type);
+        _isRos2 = _form == RosTimeForm.Sec;
     }
 
-    void Drop(RosbridgeMessage message, DropReason reason, string what = null)
+    // The request is served, but not as it was asked for.
+    void Warn(RosbridgeMessage message)
+    {
+        if (_level is not ("none" or "error") && Unsupported.In(_text) is { } unsupported)
+            Reply(RosbridgeWriter.Status("warning", Subject(message) + unsupported, Short(message.Id)));
+    }
+
+    void Drop(RosbridgeMessage message, DropReason reason, string what = null, string rule = null)
     {
         _drops.Count(reason);
-        var rule = what == null ? DropText.Of(reason) : $"{what} {DropText.Of(reason)}";
+        rule ??= what == null ? DropText.Of(reason) : $"{what} {DropText.Of(reason)}";
         var text = reason == DropReason.UnknownOp
             ? $"Unknown operation: {Short(message.OpName)}. Allowed operations: {Operations}"
             : $"{Subject(message)}dropped: {rule} ({reason})";
-        if (!_wantsNoStatus)
+        if (_level != "none")
             Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
     }
 

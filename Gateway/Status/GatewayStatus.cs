@@ -142,7 +142,8 @@ sealed class GatewayStatus : IDisposable
             _clock.Source, _clock.State.Word(), _clock.IsSynchronised, isKnown ? Rounded(_clock.ErrorBound.TotalMicroseconds) : null,
             isKnown ? Rounded(_clock.Skew * 1e6) : null, Measured(control?.RoundTripTime)?.TotalMilliseconds,
             Measured(control == null ? _clock.Resolution : control.Resolution)?.TotalMicroseconds, control?.Model.Steps,
-            control?.Model is { State: ClockState.Coarse } coarse ? Rounded(coarse.EstimatedError.TotalMicroseconds) : null);
+            control?.Model is { State: ClockState.Coarse } coarse ? Rounded(coarse.EstimatedError.TotalMicroseconds) : null,
+            _clock.Stamps.Warning);
     }
 
     static PlantClockView Of(PlantClockStatus clock) => new(

@@ -39,6 +39,7 @@ static class Metrics
         text.One("nowpose_clock_error_bound_seconds", Gauge, "How wrong the served control clock may be.", clock.ErrorBoundUs * Micro);
         text.One("nowpose_clock_skew_ratio", Gauge, "Rate of the control clock against the gateway's counter, less one.", clock.SkewPpm * Micro);
         text.One("nowpose_clock_resolution_seconds", Gauge, "Step of the control clock.", clock.ResolutionUs * Micro);
+        text.One("nowpose_clock_warning", Gauge, "1 while stamps of sources contradict the control clock.", clock.Warning == null ? 0 : 1);
         text.One("nowpose_clock_steps_total", Counter, "Steps of the control clock since the start.", clock.Steps);
     }
 

@@ -31,9 +31,10 @@ sealed record JointView(string Name, string Source, string State, string SinceUt
 /// <param name="ErrorBoundUs">Null while nothing is known of it; likewise what follows.</param>
 /// <param name="EstimatedErrorUs">The ± of a plant's clock that is known coarsely; null otherwise.</param>
 /// <param name="SkewPpm">Its rate over that of the gateway's counter, less one.</param>
+/// <param name="Warning">How the stamps of sources contradict it, and what to do; null while they do not.</param>
 sealed record ClockStatus(
     string Source, string State, bool IsServed, double? ErrorBoundUs, double? SkewPpm, double? RttMs, double? ResolutionUs, long? Steps,
-    double? EstimatedErrorUs = null);
+    double? EstimatedErrorUs = null, string Warning = null);
 
 /// <param name="OffsetToControlMs">This clock less the control clock; null while one of them is not known.</param>
 /// <param name="RttMs">Null before the first exchange: 0 would be the best there is. Likewise what follows.</param>

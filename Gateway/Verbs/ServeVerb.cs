@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
+using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
 
@@ -10,6 +11,8 @@ namespace Nowpose.Gateway.Verbs;
 /// <summary>serve: a gateway to which the sources connect.</summary>
 static class ServeVerb
 {
+    const string Monotonic = "monotonic", System = "system";
+
     public static Command Create()
     {
         var server = new ServerArguments();
@@ -24,6 +27,11 @@ static class ServeVerb
             HelpName = "NAME",
         };
         controlClock.Validators.Add(CheckClock);
+        var ownClock = ChoiceOption.Create(
+            "--own-clock",
+            "The gateway's own clock: monotonic starts with Unix time and is never corrected, system follows the corrections of the system clock "
+                + "(for sources that stamp with it)",
+            Monotonic, [Monotonic, System]);
         var plants = new Option<string[]>("--plant")
         {
             Description = "Configuration of a control system to read, .yaml: its adapter is started with the gateway. Once for each",
@@ -32,6 +40,7 @@ static class ServeVerb
         var command = new Command("serve", "Serves what sources publish that connect to it");
         command.Options.Add(robot);
         command.Options.Add(controlClock);
+        command.Options.Add(ownClock);
         command.Options.Add(plants);
         server.AddTo(command);
         command.SetAction(async (parsed, stop) =>
@@ -40,12 +49,12 @@ static class ServeVerb
             var files = parsed.GetValue(plants) ?? [];
             if (server.IsCheck(parsed))
             {
-                await CheckAsync(server, parsed, name, files, stop);
+                await CheckAsync(server, parsed, parsed.GetValue(ownClock) == System, name, files, stop);
                 return;
             }
 
             var description = name == null ? null : Describe(name);
-            var clock = server.Clock(parsed);
+            var clock = server.Clock(parsed, parsed.GetValue(ownClock) == System);
             var options = server.Options(parsed) with
             {
                 ControlClock = parsed.GetValue(controlClock), ExpectsSources = files.Length > 0,
@@ -63,10 +72,12 @@ static class ServeVerb
         return command;
     }
 
-    static async Task CheckAsync(ServerArguments server, ParseResult parsed, string robot, string[] plants, CancellationToken stop)
+    static async Task CheckAsync(
+        ServerArguments server, ParseResult parsed, bool isSystemClock, string robot, string[] plants, CancellationToken stop)
     {
         var findings = new Findings();
         var options = server.Check(parsed, findings);
+        findings.Try(() => server.Clock(parsed, isSystemClock));
         if (robot != null) findings.Try(() => Describe(robot));
         findings.Good("robot", robot);
         foreach (var plant in plants)

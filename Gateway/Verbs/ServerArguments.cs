@@ -191,6 +191,17 @@ sealed class ServerArguments
             ? new StopwatchControlClock(ControlTime.FromSeconds(start), skew) : StopwatchControlClock.FromUnixTime(skew);
     }
 
+    /// <exception cref="InputException">The system clock was chosen, and options that it cannot have.</exception>
+    public IControlClock Clock(ParseResult parsed, bool isSystem)
+    {
+        if (!isSystem) return Clock(parsed);
+        if (parsed.GetValue(_clockStart) != null)
+            throw new InputException("--clock-start-s: belongs to --own-clock monotonic; the system clock shows Unix time. Leave one of them out");
+        if (SkewPpm(parsed) != 0)
+            throw new InputException("--skew-ppm: belongs to --own-clock monotonic; the system clock has its own rate. Leave one of them out");
+        return new SystemControlClock();
+    }
+
     public double SkewPpm(ParseResult parsed) => parsed.GetValue(_skew);
 
     X509Certificate2 Certificate(ParseResult parsed)

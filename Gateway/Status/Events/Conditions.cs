@@ -34,8 +34,12 @@ sealed class Conditions(
 
     IEnumerable<Condition> OfClock()
     {
-        if (clock.IsSynchronised) return [];
-        return [new("clock", clock.Source, "is not served", $"its state is {clock.State.Word()}", Level.Error, true)];
+        if (!clock.IsSynchronised)
+            yield return new("clock", clock.Source, "is not served", $"its state is {clock.State.Word()}", Level.Error, true);
+        var stamps = clock.Stamps;
+        if (stamps.Warning is { } warning)
+            yield return new(
+                "clock", clock.Source, "contradicts the stamps of samples", warning, stamps.IsContradicted ? Level.Error : Level.Warning, stamps.IsContradicted);
     }
 
     IEnumerable<Condition> OfSources(IReadOnlyList<JointStatus> rows)

@@ -31,6 +31,61 @@ public class RosapiTests
         Assert.That((await client.ReceiveAsync()).Result, Is.True);
     }
 
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"png"}""", "warning", "compression png is not supported")]
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"cbor-raw"}""", "warning", "compression cbor-raw")]
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","fragment_size":1000}""", "warning", "fragment_size 1000 is not supported")]
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","type":"std_msgs/String"}""", "error", "has the type sensor_msgs/JointState")]
+    [TestCase("""{"op":"subscribe","topic":"joint_states"}""", "error", "begins with a slash: /joint_states")]
+    [TestCase("""{"op":"advertise","topic":"joint_states","type":"sensor_msgs/JointState"}""", "error", "begins with a slash")]
+    [TestCase("""{"op":"publish","topic":"joint_states","msg":{}}""", "error", "begins with a slash")]
+    [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", "error", "another type")]
+    public async Task Request_ForWhatIsNotSupported_GetsAStatusWithItsId(string request, string level, string part)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync(request.Insert(1, "\"id\":\"7\","));
+
+        var status = await client.ReceiveAsync();
+        Assert.That((status.Op, status.Level, status.Id), Is.EqualTo((RosbridgeOp.Status, level, "7")));
+        Assert.That(status.Text, Does.Contain(part));
+        await client.RoundTripAsync();
+    }
+
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"none","type":"sensor_msgs/msg/JointState"}""")]
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"","fragment_size":null}""")]
+    [TestCase("""{"op":"subscribe","topic":"/of_nobody","type":"any_msgs/Type"}""")]
+    [TestCase("""{"op":"set_level","level":"error"}\n{"op":"subscribe","topic":"/joint_states","compression":"png"}""")]
+    public async Task Request_ForWhatIsSupported_GetsNoStatus(string requests)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        foreach (var request in requests.Split("\\n")) await client.SendAsync(request);
+
+        await client.RoundTripAsync();
+    }
+
+    [TestCase("get_param", """{"name":"/robot_description","default":""}""", """{"value":"\u0022robot of a test\u0022"}""")]
+    [TestCase("get_param", """{"name":"robot_state_publisher:robot_description"}""", """{"value":"\u0022robot of a test\u0022"}""")]
+    [TestCase("get_param", """{"name":"/none","default":"5"}""", """{"value":"5"}""")]
+    [TestCase("has_param", """{"name":"/robot_description"}""", """{"exists":true}""")]
+    [TestCase("topic_type", """{"topic":"/none"}""", """{"type":""}""")]
+    [TestCase("topic_type", "[]", """{"type":""}""")]
+    [TestCase("service_type", """{"service":"/rosapi/get_time"}""", """{"type":"rosapi/GetTime"}""")]
+    [TestCase("get_ros_version", "{}", """{"version":1,"distro":""}""")]
+    public async Task Service_OfRosapi_Answers(string service, string args, string values)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var source = gateway.Hub.OpenSource();
+        source.TryDescribe("robot of a test");
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync($$"""{"op":"call_service","id":"1","service":"/rosapi/{{service}}","args":{{args}}}""");
+
+        Assert.That(await client.ReceiveTextAsync(), Does.Contain($"\"values\":{values},\"result\":true"));
+    }
+
     [TestCase("none", false)]
     [TestCase("error", true)]
     public async Task SetLevel_None_TellsNoStatusAnyMore(string level, bool isTold)

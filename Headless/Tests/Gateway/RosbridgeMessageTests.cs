@@ -44,7 +44,7 @@ public class RosbridgeMessageTests
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
-        await client.SendAsync(RosbridgeWriter.CallService("/rosapi/nodes", "9"));
+        await client.SendAsync(RosbridgeWriter.CallService("/rosapi/action_servers", "9"));
 
         var response = await client.ReceiveAsync();
         Assert.That((response.Op, response.Result, response.Id), Is.EqualTo((RosbridgeOp.ServiceResponse, false, "9")));

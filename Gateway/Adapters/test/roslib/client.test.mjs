@@ -61,7 +61,7 @@ test('the time is told by the service, with and without the slash before its nam
 test('a service that the gateway does not have fails in words', limit, async t => {
   const ros = await connect(t, await start(t));
 
-  const failed = await within(new Promise((resolve, reject) => ros.getNodes(() => reject(new Error('answered')), resolve)), 'getNodes');
+  const failed = await within(new Promise((resolve, reject) => ros.getActionServers(() => reject(new Error('answered')), resolve)), 'getActionServers');
 
   assert.match(String(failed), /service/);
 });
@@ -74,6 +74,32 @@ test('the topics that can be had are listed', limit, async t => {
   assert.equal(topics.length, types.length);
   assert.equal(types[topics.indexOf('/joint_states')], 'sensor_msgs/JointState');
   assert.equal(types[topics.indexOf('/robot_description')], 'std_msgs/String');
+});
+
+test('a request for something unsupported gets a status, and is served without it or refused', limit, async t => {
+  const ros = await connect(t, await start(t, ['--robot', 'youbot']));
+  const told = new Map();
+  const emit = ros.emit.bind(ros);
+  ros.emit = (name, ...rest) => { const id = /^status:(.*)/.exec(name)?.[1]; if (id) told.set(id, rest[0]); return emit(name, ...rest); };
+  const description = new Promise(resolve => topic(ros, '/robot_description', 'std_msgs/String').subscribe(resolve));
+  const requests = {
+    cbor: { op: 'subscribe', topic: '/joint_states', compression: 'cbor' },
+    fragment: { op: 'subscribe', topic: '/joint_states', fragment_size: 500 },
+    type: { op: 'subscribe', topic: '/joint_states', type: 'std_msgs/String' },
+    slash: { op: 'subscribe', topic: 'joint_states', type: 'sensor_msgs/JointState' },
+    call: { op: 'call_service', service: '/rosapi/topics', compression: 'png' },
+  };
+
+  for (const [id, request] of Object.entries(requests)) ros.callOnConnection({ id, ...request });
+  await settled(ros);
+
+  assert.deepEqual([...told].map(([id, { level }]) => [id, level]), [
+    ['cbor', 'warning'], ['fragment', 'warning'], ['type', 'error'], ['slash', 'error'], ['call', 'warning']]);
+  assert.match(told.get('cbor').msg, /compression cbor is not supported/);
+  assert.match(told.get('fragment').msg, /fragment_size 500 is not supported/);
+  assert.match(told.get('type').msg, /has the type sensor_msgs\/JointState, not std_msgs\/String/);
+  assert.match(told.get('slash').msg, /begins with a slash: \/joint_states/);
+  assert.match((await within(description, 'the description')).data, /<robot/);
 });
 
 test('what breaks a rule is told as a status with the id of what broke it', limit, async t => {

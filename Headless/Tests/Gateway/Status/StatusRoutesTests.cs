@@ -55,6 +55,50 @@ public class StatusRoutesTests
         Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Match("(?m)^nowpose_source_beyond_limits{.*} 1$"));
     }
 
+    [Test]
+    public async Task Ready_SourceStampsWithACorrectedSystemClock_IsNotReadyWithTheReason()
+    {
+        // An hour behind: as after a correction of the system clock that the gateway's own did not follow.
+        var behind = new StopwatchControlClock(new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch - TimeSpan.FromHours(1)));
+        await using var gateway = await Gateways.StartAsync(clock: behind);
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+        Assert.That((await GetAsync(gateway, "/readyz")).Status, Is.EqualTo(HttpStatusCode.OK));
+
+        var answer = default((HttpStatusCode Status, string Text, string Type));
+        await Soon.BecomesAsync(
+            () =>
+            {
+                var stamp = new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch);
+                source.SendAsync(RosbridgeWriter.PublishJointState(
+                    RosTopics.JointStates, new JointStateMessage(stamp, ["a"], [0.5]), RosTimeForm.Sec)).GetAwaiter().GetResult();
+                answer = GetAsync(gateway, "/readyz").GetAwaiter().GetResult();
+                return answer.Status == HttpStatusCode.ServiceUnavailable;
+            },
+            "not ready");
+
+        Assert.That(answer.Text, Does.StartWith("waiting").And.Contain("stamps").And.Contain("--own-clock system"));
+        Assert.That((await StateAsync(gateway)).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("system clock"));
+        Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Contain("\nnowpose_clock_warning 1\n"));
+    }
+
+    [Test]
+    public async Task Ready_SystemClockServedAndSourceStampsWithIt_IsReady()
+    {
+        await using var gateway = await Gateways.StartAsync(clock: new SystemControlClock());
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        for (var i = 0; i < 50; i++)
+        {
+            var stamp = new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch);
+            await source.SendAsync(RosbridgeWriter.PublishJointState(
+                RosTopics.JointStates, new JointStateMessage(stamp, ["a"], [0.5]), RosTimeForm.Sec));
+        }
+
+        await source.RoundTripAsync();
+        Assert.That(gateway.Drops.Total, Is.Zero);
+        Assert.That((await GetAsync(gateway, "/readyz")).Text, Is.EqualTo("ready\n"));
+    }
+
     [TestCase("/operations")]
     [TestCase("/operations/state")]
     [TestCase("/metrics")]

@@ -84,6 +84,10 @@ namespace Nowpose.Protocol
                 json.WriteEndObject();
             });
 
+        /// <summary>The response of a service whose values are JSON text already.</summary>
+        internal static string ServiceResponse(string service, string id, string values) =>
+            Response(service, id, true, json => json.WriteRawValue(values));
+
         /// <summary>The response of a call that failed.</summary>
         public static string FailedResponse(string service, string id, string why) =>
             Response(service, id, false, json => json.WriteValue(why));

@@ -1,0 +1,104 @@
+// The rosbridge client of Foxglove at the gateway itself: what it asks for when it connects.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { WebSocket } from 'ws';
+import { program, start } from '../roslib/gateway.mjs';
+
+const skip = program ? false : 'the gateway is not built: dotnet build Gateway';
+const limit = { timeout: 60000, skip };
+
+// It is written for browsers and takes the one that is there.
+globalThis.WebSocket ??= WebSocket;
+const { default: ROSLIB } = await import('@foxglove/roslibjs');
+
+async function connect(t, args = ['--robot', 'youbot']) {
+  const ros = new ROSLIB.Ros();
+  const open = new Promise((resolve, reject) => { ros.on('connection', resolve); ros.on('error', reject); });
+  t.after(() => ros.close());
+  ros.connect(await start(t, args));
+  await open;
+  return ros;
+}
+
+/** A method of Ros that takes a callback for the answer and one for the failure. */
+const ask = (ros, method, ...args) => new Promise((resolve, reject) => ros[method](...args, resolve, error => reject(new Error(`${method}: ${error}`))));
+
+test('topics come with their types and full definitions', limit, async t => {
+  const ros = await connect(t);
+
+  const { topics, types, typedefs_full_text: texts } = await ask(ros, 'getTopicsAndRawTypes');
+
+  assert.equal(topics.length, types.length);
+  assert.equal(topics.length, texts.length);
+  const states = topics.indexOf('/joint_states');
+  assert.equal(types[states], 'sensor_msgs/JointState');
+  assert.match(texts[states], /^std_msgs\/Header header\nstring\[\] name\nfloat64\[\] position\n/);
+  assert.match(texts[states], /\n=+\nMSG: std_msgs\/Header\ntime stamp\nstring frame_id\n$/);
+  for (const text of texts) assert.notEqual(text, '');
+});
+
+test('the graph is one node with the topics and services of the gateway', limit, async t => {
+  const ros = await connect(t);
+
+  const nodes = await ask(ros, 'getNodes');
+  const { topics, types } = await ask(ros, 'getTopics');
+  const services = await ask(ros, 'getServices');
+  const details = await new Promise(resolve => ros.getNodeDetails(nodes[0], (subscribing, publishing, offered) => resolve({ subscribing, publishing, offered }), assert.fail));
+
+  assert.deepEqual(nodes, ['/nowpose_gateway']);
+  assert.deepEqual(details.publishing, topics);
+  assert.deepEqual(details.offered, services);
+  assert.equal(await ask(ros, 'getTopicType', '/joint_states'), types[topics.indexOf('/joint_states')]);
+  assert.deepEqual(await ask(ros, 'getTopicsForType', 'std_msgs/String'), ['/robot_description']);
+  for (const service of services) assert.match(await ask(ros, 'getServiceType', service), /^rosapi\/[A-Z]/, service);
+});
+
+test('a message type is told field by field, with the types in it', limit, async t => {
+  const ros = await connect(t);
+
+  const decoded = ros.decodeTypeDefs(await ask(ros, 'getMessageDetails', 'diagnostic_msgs/DiagnosticArray'));
+  const unknown = await ask(ros, 'getMessageDetails', 'nobody_msgs/Nothing');
+
+  assert.deepEqual(decoded.status, [{ level: 'byte', name: 'string', message: 'string', hardware_id: 'string', values: [{ key: 'string', value: 'string' }] }]);
+  assert.deepEqual(unknown, []);
+});
+
+test('the robot description is a parameter, too, and unknown ones are null', limit, async t => {
+  const ros = await connect(t);
+  const parameter = name => new Promise(resolve => new ROSLIB.Param({ ros, name }).get(resolve));
+
+  assert.match(await parameter('/robot_description'), /<robot/);
+  assert.equal(await parameter('/use_sim_time'), null);
+  assert.deepEqual(await ask(ros, 'getParams'), ['/robot_description']);
+});
+
+test('to a client that has named a type of ROS 2 everything is told in its spelling', limit, async t => {
+  const ros = await connect(t);
+  new ROSLIB.Topic({ ros, name: '/joint_states', messageType: 'sensor_msgs/msg/JointState' }).subscribe(() => {});
+
+  const { topics, types, typedefs_full_text: texts } = await ask(ros, 'getTopicsAndRawTypes');
+  const [joint, header] = await ask(ros, 'getMessageDetails', 'sensor_msgs/msg/JointState');
+
+  const states = topics.indexOf('/joint_states');
+  assert.equal(types[states], 'sensor_msgs/msg/JointState');
+  assert.match(texts[states], /MSG: std_msgs\/Header\nbuiltin_interfaces\/Time stamp\n/);
+  assert.match(texts[states], /MSG: builtin_interfaces\/Time\nint32 sec\nuint32 nanosec\n$/);
+  assert.deepEqual([joint.type, header.type], ['sensor_msgs/msg/JointState', 'std_msgs/msg/Header']);
+  assert.equal(joint.fieldtypes[0], header.type);
+  assert.equal(await ask(ros, 'getServiceType', '/rosapi/nodes'), 'rosapi_msgs/srv/Nodes');
+});
+
+test('the compression that it asks for is answered by a status, and the samples come as JSON', limit, async t => {
+  const ros = await connect(t, ['--robot', 'youbot']);
+  const emit = ros.emit.bind(ros);
+  // It emits a status by the id of the request that it is about.
+  const told = new Promise(resolve => { ros.emit = (name, ...rest) => { if (String(name).startsWith('status')) resolve(rest[0]); return emit(name, ...rest); }; });
+  const description = new Promise(resolve =>
+    new ROSLIB.Topic({ ros, name: '/robot_description', messageType: 'std_msgs/String', compression: 'cbor' }).subscribe(resolve));
+
+  const status = await told;
+
+  assert.equal(status.level, 'warning');
+  assert.match(status.msg, /compression cbor is not supported/);
+  assert.match((await description).data, /<robot/);
+});

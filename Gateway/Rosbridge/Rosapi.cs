@@ -1,0 +1,86 @@
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using Nowpose.Gateway.Hub;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>The services of rosapi that clients call when they connect; they describe the gateway as one node.</summary>
+/// <remarks>/rosapi/get_time and /rosapi/topics are the session's. Types are named as the ROS of the caller names them; ROS 1 where it has not shown which.</remarks>
+static class Rosapi
+{
+    const string Node = "/nowpose_gateway";
+    const string Prefix = "/rosapi/";
+    const string Description = "/robot_description";
+
+    delegate JsonObject Answer(RosapiCall call);
+
+    static readonly Dictionary<string, (string Type, Answer Answer)> Services = new()
+    {
+        ["topics_and_raw_types"] = ("TopicsAndRawTypes", call => new()
+        {
+            ["topics"] = List(Topics), ["types"] = List(TypesOf(call)), ["typedefs_full_text"] = List(TypesOf(call).Select(call.Definitions.FullText)),
+        }),
+        ["topics_for_type"] = ("TopicsForType", call => new()
+        {
+            ["topics"] = List(Topics.Where(topic => Publications.HasType(topic, call.Argument("type") ?? "-"))),
+        }),
+        ["topic_type"] = ("TopicType", call => new() { ["type"] = TypeOf(call, call.Argument("topic")) }),
+        ["message_details"] = ("MessageDetails", call => new()
+        {
+            ["typedefs"] = JsonSerializer.SerializeToNode(call.Definitions.Details(call.Argument("type") ?? "")),
+        }),
+        ["services"] = ("Services", _ => new() { ["services"] = List(ServiceNames) }),
+        ["service_type"] = ("ServiceType", call => new() { ["type"] = ServiceType(call) }),
+        ["nodes"] = ("Nodes", _ => new() { ["nodes"] = List([Node]) }),
+        ["node_details"] = ("NodeDetails", call => NodeDetails(call.Argument("node") == Node)),
+        ["get_param_names"] = ("GetParamNames", call => new() { ["names"] = List(call.Description == null ? [] : [Description]) }),
+        ["has_param"] = ("HasParam", call => new() { ["exists"] = Value(call) != null }),
+        ["get_param"] = ("GetParam", call => new() { ["value"] = Value(call) ?? call.Argument("default") ?? "null" }),
+        ["get_ros_version"] = ("GetROSVersion", call => new() { ["version"] = call.IsRos2 ? 2 : 1, ["distro"] = "" }),
+    };
+
+    static readonly string[] ServiceNames = [.. Services.Keys.Select(name => Prefix + name), RosTopics.GetTopics, RosTopics.GetTime];
+
+    static IEnumerable<string> Topics => Publications.All.Select(topic => topic.Key);
+
+    /// <summary>The values of a service's response; null for no service of this class.</summary>
+    /// <param name="service">With its slash.</param>
+    /// <param name="text">The whole call, valid JSON.</param>
+    /// <param name="isRos2">Whether the caller has named types of ROS 2.</param>
+    public static string Call(string service, string text, bool isRos2, MessageHub hub)
+    {
+        if (!service.StartsWith(Prefix, StringComparison.Ordinal) || !Services.TryGetValue(service[Prefix.Length..], out var known)) return null;
+        using var call = new RosapiCall(text, isRos2, hub);
+        return known.Answer(call).ToJsonString();
+    }
+
+    /// <summary>Every topic with its type.</summary>
+    public static IEnumerable<KeyValuePair<string, string>> Types(bool isRos2) =>
+        Publications.All.Select(topic => KeyValuePair.Create(topic.Key, new MessageDefinitions(isRos2).Spelled(topic.Value)));
+
+    static IEnumerable<string> TypesOf(RosapiCall call) => Publications.All.Select(topic => call.Definitions.Spelled(topic.Value));
+
+    static string TypeOf(RosapiCall call, string topic) =>
+        Publications.All.FirstOrDefault(one => one.Key == topic).Value is { } type ? call.Definitions.Spelled(type) : "";
+
+    static string ServiceType(RosapiCall call)
+    {
+        var name = call.Argument("service") ?? "";
+        if (name == RosTopics.GetTime) return call.ServicePackage + "GetTime";
+        if (name == RosTopics.GetTopics) return call.ServicePackage + "Topics";
+        return name.StartsWith(Prefix, StringComparison.Ordinal) && Services.TryGetValue(name[Prefix.Length..], out var known)
+            ? call.ServicePackage + known.Type : "";
+    }
+
+    static JsonObject NodeDetails(bool isKnown) => new()
+    {
+        ["subscribing"] = List(isKnown ? Topics : []), ["publishing"] = List(isKnown ? Topics : []), ["services"] = List(isKnown ? ServiceNames : []),
+    };
+
+    // Parameters of rosapi are JSON texts.
+    static string Value(RosapiCall call) =>
+        call.Argument("name")?.Split(':')[^1].TrimStart('/') == Description[1..] && call.Description is { } urdf ? JsonSerializer.Serialize(urdf) : null;
+
+    static JsonArray List(IEnumerable<string> items) => new([.. items.Select(item => JsonValue.Create(item))]);
+}

@@ -1,0 +1,24 @@
+using System.Text.Json;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>Options of rosbridge requests that the gateway does not have; the request is served without them.</summary>
+static class Unsupported
+{
+    /// <summary>What to tell the client; null where it asks for nothing of the kind.</summary>
+    /// <param name="text">A whole message, valid JSON.</param>
+    public static string In(string text)
+    {
+        using var message = JsonDocument.Parse(text);
+        var root = message.RootElement;
+        if (root.TryGetProperty("compression", out var compression) && !IsNone(compression))
+            return $"compression {Short(compression)} is not supported; allowed is none. Messages are sent as plain JSON text";
+        return root.TryGetProperty("fragment_size", out var size) && size.ValueKind != JsonValueKind.Null
+            ? $"fragment_size {Short(size)} is not supported; leave it out. Messages are sent whole" : null;
+    }
+
+    static bool IsNone(JsonElement compression) => compression.ValueKind == JsonValueKind.Null
+        || (compression.ValueKind == JsonValueKind.String && compression.GetString() is "none" or "");
+
+    static string Short(JsonElement value) => value.ToString() is { Length: <= 32 } text ? text : value.ToString()[..31] + "…";
+}

@@ -1,0 +1,140 @@
+using Nowpose.Gateway.Clock;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Clock;
+
+/// <summary>In virtual time: the gateway's own clock, the system clock, and sources that stamp with one of them.</summary>
+public class StampWatchTests
+{
+    static readonly TimeSpan Second = TimeSpan.FromSeconds(1);
+    static readonly TimeSpan Acquisition = TimeSpan.FromMilliseconds(70);
+
+    readonly List<string> _log = [];
+    readonly OwnClock _own = new();
+    SteppedTime _time;
+    StampWatch _watch;
+    TimeSpan _correction;
+    bool _isOwnServed;
+
+    ControlTime System => _own.Now + _correction;
+
+    [SetUp]
+    public void SetUp()
+    {
+        (_time, _correction, _isOwnServed) = (new SteppedTime(), TimeSpan.Zero, true);
+        _own.Time = _time;
+        _log.Clear();
+        _watch = new StampWatch(() => _own.Now, () => _isOwnServed ? _own : null, () => System, _time);
+        _watch.Look(_log.Add);
+    }
+
+    [TestCase(3600.0)]
+    [TestCase(-3600.0)]
+    [TestCase(2.0)]
+    [TestCase(0.3)]
+    [TestCase(-1.5)]
+    public void Look_SystemClockCorrectedAndSourcesFollowIt_IsAContradictionThatNamesTheRemedy(double seconds)
+    {
+        Run(5, () => System);
+        Assert.That(_watch.Warning, Is.Null);
+
+        _correction = TimeSpan.FromSeconds(seconds);
+        Run(5, () => System);
+
+        Assert.That(_watch.IsContradicted, Is.True);
+        Assert.That(_watch.Warning, Does.Contain("fit the system clock").And.Contain("--own-clock system"));
+        Assert.That(_log, Has.Count.LessThanOrEqualTo(2), "the correction, then the contradiction, each once");
+    }
+
+    [Test]
+    public void Look_SystemClockCorrectedAndSourcesAskTheGateway_IsAWarningOnly()
+    {
+        Run(5, () => _own.Now);
+
+        _correction = TimeSpan.FromSeconds(-42);
+        Run(60, () => _own.Now);
+
+        Assert.That(_watch.IsContradicted, Is.False);
+        Assert.That(_watch.Warning, Does.Contain("corrected by -42.0 s"));
+        Assert.That(_log, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Look_SystemClockCorrectedBack_IsWellAgain()
+    {
+        _correction = TimeSpan.FromSeconds(10);
+        Run(5, () => System);
+
+        _correction = TimeSpan.Zero;
+        Run(StampWatch.Seconds + 1, () => System);
+
+        Assert.That((_watch.IsContradicted, _watch.Warning), Is.EqualTo((false, (string)null)));
+        Assert.That(_log, Has.Count.EqualTo(2));
+    }
+
+    [Test]
+    public void Look_ClockOfASourceAhead_IsAContradictionOfThatSource()
+    {
+        _isOwnServed = false;
+        Run(5, () => _own.Now + TimeSpan.FromSeconds(5));
+
+        Assert.That(_watch.IsContradicted, Is.True);
+        Assert.That(_watch.Warning, Does.Contain("100 %").And.Contain("in the future").And.Contain("by 4.9 s").And.Contain("clock of the source"));
+    }
+
+    [Test]
+    public void Look_OneSourceOfThreeIsWrong_IsNoContradiction()
+    {
+        Run(5, () => System, () => System, () => System + TimeSpan.FromSeconds(5));
+
+        Assert.That(_watch.IsContradicted, Is.False);
+    }
+
+    [Test]
+    public void Look_SourceThatWasWrongStops_IsForgotten()
+    {
+        Run(5, () => System + TimeSpan.FromSeconds(5));
+        Assert.That(_watch.IsContradicted, Is.True);
+
+        Run(StampWatch.Seconds + 1);
+
+        Assert.That(_watch.IsContradicted, Is.False);
+    }
+
+    [Test]
+    public void Look_OwnClockWithARateOfItsOwn_IsNoCorrection()
+    {
+        _own.Skew = 100e-6;
+        for (var i = 0; i < 3600; i++)
+        {
+            // The system clock falls behind as the rate says.
+            _correction = TimeSpan.FromSeconds(-100e-6 * i);
+            Run(1);
+        }
+
+        Assert.That(_watch.Warning, Is.Null);
+    }
+
+    // Ten samples a second of each source, and a look.
+    void Run(int seconds, params Func<ControlTime>[] sources)
+    {
+        for (var i = 0; i < seconds * 10; i++)
+        {
+            _time.Advance(Second / 10);
+            foreach (var source in sources)
+            {
+                var stamp = source() - Acquisition;
+                _watch.Add(stamp, stamp > _own.Now + Second);
+            }
+
+            if (i % 10 == 9) _watch.Look(_log.Add);
+        }
+    }
+
+    sealed class OwnClock : IControlClock
+    {
+        public TimeProvider Time { get; set; }
+        public double Skew { get; set; }
+        public ControlTime Now => ControlTime.FromSeconds(1e9 + Time.GetElapsedTime(0).TotalSeconds);
+    }
+}
