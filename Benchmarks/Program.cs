@@ -10,6 +10,9 @@ if (args is ["gateway", ..])
 if (args is ["links", ..])
     return await LinksVerb.RunAsync(args);
 
+if (args is ["sessions", ..])
+    return await SessionVerb.RunAsync(args);
+
 if (args is ["tune"])
 {
     Tuning.Run(Console.Out);

@@ -1,0 +1,10 @@
+namespace Nowpose.Benchmarks.Load;
+
+/// <summary>A gateway's memory after some sessions.</summary>
+readonly record struct MemorySample(int Sessions, double ResidentBytes, double ManagedBytes)
+{
+    const double Mebibyte = 1024 * 1024;
+
+    public double ResidentMiB => ResidentBytes / Mebibyte;
+    public double ManagedMiB => ManagedBytes / Mebibyte;
+}

@@ -1,0 +1,92 @@
+using System.CommandLine;
+using Nowpose.Gateway.Options;
+
+namespace Nowpose.Benchmarks.Load;
+
+/// <summary>sessions: what a gateway keeps of headsets that come and go.</summary>
+static class SessionVerb
+{
+    /// <summary>Share by which the memory of the last quarter may exceed that of the quarter before.</summary>
+    const double MaxGrowth = 0.03;
+
+    const int ConnectingAtOnce = 8;
+
+    public static Task<int> RunAsync(string[] args)
+    {
+        var headsets = NumberOption.Create("--headsets", "Headsets that are connected at the same time", 200, 1, 2000, "");
+        var rounds = NumberOption.Create("--rounds", "How often all of them come and go", 40, 8, 10_000, "");
+        var milliseconds = NumberOption.Create("--stay-ms", "How long they stay", 1000, 0, 3_600_000, "ms");
+        var command = new Command("sessions", "A gateway in a process of its own, and headsets that come and go: its memory must level off")
+        {
+            headsets, rounds, milliseconds,
+        };
+        command.SetAction((parsed, stop) => MeasureAsync(
+            parsed.GetValue(headsets), parsed.GetValue(rounds), TimeSpan.FromMilliseconds(parsed.GetValue(milliseconds)), stop));
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "What Nowpose costs.", command), args);
+    }
+
+    static async Task<int> MeasureAsync(int headsets, int rounds, TimeSpan stay, CancellationToken stop)
+    {
+        const double RateHz = 20;
+        using var gateway = await GatewayUnderLoad.StartAsync(RateHz, headsets * 2);
+        var truth = ControlTruth.Measure(gateway.Sync);
+        using var http = new HttpClient();
+        var samples = new List<MemorySample> { await ReadAsync(gateway, http, 0) };
+        for (var round = 1; round <= rounds; round++)
+        {
+            await StayAsync(gateway, truth, headsets, RateHz, stay, stop);
+            samples.Add(await ReadAsync(gateway, http, round * headsets));
+            Console.Error.WriteLine(FormattableString.Invariant($"{samples[^1].Sessions} sessions: {samples[^1].ResidentMiB:0.0} MiB"));
+        }
+
+        Write(samples, rounds);
+        return Judge(samples, rounds);
+    }
+
+    // Each comes with both connections, gets samples and says how it does, and goes.
+    static async Task StayAsync(GatewayUnderLoad gateway, ControlTruth truth, int count, double rateHz, TimeSpan stay, CancellationToken stop)
+    {
+        var latencies = new LatencyCounts();
+        var headsets = Enumerable.Range(0, count).Select(i => new LeanHeadset($"session {i}", rateHz, latencies, truth)).ToList();
+        foreach (var some in headsets.Chunk(ConnectingAtOnce))
+        {
+            stop.ThrowIfCancellationRequested();
+            await Task.WhenAll(some.Select(headset => headset.OpenAsync(gateway)));
+            foreach (var headset in some) _ = headset.RunAsync();
+        }
+
+        await Task.Delay(stay, stop);
+        foreach (var headset in headsets) headset.Dispose();
+    }
+
+    static async Task<MemorySample> ReadAsync(GatewayUnderLoad gateway, HttpClient http, int sessions)
+    {
+        var metrics = await http.GetStringAsync(new Uri($"http://{gateway.WebSocket}/metrics"));
+        return new MemorySample(sessions, gateway.ResidentBytes, Metric(metrics, "nowpose_managed_memory_bytes"));
+    }
+
+    static double Metric(string metrics, string name) => double.Parse(
+        metrics.Split('\n').Single(line => line.StartsWith(name + " ", StringComparison.Ordinal))[(name.Length + 1)..],
+        System.Globalization.CultureInfo.InvariantCulture);
+
+    static void Write(List<MemorySample> samples, int rounds)
+    {
+        Console.WriteLine("| sessions so far | resident MiB | managed MiB |");
+        Console.WriteLine("| --- | --- | --- |");
+        foreach (var sample in samples.Where((_, i) => i % Math.Max(1, rounds / 8) == 0))
+            Console.WriteLine(FormattableString.Invariant($"| {sample.Sessions} | {sample.ResidentMiB:0.0} | {sample.ManagedMiB:0.0} |"));
+    }
+
+    static int Judge(List<MemorySample> samples, int rounds)
+    {
+        var quarter = rounds / 4;
+        var last = samples.TakeLast(quarter).Average(sample => sample.ResidentMiB);
+        var before = samples.SkipLast(quarter).TakeLast(quarter).Average(sample => sample.ResidentMiB);
+        var growth = (last / before) - 1;
+        Console.WriteLine();
+        Console.WriteLine(FormattableString.Invariant($"last quarter {last:0.0} MiB, the quarter before {before:0.0} MiB ({100 * growth:+0.0;-0.0} %)"));
+        if (growth <= MaxGrowth) return ExitStatus.Done;
+        Console.Error.WriteLine(FormattableString.Invariant($"error: the memory still grows, by {100 * growth:0.0} %; allowed are {100 * MaxGrowth:0} %"));
+        return ExitStatus.Failed;
+    }
+}
