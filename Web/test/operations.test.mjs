@@ -74,6 +74,22 @@ const weakestText = page => page.evaluate(() => {
 const becomes = (page, selector, part) => page.waitForFunction(
   ([selector, part]) => document.querySelector(selector)?.textContent.includes(part), [selector, part]);
 
+it('runs its own script and none that was put into the page', async () => {
+  const page = await open();
+
+  const policy = await page.locator('meta[http-equiv=Content-Security-Policy]').getAttribute('content');
+  await page.evaluate(() => {
+    const script = document.createElement('script');
+    script.textContent = 'window.wasRun = true';
+    document.body.append(script);
+    document.body.insertAdjacentHTML('beforeend', '<img src="data:," onerror="window.wasRun = true">');
+  });
+  await page.locator('img').evaluate(image => image.complete || new Promise(done => image.addEventListener('error', done)));
+
+  assert.doesNotMatch(/script-src [^;]*/.exec(policy)[0], /unsafe/);
+  assert.equal(await page.evaluate(() => window.wasRun), undefined);
+});
+
 describe('what it shows', () => {
   it('says what each headset says, in words and numbers', async () => {
     const page = await open();
