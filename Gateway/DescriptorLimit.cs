@@ -1,3 +1,4 @@
+using System.Net.Sockets;
 using System.Runtime.InteropServices;
 
 namespace Nowpose.Gateway;
@@ -9,6 +10,9 @@ static class DescriptorLimit
     /// <summary>Descriptors of the process without connections: 155 of a gateway that has just started, and adapters, files and pages.</summary>
     internal const int Reserve = 250;
 
+    /// <summary>Descriptors that are kept free of connections.</summary>
+    const ulong Spare = 32;
+
     const int LinuxOpenFiles = 7;
     const int MacOpenFiles = 8;
 
@@ -16,6 +20,19 @@ static class DescriptorLimit
     public static void Check(int maxConnections)
     {
         if (Problem(maxConnections, Allowed()) is { } problem) throw new InputException(problem);
+    }
+
+    /// <summary>Refuses a connection that takes one of the last descriptors.</summary>
+    /// <remarks>The .NET runtime ends the process when it cannot start a thread, and it takes descriptors to start one.</remarks>
+    /// <exception cref="IOException">Too few descriptors are left. The connection is closed.</exception>
+    public static Socket Guarded(Socket accepted)
+    {
+        // The system hands out the lowest number that is free.
+        var number = (ulong)(long)accepted.Handle;
+        var allowed = Allowed();
+        if (OperatingSystem.IsWindows() || number + Spare < allowed) return accepted;
+        accepted.Dispose();
+        throw new IOException($"descriptor {number} of {allowed}; the last {Spare} are kept free");
     }
 
     /// <returns>Null when the limit is high enough.</returns>

@@ -29,7 +29,7 @@ sealed class PatientListener(
             Socket accepted = null;
             try
             {
-                accepted = await accept(stop.Token);
+                accepted = DescriptorLimit.Guarded(await accept(stop.Token));
                 accepted.NoDelay = true;
                 return contexts.Create(accepted);
             }

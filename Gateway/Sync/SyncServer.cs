@@ -71,7 +71,7 @@ sealed class SyncServer : IDisposable
         {
             try
             {
-                Serve(await _listener.AcceptSocketAsync());
+                Serve(DescriptorLimit.Guarded(await _listener.AcceptSocketAsync()));
             }
             catch (Exception e)
             {
