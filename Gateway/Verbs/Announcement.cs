@@ -9,8 +9,8 @@ namespace Nowpose.Gateway.Verbs;
 static class Announcement
 {
     /// <param name="clock">The gateway's own clock.</param>
-    /// <param name="cell">Null where the plant is a real one, whose motion and clock the gateway cannot announce.</param>
-    public static void Write(GatewayServer gateway, StopwatchControlClock clock, double skewPpm, string robot, SimulatedCell cell)
+    /// <param name="cell">The simulated plant, whose clock is a <see cref="StopwatchControlClock"/>; null where the plant is a real one, whose motion and clock the gateway cannot announce.</param>
+    public static void Write(GatewayServer gateway, IControlClock clock, double skewPpm, string robot, SimulatedCell cell)
     {
         Line("sync", gateway.SyncEndPoint.ToString());
         Line("websocket", $"{(gateway.Pin == null ? "ws" : "wss")}://{gateway.WebSocketEndPoint}/");
@@ -29,7 +29,7 @@ static class Announcement
             Line("joints", string.Join(",", cell.Motion.JointNames));
             Line("cycle_s", cell.Motion.CycleSeconds.ToString("0.000", CultureInfo.InvariantCulture));
             Line("motion_start_ns", cell.Start.Nanoseconds.ToString(CultureInfo.InvariantCulture));
-            var (intercept, rate) = clock.OverMonotonicCounter;
+            var (intercept, rate) = ((StopwatchControlClock)clock).OverMonotonicCounter;
             Line("clock", string.Create(CultureInfo.InvariantCulture, $"c1_ns = {intercept} + {rate:R} * monotonic_ns"));
         }
 

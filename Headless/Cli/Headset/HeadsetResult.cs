@@ -12,12 +12,12 @@ sealed record HeadsetResult(
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower, WriteIndented = true };
 
-    /// <param name="SynchronisedAfterS">From the start.</param>
+    /// <param name="CoarseAfterS">From the start to the first coarse or synchronised state; likewise the next.</param>
     /// <param name="OffsetNs">Estimated Φ = C2 − C1 at <paramref name="AtNs"/>; C2 is this machine's monotonic counter.</param>
-    /// <param name="EstimatedErrorUs">Error of the offset that the estimator expects, both ways.</param>
+    /// <param name="EstimatedErrorUs">The stated ± of the offset: its estimated maximum error, both ways.</param>
     /// <param name="AtNs">C2 at the end of the run, ns.</param>
     public sealed record ClockResult(
-        string State, double? ErrorBoundUs, double? SkewPpm, double? RttMs, int Steps, double? SynchronisedAfterS,
+        string State, double? ErrorBoundUs, double? SkewPpm, double? RttMs, int Steps, double? CoarseAfterS, double? SynchronisedAfterS,
         long? OffsetNs, double? EstimatedErrorUs, long AtNs);
 
     public sealed record LatencyResult(double? AppP50, double? AppP95, double Visu, double? EndToEnd);

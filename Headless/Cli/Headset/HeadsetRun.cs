@@ -17,7 +17,7 @@ sealed class HeadsetRun(HeadsetSettings settings)
     readonly StopwatchHeadsetClock _clock = new();
     readonly PoseCount _poses = new();
     readonly PoseStretches _stretches = new();
-    TimeSpan? _synchronisedAfter;
+    TimeSpan? _coarseAfter, _synchronisedAfter;
     bool _wasTimeTrusted, _wasCurrent;
     int _frames;
 
@@ -52,7 +52,8 @@ sealed class HeadsetRun(HeadsetSettings settings)
             var now = _clock.Now;
             var frame = session.Tick(now);
             Count(now - start, frame, session);
-            if (session.Clock.ModelAt(now).State == ClockState.Synchronised) _synchronisedAfter ??= now - start;
+            if (frame.ClockState is ClockState.Coarse or ClockState.Synchronised) _coarseAfter ??= now - start;
+            if (frame.ClockState == ClockState.Synchronised) _synchronisedAfter ??= now - start;
             report((now - start).TotalSeconds, () => DemoProgress.Describe(session, _clock.Now));
         }
     }
@@ -99,7 +100,7 @@ sealed class HeadsetRun(HeadsetSettings settings)
             length.TotalSeconds, _frames, robot.Name, statistics.Samples, statistics.Dropped,
             new HeadsetResult.ClockResult(
                 clock.State.Word(), clock.IsKnown ? clock.ErrorBound.TotalMicroseconds : null, clock.IsKnown ? clock.Skew * 1e6 : null,
-                statistics.RoundTripTime?.TotalMilliseconds, statistics.ClockSteps, _synchronisedAfter?.TotalSeconds,
+                statistics.RoundTripTime?.TotalMilliseconds, statistics.ClockSteps, _coarseAfter?.TotalSeconds, _synchronisedAfter?.TotalSeconds,
                 clock.IsKnown ? clock.OffsetAt(now).HeadsetMinusControl.Ticks * ClockTicks.NanosecondsPerTick : null,
                 clock.IsKnown ? clock.EstimatedError.TotalMicroseconds : null, now.Nanoseconds),
             new HeadsetResult.LatencyResult(

@@ -12,8 +12,9 @@ static class HeadsetTable
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
         var clock = result.Clock;
-        Row("clock", $"{clock.State}, ± {Text(clock.ErrorBoundUs, "0", " µs")}, {Text(clock.SkewPpm, "+0.0;-0.0;0.0", " ppm")}, "
+        Row("clock", $"{clock.State}, ± {Text(clock.EstimatedErrorUs, "0", " µs")} (proven ± {Text(clock.ErrorBoundUs, "0", " µs")}), {Text(clock.SkewPpm, "+0.0;-0.0;0.0", " ppm")}, "
             + $"round trip {Text(clock.RttMs, "0.00", " ms")}");
+        Row("coarse after", Text(clock.CoarseAfterS, "0.0", " s"));
         Row("synchronised after", Text(clock.SynchronisedAfterS, "0.0", " s"));
         Row("clock steps", clock.Steps.ToString(CultureInfo.InvariantCulture));
         var latency = result.LatencyMs;

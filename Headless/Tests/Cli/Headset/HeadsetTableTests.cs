@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Cli.Headset;
 public class HeadsetTableTests
 {
     static HeadsetResult Result(double skewPpm = 12.34) => new(
-        20, 1200, "youBot", 400, 0, new HeadsetResult.ClockResult("synchronised", 250, skewPpm, 1.5, 0, 1.5),
+        20, 1200, "youBot", 400, 0, new HeadsetResult.ClockResult("coarse", 14500, skewPpm, 1.5, 0, 0.4, 1.5, 7, 3120, 9),
         new HeadsetResult.LatencyResult(80, 90, 40, 120), new HeadsetResult.PoseResult("held", 1.5, 0.7, 4, 0.7),
         new HeadsetResult.ErrorResult(20, 40, 1, 2, 0.95, 0.01), ["a3"], [new HeadsetResult.JointResult("a3", "fault", 4.2, "node deleted")],
         [
@@ -30,6 +30,10 @@ public class HeadsetTableTests
     [TestCase(-0.06, " -0.1 ppm")]
     [TestCase(45.04, " +45.0 ppm")]
     public void Print_Skew_HasOneSign(double ppm, string expected) => Assert.That(Printed(Result(ppm)), Does.Contain(expected));
+
+    [Test]
+    public void Print_CoarseClock_ShowsItsEstimatedErrorAndTheProvenOne() =>
+        Assert.That(Printed(Result()), Does.Match(@"clock +coarse, ± 3120 µs \(proven ± 14500 µs\)"));
 
     [Test]
     public void Print_OutageAndMissingJoint_AreNamed()

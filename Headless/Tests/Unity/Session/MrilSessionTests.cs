@@ -193,7 +193,7 @@ public class MrilSessionTests
         Assert.That(told, Is.EquivalentTo(new[] { "EnteredRange", "Stale" }));
         told.Clear();
         _cell.IsSyncUp = false;
-        Render(10, 300);
+        Render(10, 900);
 
         Assert.That(told, Is.EqualTo(new[] { "Lost" }));
         Assert.That(_cell.Messages.Count(m => m.StartsWith("[Nowpose] clock synchronised", StringComparison.Ordinal)), Is.EqualTo(1));
@@ -484,7 +484,8 @@ public class MrilSessionTests
     public void Statistics_AskedTwiceInAFrame_AreFilledOnce()
     {
         var session = _cell.Play();
-        _cell.Run(1, session);
+        // Later than the log entry of the synchronised clock, which reads the statistics.
+        _cell.Run(3, session);
 
         var first = session.Statistics;
         var offset = first.Samples;

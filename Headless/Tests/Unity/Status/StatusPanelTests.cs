@@ -158,7 +158,8 @@ public class StatusPanelTests
     public void OnDisable_Playing_NothingOfItIsSeenUntilEnabledAgain()
     {
         _panel.With("_ground", new Material((Shader)null));
-        Play(1);
+        // While the clock is coarse, one more text is shown.
+        Play(3);
         var shown = Seen();
 
         _panel.enabled = false;

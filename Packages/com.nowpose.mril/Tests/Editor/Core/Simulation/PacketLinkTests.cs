@@ -75,7 +75,7 @@ namespace Nowpose.Tests
             {
                 var stalled = packets.Where(p => (p.Sent - Start).TotalSeconds is var s && s >= begin && s < begin + 1.45).ToList();
                 Assert.That(stalled, Has.Count.EqualTo(145));
-                Assert.That(stalled.All(p => p.Arrival == Start + TimeSpan.FromSeconds(begin + 1.5)));
+                Assert.That(stalled.All(p => p.Arrival == Start + Lengths.Seconds(begin + 1.5)));
             }
             Assert.That(packets.Zip(packets.Skip(1), (a, b) => a.Arrival <= b.Arrival), Is.All.True);
         }
@@ -114,7 +114,7 @@ namespace Nowpose.Tests
             var packets = new List<Packet>(count);
             for (var i = 0; i < count; i++)
             {
-                var sent = Start + TimeSpan.FromSeconds(i * intervalSeconds);
+                var sent = Start + Lengths.Seconds(i * intervalSeconds);
                 var arrived = link.TrySend(sent, out var arrival);
                 packets.Add(new Packet(sent, arrived, arrival));
             }

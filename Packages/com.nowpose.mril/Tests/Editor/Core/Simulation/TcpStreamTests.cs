@@ -14,7 +14,7 @@ namespace Nowpose.Tests
             var stream = new TcpStream(link, Start, seed: 7, interval);
             return Enumerable.Range(0, count).Select(i =>
             {
-                var sent = Start + TimeSpan.FromMilliseconds(50 * i);
+                var sent = Start + Lengths.Ms(50 * i);
                 return (stream.Send(sent) - sent).TotalMilliseconds;
             }).ToArray();
         }
