@@ -158,8 +158,8 @@ public class StatusPanelTests
     public void OnDisable_Playing_NothingOfItIsSeenUntilEnabledAgain()
     {
         _panel.With("_ground", new Material((Shader)null));
-        // While the clock is coarse, one more text is shown.
-        Play(3);
+        // Later than the first texts that come one by one: the coarse clock's error, and the reduction.
+        Play(8);
         var shown = Seen();
 
         _panel.enabled = false;
