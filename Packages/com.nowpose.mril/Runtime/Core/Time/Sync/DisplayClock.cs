@@ -8,7 +8,9 @@ namespace Nowpose.Sync
     /// </summary>
     /// <remarks>
     /// Control time advances by between 0.994 and 1.006 of the headset's while the clock is synchronised, by between 0.949
-    /// and 1.051 while it is coarse, and by between one half and one and a half before. It never stops or goes back.
+    /// and 1.051 while it is coarse, and by between one half and one and a half before. It never stops or goes back. It is shown
+    /// as converging until it has caught up with the first estimate that is usable: no pose is current by a clock that is still
+    /// tens of milliseconds away from it.
     /// </remarks>
     public sealed class DisplayClock
     {
@@ -26,6 +28,7 @@ namespace Nowpose.Sync
 
         ClockModel _shown;
         HeadsetTime _at;
+        bool _isCatchingUp;
 
         /// <summary>The model to show a frame by.</summary>
         /// <param name="believed">What the synchroniser says at that time.</param>
@@ -35,20 +38,26 @@ namespace Nowpose.Sync
             // A young line through two late replies can be so steep that following it would go back.
             var skew = Math.Max(-ClockLine.GreatestSkew, Math.Min(ClockLine.GreatestSkew, believed.Skew));
             if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)
+            {
+                _isCatchingUp = false;
                 return Show(new ClockModel(
                     now, believed.OffsetAt(now), skew, believed.ErrorBound, believed.State, believed.Steps, believed.EstimatedError), now);
+            }
             if (now < _at) return _shown;
 
             var passed = now - _at;
-            var allowed = (long)(passed.Ticks * RateOf(believed.State));
+            _isCatchingUp |= believed.State == ClockState.Converging;
+            var allowed = (long)(passed.Ticks * RateOf(_isCatchingUp ? ClockState.Converging : believed.State));
             // What the clocks do by themselves is no correction.
             var carried = _shown.OffsetAt(_at) + new TimeSpan((long)Math.Round(passed.Ticks * skew));
             var correction = (believed.OffsetAt(now) - carried).Ticks;
             var taken = Math.Max(-allowed, Math.Min(allowed, correction));
             var left = new TimeSpan(Math.Abs(correction - taken));
+            _isCatchingUp &= believed.State == ClockState.Converging || left > TimeSpan.Zero;
+            var state = _isCatchingUp ? ClockState.Converging : believed.State;
             return Show(
                 new ClockModel(
-                    now, carried + new TimeSpan(taken), skew, believed.ErrorBound + left, believed.State, believed.Steps,
+                    now, carried + new TimeSpan(taken), skew, believed.ErrorBound + left, state, believed.Steps,
                     believed.EstimatedError + left), now);
         }
 

@@ -31,6 +31,8 @@ namespace Nowpose.Tests
             Assert.That(runs.Max(run => run.FirstIn(ClockState.Synchronised)), Is.LessThan(synchronisedSeconds), seeds);
             Assert.That(runs.Min(run => run.CurrentShare), Is.GreaterThan(0.95), seeds);
             Assert.That(runs.Average(run => run.ClockErrorBeyondStated), Is.LessThan(0.01), seeds);
+            Assert.That(
+                runs.SelectMany(run => run.Frames).Where(frame => frame.IsCurrent).Max(frame => Math.Abs(frame.ClockErrorMs)), Is.LessThan(10.5), seeds);
             Assert.That(Median(runs.Select(run => run.Reduction).ToArray()), Is.GreaterThan(minReduction), seeds);
         }
 
