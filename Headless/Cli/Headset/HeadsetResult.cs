@@ -8,7 +8,8 @@ namespace Nowpose.Cli.Headset;
 sealed record HeadsetResult(
     double Seconds, int Frames, string Robot, long Samples, long Dropped,
     HeadsetResult.ClockResult Clock, HeadsetResult.LatencyResult LatencyMs, HeadsetResult.PoseResult Pose, HeadsetResult.ErrorResult ToolErrorMm,
-    IReadOnlyList<string> MissingJoints, IReadOnlyList<HeadsetResult.JointResult> Joints, IReadOnlyList<HeadsetResult.StretchResult> Stretches)
+    IReadOnlyList<string> MissingJoints, IReadOnlyList<HeadsetResult.JointResult> Joints, IReadOnlyList<HeadsetResult.StretchResult> Stretches,
+    IReadOnlyList<HeadsetResult.OutageResult> Outages)
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower, WriteIndented = true };
 
@@ -48,6 +49,13 @@ sealed record HeadsetResult(
     /// <param name="ToS">Last current frame, since the start.</param>
     /// <param name="CurrentShare">Of the frames between the two.</param>
     public sealed record StretchResult(double FromS, double ToS, double CurrentShare, ErrorResult ToolErrorMm);
+
+    /// <summary>A time without a current pose, at the start or later.</summary>
+    /// <param name="ToS">Null where it lasted to the end of the run.</param>
+    /// <param name="Pose">The pose's state, as at its end.</param>
+    /// <param name="Joints">Joints without data.</param>
+    /// <param name="Reason">Why, in one line; empty while unknown.</param>
+    public sealed record OutageResult(double FromS, double? ToS, string Pose, IReadOnlyList<string> Joints, string Reason);
 
     public string Json() => JsonSerializer.Serialize(this, Options);
 }

@@ -10,13 +10,15 @@ using Nowpose.Sync;
 namespace Nowpose.Cli.Headset;
 
 /// <summary>The headset runtime against a gateway that is there already, at a display's pace, without a display.</summary>
-sealed class HeadsetRun(HeadsetSettings settings)
+/// <param name="say">Takes a line when the pose ceases to be current, and when it is again.</param>
+sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 {
     static readonly TimeSpan DescriptionTimeout = TimeSpan.FromSeconds(10);
 
     readonly StopwatchHeadsetClock _clock = new();
     readonly PoseCount _poses = new();
     readonly PoseStretches _stretches = new();
+    readonly PoseOutages _outages = new(say);
     TimeSpan? _coarseAfter, _synchronisedAfter;
     bool _wasTimeTrusted, _wasCurrent;
     int _frames;
@@ -62,10 +64,20 @@ sealed class HeadsetRun(HeadsetSettings settings)
     {
         _poses.Add(time, frame.State);
         _stretches.Add(time, frame.State, frame.DisplayTime);
+        _outages.Add(time, frame.State == PoseState.Current, () => Describe(session));
         _wasTimeTrusted |= frame.IsTimeTrusted;
         if (_wasCurrent || frame.State != PoseState.Current) return;
         _wasCurrent = true;
         session.RestartErrorRun();
+    }
+
+    (string Pose, IReadOnlyList<string> Joints, string Reason) Describe(CompensationSession session)
+    {
+        var statistics = session.Statistics(_clock.Now);
+        var missing = statistics.JointStatuses.Where(joint => joint.IsMissing).ToList();
+        return (
+            PoseStateName.Of(statistics.Pose, statistics.Clock.State), [.. missing.Select(joint => joint.Joint)],
+            HeadsetVerdict.ReasonOf(statistics, missing));
     }
 
     // What a robot is named by decides how it is read: one from the gateway needs a session that asks for it first.
@@ -108,7 +120,7 @@ sealed class HeadsetRun(HeadsetSettings settings)
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),
             pose, HeadsetResult.ErrorResult.Of(statistics.ToolErrorOfRun),
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
-            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result());
+            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result());
         WhyFailed = HeadsetVerdict.FailureOf(pose, statistics, _wasTimeTrusted);
         return result;
     }

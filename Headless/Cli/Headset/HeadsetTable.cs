@@ -27,6 +27,8 @@ static class HeadsetTable
         Row("longest time not current", Text(pose.LongestNotCurrentS, "0.00", " s"));
         if (result.MissingJoints.Count > 0) Row("joints without data", string.Join(", ", result.MissingJoints));
         foreach (var joint in result.Joints) Row("joint " + joint.Name, JointOf(joint));
+        foreach (var outage in result.Outages)
+            Row($"outage from {Text(outage.FromS, "0.0", "")} to {Text(outage.ToS ?? result.Seconds, "0.0", " s")}", outage.Pose + (outage.Reason.Length == 0 ? "" : ": " + outage.Reason));
         AddErrors(Row, "", result.ToolErrorMm);
         // One stretch is the whole run.
         for (var i = 0; i < result.Stretches.Count && result.Stretches.Count > 1; i++) AddStretch(Row, i + 1, result.Stretches[i]);

@@ -52,7 +52,7 @@ static class HeadsetVerb
 
     static int Run(HeadsetSettings settings, bool isJson, CancellationToken cancel)
     {
-        var run = new HeadsetRun(settings);
+        var run = new HeadsetRun(settings, line => Console.Error.WriteLine(line));
         var result = default(HeadsetResult);
         DemoProgress.Run(settings.Seconds, report => result = run.Play(report, cancel));
         if (isJson) Console.Out.WriteLine(result.Json());

@@ -25,6 +25,10 @@ static class HeadsetVerdict
             : FormattableString.Invariant($"the pose was current for {100 * share:0} % of the time, at least {100 * MinCurrentShare:0} % is required; {why}");
     }
 
+    /// <summary>Why a pose is not current, as far as it is known: a connection that fails, or joints without data. Without times.</summary>
+    public static string ReasonOf(SessionStatistics statistics, IEnumerable<JointStatus> missing) =>
+        LinkFaultOf(statistics) ?? JointStatusText.Of(missing, joint => joint.DescriptionSince(null));
+
     static string LinkFaultOf(SessionStatistics statistics) =>
         statistics.SyncLink.State == LinkState.Waiting ? statistics.SyncLink.Detail
         : statistics.SampleLink.State == LinkState.Waiting ? statistics.SampleLink.Detail : null;

@@ -14,7 +14,8 @@ public class HeadsetTableTests
         [
             new HeadsetResult.StretchResult(1.5, 8, 1, new HeadsetResult.ErrorResult(20, 40, 1, 2, 0.95, 0.01)),
             new HeadsetResult.StretchResult(12, 16, 0.98, new HeadsetResult.ErrorResult(20, 40, 4, 8, 0.8, 0.02)),
-        ]);
+        ],
+        [new HeadsetResult.OutageResult(8, 12, "held", ["a3"], "joint a3: no data: node deleted")]);
 
     static string Printed(HeadsetResult result)
     {
@@ -42,6 +43,7 @@ public class HeadsetTableTests
 
         Assert.That(text, Does.Match(@"joints without data +a3"));
         Assert.That(text, Does.Match(@"joint a3 +fault since 4 s: node deleted"));
+        Assert.That(text, Does.Match(@"outage from 8\.0 to 12\.0 s +held: joint a3: no data: node deleted"));
         Assert.That(text, Does.Match(@"stretch 1: pose +current for 100\.0 % of the frames from 1\.5 to 8\.0 s"));
         Assert.That(text, Does.Match(@"stretch 2: tool, compensated +4\.00 mm RMS, 8\.00 mm P95"));
     }

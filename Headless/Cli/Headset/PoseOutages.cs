@@ -1,0 +1,53 @@
+namespace Nowpose.Cli.Headset;
+
+/// <summary>Reports each outage of the pose when it begins, changes and ends, and keeps them for the result.</summary>
+/// <param name="say">Takes one line.</param>
+sealed class PoseOutages(Action<string> say)
+{
+    /// <summary>Shorter times without a current pose are no outage; at the start, the connections take longer.</summary>
+    internal static readonly TimeSpan MinLength = TimeSpan.FromSeconds(0.5), MinLengthAtStart = TimeSpan.FromSeconds(3);
+
+    /// <summary>Outages kept for the result.</summary>
+    internal const int MaxCount = 100;
+
+    static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.25);
+
+    readonly List<HeadsetResult.OutageResult> _outages = [];
+    TimeSpan? _since = TimeSpan.Zero;
+    TimeSpan _next;
+    bool _wasCurrent;
+    HeadsetResult.OutageResult _now;
+
+    /// <param name="time">Start of the frame since the start of the run; increasing.</param>
+    /// <param name="describe">Pose state, joints without data, and why; called a few times per second while the pose is not current.</param>
+    public void Add(TimeSpan time, bool isCurrent, Func<(string Pose, IReadOnlyList<string> Joints, string Reason)> describe)
+    {
+        if (isCurrent)
+        {
+            End(time);
+            return;
+        }
+
+        _since ??= time;
+        if (time - _since < (_wasCurrent ? MinLength : MinLengthAtStart) || time < _next) return;
+        _next = time + Interval;
+        var (pose, joints, reason) = describe();
+        if (_now?.Pose == pose && _now.Reason == reason) return;
+        _now = new HeadsetResult.OutageResult(_since.Value.TotalSeconds, null, pose, joints, reason);
+        say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is {pose}") + (reason.Length == 0 ? "" : "; " + reason));
+    }
+
+    public IReadOnlyList<HeadsetResult.OutageResult> Result() => _now == null ? _outages : [.. _outages, _now];
+
+    void End(TimeSpan time)
+    {
+        _wasCurrent = true;
+        if (_now != null)
+        {
+            if (_outages.Count < MaxCount) _outages.Add(_now with { ToS = time.TotalSeconds });
+            say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is current again, after {(time - _since.Value).TotalSeconds:0.0} s"));
+        }
+
+        (_since, _now, _next) = (null, null, TimeSpan.Zero);
+    }
+}

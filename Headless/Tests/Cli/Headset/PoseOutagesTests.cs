@@ -1,0 +1,74 @@
+using NUnit.Framework;
+using Nowpose.Cli.Headset;
+
+namespace Nowpose.Headless.Tests.Cli.Headset;
+
+[Parallelizable]
+public class PoseOutagesTests
+{
+    readonly List<string> _lines = [];
+    PoseOutages _outages;
+    int _frame;
+
+    [SetUp]
+    public void Begin()
+    {
+        _lines.Clear();
+        _outages = new PoseOutages(_lines.Add);
+        _frame = 0;
+    }
+
+    void Play(double seconds, bool isCurrent, string reason = "", params string[] joints)
+    {
+        for (var end = _frame + (int)(seconds * 60); _frame < end; _frame++)
+            _outages.Add(TimeSpan.FromSeconds(_frame / 60.0), isCurrent, () => ("held", joints, reason));
+    }
+
+    [Test]
+    public void Add_JointWithoutData_IsReportedWithinASecondAndKeptAfterItsRepair()
+    {
+        Play(5, true);
+        Play(2, false, "joint a3: no data: node deleted", "a3");
+        Play(1, true);
+
+        Assert.That(_lines, Is.EqualTo(new[]
+        {
+            "at 5.5 s: the pose is held; joint a3: no data: node deleted", "at 7.0 s: the pose is current again, after 2.0 s",
+        }));
+        var outage = _outages.Result().Single();
+        Assert.That((outage.FromS, outage.ToS, outage.Pose, outage.Reason), Is.EqualTo((5.0, (double?)7.0, "held", "joint a3: no data: node deleted")));
+        Assert.That(outage.Joints, Is.EqualTo(new[] { "a3" }));
+    }
+
+    [Test]
+    public void Add_ReasonComesLater_IsReportedAsWell()
+    {
+        Play(5, true);
+        Play(1, false);
+        Play(1, false, "joint a3: no data", "a3");
+
+        Assert.That(_lines.Select(line => line.EndsWith("no data", StringComparison.Ordinal)), Is.EqualTo(new[] { false, true }));
+        Assert.That(_outages.Result().Single().ToS, Is.Null, "it lasts");
+    }
+
+    [TestCase(0.3)]
+    [TestCase(0.45)]
+    public void Add_ShortGap_IsNoOutage(double seconds)
+    {
+        Play(5, true);
+        Play(seconds, false, "joint a3: no data", "a3");
+        Play(1, true);
+
+        Assert.That(_lines, Is.Empty);
+        Assert.That(_outages.Result(), Is.Empty);
+    }
+
+    [TestCase(2.5, 0)]
+    [TestCase(4, 1)]
+    public void Add_Start_IsReportedWhenItTakesLong(double seconds, int lines)
+    {
+        Play(seconds, false);
+
+        Assert.That(_lines, Has.Count.EqualTo(lines));
+    }
+}
