@@ -49,6 +49,7 @@ namespace Nowpose.Sync
         readonly EnvelopeSide _above = new EnvelopeSide(-1, History);
         readonly EnvelopeFit _fit;
         readonly LeastDelay _up, _down;
+        readonly OffsetMemory _memory = new OffsetMemory();
         readonly UnmetPart _unmetPart = new UnmetPart();
         OffsetCurve _curve;
         double _expectedSkew, _steadySkew;
@@ -73,6 +74,7 @@ namespace Nowpose.Sync
             _history.Clear();
             _up.Reset();
             _down.Reset();
+            _memory.Reset();
             _exchanges = 0;
             Line = default;
         }
@@ -159,8 +161,10 @@ namespace Nowpose.Sync
             var hidden = unmet / Math.Max(1e-3, span) / 3;
             var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
-            return new ClockLine(
-                reference, offset, skew, ClockTicks.Span(_fit.OffsetError + (_up.Error + _down.Error) / 2), skewError, _exchanges);
+            var error = _fit.OffsetError + (_up.Error + _down.Error) / 2;
+            var line = new ClockLine(reference, offset, skew, ClockTicks.Span(error), skewError, _exchanges);
+            _memory.Add(line, running);
+            return new ClockLine(reference, offset, skew, ClockTicks.Span(error + _memory.Error), skewError, _exchanges);
         }
     }
 }

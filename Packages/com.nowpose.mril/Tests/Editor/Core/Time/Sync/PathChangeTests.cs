@@ -93,6 +93,24 @@ namespace Nowpose.Tests
             }
         }
 
+        [TestCase("wifi", -0.5)]
+        [TestCase("wifi", -1)]
+        [TestCase("wifi", 0.5)]
+        [TestCase("busy-wifi", -0.5)]
+        [TestCase("busy-wifi", 0.5)]
+        [TestCase("busy-wifi", 4)]
+        public void EstimatedError_ChangeThatMayBeTooSmallToRecognise_Holds(string network, double changeMs)
+        {
+            for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
+            {
+                var run = Run(Link(network, seed), 0, changeMs);
+
+                var after = run.Instants.Where(i => i.At > ChangeAt + 5).ToArray();
+                Assert.That(after.Average(i => Math.Abs(i.ErrorMs) <= i.Model.EstimatedError.TotalMilliseconds ? 1 : 0), Is.GreaterThan(0.95), "seed " + seed);
+                Assert.That(after.Last().Model.EstimatedError.TotalMilliseconds, Is.LessThan(network == "wifi" ? 1.6 : 2), "and says something; seed " + seed);
+            }
+        }
+
         [Test]
         public void Error_DirectionBecomesShorterThanEver_MovesByHalfAndSaysSo()
         {
