@@ -15,6 +15,9 @@ namespace Nowpose.Session
         /// <summary>The gateway repeats its report every second while there is something to report.</summary>
         static readonly TimeSpan ReportLifetime = TimeSpan.FromSeconds(5);
 
+        /// <summary>A report of rest explains missing samples only while the gateway repeats it; one repetition may be lost.</summary>
+        static readonly TimeSpan RestLifetime = TimeSpan.FromSeconds(2.5);
+
         readonly RobotModel _robot;
         readonly JointTracks _tracks;
         readonly TimeSpan _horizonCap;
@@ -56,17 +59,19 @@ namespace Nowpose.Session
             into.Clear();
             var reports = ReportsAt(now);
             var controlNow = clock.IsKnown ? clock.ToControl(now) : (ControlTime?)null;
+            var isRestConfirmed = reports != null && now - reports.Arrival <= RestLifetime;
             for (var i = 0; i < _isToolJoint.Length; i++)
             {
                 var report = reports?.OfJoint[i] ?? default;
                 if (IsMissing(report.State)) into.Add(StatusOf(i, report.State, report.Since, controlNow, report.Reason));
                 else if (_isToolJoint[i] && !_tracks.HasSample(i)) into.Add(StatusOf(i, JointDataState.Missing, null, controlNow, ""));
-                else if (_isToolJoint[i] && shownFor - _tracks.NewestOf(i) > _horizonCap)
-                    into.Add(StatusOf(i, JointDataState.Stale, _tracks.NewestOf(i), controlNow, ""));
-                else if (report.State == JointDataState.Rest)
+                else if (report.State == JointDataState.Rest && (isRestConfirmed || !IsOld(i, shownFor)))
                     into.Add(StatusOf(i, JointDataState.Rest, report.Since, controlNow, report.Reason));
+                else if (IsOld(i, shownFor)) into.Add(StatusOf(i, JointDataState.Stale, _tracks.NewestOf(i), controlNow, ""));
             }
         }
+
+        bool IsOld(int joint, ControlTime? shownFor) => _isToolJoint[joint] && shownFor - _tracks.NewestOf(joint) > _horizonCap;
 
         JointStatus StatusOf(int joint, JointDataState state, ControlTime? since, ControlTime? now, string reason)
         {

@@ -123,17 +123,23 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void Tick_GatewayReportsRestButNoSamplesArrive_IsHeldAndNotAtRest()
+        public void Tick_GatewayReportsRestButNoSamplesArrive_IsHeldAndAtRestUntilTheReportIsNotRepeated()
         {
             var simulated = Running();
             simulated.SilentJoint = "elbow";
             simulated.Run(1);
 
-            Report(simulated, "elbow", JointDataState.Rest);
-            var states = StatesOf(simulated, 0.5);
+            Report(simulated, "elbow", JointDataState.Rest, 1);
+            var states = StatesOf(simulated, 2.4);
+            var during = StatisticsOf(simulated).JointStatuses.Single();
+            simulated.Run(0.2);
+            var after = StatisticsOf(simulated).JointStatuses.Single();
 
             Assert.That(states, Is.All.EqualTo(PoseState.Held));
-            Assert.That(StatisticsOf(simulated).JointStatuses.Single().State, Is.EqualTo(JointDataState.Stale));
+            Assert.That(during.State, Is.EqualTo(JointDataState.Rest));
+            Assert.That(during.IsMissing, Is.False);
+            Assert.That(DiagnosticsOf(simulated)["missing_joints"], Is.EqualTo("elbow"), "2.6 s after the last report");
+            Assert.That(after.State, Is.EqualTo(JointDataState.Stale));
         }
 
         [Test]
