@@ -48,6 +48,21 @@ describe('silence', () => {
     assert.equal(cell.lines.filter(line => line.includes('a fault')).length, 1);
   });
 
+  it('Motion_SampledSeldom_IsNeitherRepeatedNorEndedBetweenItsSamples', () => {
+    const cell = plant([{ joint: 'a' }]);
+    const samples = [];
+
+    for (; cell.time.ms < 4000; cell.time.ms += 10) {
+      if (cell.time.ms % 200 === 0) samples.push(cell.value(0, 3 * Math.sin(cell.time.ms / 500)));
+      cell.output.hold(cell.clock.now - 10n * MS, 30n * MS);
+      // The first sample has no interval before it.
+      if (cell.time.ms === 390) cell.sent.length = samples.length = 0;
+    }
+
+    assert.equal(cell.stateOf('a'), 'live');
+    assert.equal(cell.sent.length, samples.length);
+  });
+
   it('Motion_GoesOn_IsLiveAtOnce', () => {
     const cell = plant();
     moveAndStop(cell, 1);

@@ -46,7 +46,7 @@ describe('silent nodes', () => {
 
     assert.deepEqual([cell.asked, unchanged], [[['0', '1']], [0, 1]]);
     cell.hear(0, good(3));
-    cell.now -= 300;
+    cell.now -= 450;
     await cell.look();
     assert.deepEqual(cell.asked[1], ['1']);
   });

@@ -2,6 +2,7 @@ import './quiet';
 import { type UserIdentityInfo, UserTokenType } from 'node-opcua-client';
 import type { AdapterContext } from '../adapter';
 import { Backoff, pause } from '../backoff';
+import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
 import { byNumber, isByUri, NAMESPACES } from './nodeIds';
 import type { NodeJoint } from './nodeValues';
@@ -18,7 +19,10 @@ import { Watch } from './watch';
 /** A server looks and sends a little later than it grants. */
 const SLACK_MS = 100;
 
-/** A joint that rests is confirmed twice a second: one that is not for this long has a fault. */
+/** A change may be stamped this long before a read of the node shows it, besides the time between two looks of the server. */
+const STAMP_LAG_MS = 50;
+
+/** A joint that rests is confirmed several times a second: one that is not for this long has a fault. */
 const UNCONFIRMED_MS = 1500;
 
 /** Reads an OPC UA server, and again after every end of the connection, until it is stopped. */
@@ -79,6 +83,7 @@ async function attempt(
     const silent = new SilentNodes(session, reader, reader.jointNodes.map((_, i) => nodes[i]), node => whereIs(context, reader.nodes[node]));
     const monitoring = await session.monitor(nodes, values => {
       silent.heard(values);
+      watch.valued();
       reader.read(values);
     }, () => watch.alive());
     reader.samplingMs = monitoring.samplingMs;
@@ -89,9 +94,10 @@ async function attempt(
     status.detail('publishing_ms', monitoring.publishingMs);
     isConnected = true;
     status.enter('connected');
-    const look = async (): Promise<void> => {
-      const unchanged = await silent.read(), time = watch.settledTime(delayMs);
-      if (time !== null) reader.holdNodes(time, unchanged);
+    const lag = ofMilliseconds(STAMP_LAG_MS + monitoring.samplingMs);
+    const look = async (time: Nanoseconds | null): Promise<void> => {
+      const unchanged = await silent.read();
+      if (time !== null) reader.holdNodes(time - lag, unchanged);
     };
     const reason = await Promise.race([session.ended, watch.silence(context.clock, monitoring.keepAliveMs, session.ended, look)]);
     if (!stopping.aborted) status.enter('waiting', reason);

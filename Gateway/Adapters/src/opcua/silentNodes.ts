@@ -4,11 +4,11 @@ import { isGone, isGood, statusRefusal } from './nodeValues';
 import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
 
-/** A node is read when nothing has come of it for this long, and for this multiple of what a change takes to arrive. */
-const SILENT_MS = 400, DELAYS = 2;
+/** A node is read when nothing has come of it for this long. */
+const SILENT_MS = 100;
 
-/** A value that differs from the last notification in this many reads in a row: the server no longer notifies. */
-const DIFFERENT_READS = 2;
+/** Reads differ from the last notification for this long, and for this multiple of what a change takes to arrive: the server no longer notifies. */
+const DIFFERENT_MS = 400, DELAYS = 2;
 
 interface NodeState {
   heardAt: number;
@@ -18,7 +18,8 @@ interface NodeState {
   isGone: boolean;
   /** Its value was not usable when it was read, and no notification said so. */
   isBad: boolean;
-  differs: number;
+  /** When the first of the reads was made that all differ from the last notification; null: the last one does not differ. */
+  differsSince: number | null;
 }
 
 /** Reads the nodes that a server is silent about: it is silent about a value at rest and, often, about a deleted node. */
@@ -32,12 +33,12 @@ export class SilentNodes {
     readonly session: Pick<ReadOnlySession, 'readAll' | 'monitorAgain'>, readonly reader: NotificationReader, readonly ids: string[],
     readonly nameOf: (node: number) => string, readonly now: () => number = () => performance.now(),
   ) {
-    this.#nodes = ids.map(() => ({ heardAt: now(), value: null, isGone: false, isBad: false, differs: 0 }));
+    this.#nodes = ids.map(() => ({ heardAt: now(), value: null, isGone: false, isBad: false, differsSince: null }));
   }
 
   heard(values: NodeValue[]): void {
     for (const { node, value } of values)
-      if (node < this.#nodes.length) this.#nodes[node] = { heardAt: this.now(), value, isGone: isGone(value.statusCode), isBad: false, differs: 0 };
+      if (node < this.#nodes.length) this.#nodes[node] = { heardAt: this.now(), value, isGone: isGone(value.statusCode), isBad: false, differsSince: null };
   }
 
   /** The server does not monitor this node. */
@@ -48,8 +49,8 @@ export class SilentNodes {
 
   /** Reads each silent node. Returns those that still have the value of their last notification. */
   async read(): Promise<Set<number>> {
-    const began = this.now(), silence = Math.max(SILENT_MS, DELAYS * this.delayMs);
-    const silent = this.#nodes.flatMap(({ heardAt, isGone }, node) => isGone || began - heardAt >= silence ? [node] : []);
+    const began = this.now();
+    const silent = this.#nodes.flatMap(({ heardAt, isGone }, node) => isGone || began - heardAt >= SILENT_MS ? [node] : []);
     const values = silent.length === 0 ? [] : await this.session.readAll(silent.map(node => this.ids[node]));
     const unchanged = new Set<number>();
     for (const [i, node] of silent.entries())
@@ -70,15 +71,17 @@ export class SilentNodes {
       state.isBad = !isSame;
       return false;
     }
-    state.differs = isSame ? 0 : state.differs + 1;
+    const now = this.now();
+    state.differsSince = isSame ? null : state.differsSince ?? now;
     // A new monitored item brings the value with its stamp at once.
-    const isNew = state.isGone || state.isBad || state.differs >= DIFFERENT_READS;
+    const isNew = state.isGone || state.isBad
+      || state.differsSince !== null && now - state.differsSince >= Math.max(DIFFERENT_MS, DELAYS * this.delayMs);
     if (isNew) await this.#monitorAgain(node);
     return isSame && !isNew;
   }
 
   async #monitorAgain(node: number): Promise<void> {
-    this.#nodes[node] = { heardAt: this.now(), value: null, isGone: false, isBad: false, differs: 0 };
+    this.#nodes[node] = { heardAt: this.now(), value: null, isGone: false, isBad: false, differsSince: null };
     this.reader.expectFirst(node);
     const refusal = await this.session.monitorAgain(node, this.ids[node]);
     if (refusal !== null) this.refused(node, `${this.nameOf(node)}: the server says ${refusal}`);

@@ -1,57 +1,52 @@
 import { isClockStopped, type PlantClock } from '../clock/plantClock';
 import type { Nanoseconds } from '../times';
 
-const LOOK_MS = 500, SILENCE_MS = 5000, MISSED = 3, MOST_READINGS = 64;
+/** Time between two looks while values arrive, and while none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
+const LOOK_MS = 500, QUIET_LOOK_MS = 90, QUIET_MS = 80;
+
+const SILENCE_MS = 5000, MISSED = 3;
 
 /** Sees that the server still talks: by its notifications, or signs of life in their place, and by its clock. */
 export class Watch {
   #heard = performance.now();
-  /** What its clock showed, and when it was read; oldest first. */
-  #readings: { time: Nanoseconds; at: number }[] = [];
+  #valued = -Infinity;
 
   alive(): void {
     this.#heard = performance.now();
   }
 
-  /**
-   * A time that its clock showed so long ago that what changed until then has been told by now; null where none was read.
-   * @param delayMs How long a change may take to be told.
-   */
-  settledTime(delayMs: number): Nanoseconds | null {
-    const settled = this.#readings.filter(({ at }) => performance.now() - at > delayMs).at(-1) ?? null;
-    this.#readings = this.#readings.filter(reading => settled === null || reading.at >= settled.at);
-    return settled?.time ?? null;
+  /** Values arrived. */
+  valued(): void {
+    this.#valued = performance.now();
   }
 
   /**
    * Resolves with the reason when it has fallen silent; looks until `ended`. Each look also tells how its clock goes.
    * @param keepAliveMs How often it gives a sign of life.
-   * @param look Called in each look, after the clock was read.
+   * @param look Called in each look, with the time that the clock showed just before; null when it was not read.
    */
-  async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: () => Promise<void>): Promise<string> {
+  async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
-    let isOver = false;
+    let isOver = false, looked = performance.now();
     void ended.then(() => { isOver = true; });
     while (!isOver) {
-      await new Promise(resolve => setTimeout(resolve, LOOK_MS));
+      await new Promise(resolve => setTimeout(resolve, QUIET_LOOK_MS));
       if (performance.now() - this.#heard > longest) return `nothing was published for ${longest / 1000} s`;
+      if (performance.now() - this.#valued < QUIET_MS && performance.now() - looked < LOOK_MS) continue;
+      looked = performance.now();
+      let time: Nanoseconds | null = null;
       try {
-        if (!isOver) this.#note((await clock.read()).received);
+        if (!isOver) time = (await clock.read()).received;
       } catch (error) {
         // A server whose clock was stopped still answers; whoever asks for the time is told.
         if (!isClockStopped(error)) return `its clock cannot be read: ${(error as Error).message}`;
       }
       try {
-        if (!isOver) await look();
+        if (!isOver) await look(time);
       } catch (error) {
         return `its nodes cannot be read: ${(error as Error).message}`;
       }
     }
     return 'the connection ended';
-  }
-
-  #note(time: Nanoseconds): void {
-    this.#readings.push({ time, at: performance.now() });
-    if (this.#readings.length > MOST_READINGS) this.#readings.shift();
   }
 }

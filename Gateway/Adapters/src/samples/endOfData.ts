@@ -66,6 +66,9 @@ export class EndOfData {
    */
   constructor(readonly floor: number, readonly configured: number | null = null) {}
 
+  /** Median time between the newest samples of the motion, in seconds; zero before the second. */
+  get interval(): number { return median(this.#intervals().slice(-RECENT)); }
+
   /** Takes a sample that is newer than the one before. */
   add(stamp: Nanoseconds, position: number): void {
     this.#start ??= stamp;
@@ -102,7 +105,7 @@ export class EndOfData {
   }
 
   #required(samplingS: number): number {
-    const intervals = this.#intervals(), h1 = intervals.at(-1)!, h2 = Math.max(samplingS, median(intervals.slice(-RECENT)));
+    const intervals = this.#intervals(), h1 = intervals.at(-1)!, h2 = Math.max(samplingS, this.interval);
     const [before, last] = this.#points.slice(-2);
     const speed = Math.abs(last.position - before.position) / h1;
     const q = this.#resolution(speed, h1 < EACH_LOOK * Math.max(samplingS, Math.min(...intervals)));

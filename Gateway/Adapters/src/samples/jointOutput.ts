@@ -3,7 +3,7 @@ import type { Joint } from '../configuration/configuration';
 import { JOINT_STATES, jointState } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { shown } from '../configuration/problem';
-import type { Nanoseconds } from '../times';
+import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { EndOfData } from './endOfData';
 import { grouped, type Sample } from './grouping';
 import { Silence } from './silence';
@@ -38,6 +38,12 @@ const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 
 /** Deceleration that each joint is capable of: rad/s², and m/s² where its value is a length. A third of a hard emergency stop. */
 const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
+
+/** Silence of a joint that stands, at least; and time between two samples that repeat it. Headsets predict for some 300 ms. */
+const SILENCE: Nanoseconds = 100n * NS_PER_MS, REPETITION: Nanoseconds = 80n * NS_PER_MS;
+
+/** Silence of a joint that stands, as a multiple of the interval between its samples. */
+const SILENT_INTERVALS = 2;
 
 interface Publisher {
   publish(topic: string, msg: object): void;
@@ -85,7 +91,7 @@ export class JointOutput {
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     const { now, isSettled } = this.clock;
     if (!isSettled || now === null) return;
-    const silent = this.#standing.at(time, silence).filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint));
+    const silent = this.#standing.at(time, joint => this.#silenceOf(joint, silence)).filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint));
     const standing = silent.filter(({ joint }) => this.#rule.judge(joint, time, now) === null);
     for (const sample of standing) {
       this.#standing.heard(sample);
@@ -118,6 +124,13 @@ export class JointOutput {
   refuse(joint: number, reason: string, text: string): void {
     this.#standing.forget(joint);
     this.status.refuse(reason, this.joints[joint].joint, text);
+  }
+
+  /** How long nothing has come of a joint that stands; a joint that is known to stand is only repeated less often than this. */
+  #silenceOf(joint: number, silence: Nanoseconds): Nanoseconds {
+    if (this.#judged.has(joint)) return REPETITION;
+    const intervals = ofMilliseconds(1000 * SILENT_INTERVALS * this.#ends[joint].interval);
+    return [SILENCE, silence, intervals].reduce((longest, each) => each > longest ? each : longest);
   }
 
   /** Judges, once for each silence, whether the data of the joint ended while it moved. */

@@ -1,8 +1,5 @@
-import { type Nanoseconds, NS_PER_MS } from '../times';
+import type { Nanoseconds } from '../times';
 import type { Sample } from './grouping';
-
-/** A joint that moves is heard of more often, and a headset predicts from samples that are not older than some 300 ms. */
-const SILENCE: Nanoseconds = 100n * NS_PER_MS;
 
 /**
  * What each joint showed last. A control system that tells changes alone says by its silence that a joint stands: at a moment of which all
@@ -26,10 +23,10 @@ export class Standing {
 
   /**
    * The samples of all that stood at a time of the control system up to which all changes are known.
-   * @param silence How long nothing came of a joint that stands, where joints that move are heard of that seldom.
+   * @param silence How long nothing has come of a joint that stands.
    */
-  at(time: Nanoseconds, silence: Nanoseconds): Sample[] {
-    const least = silence > SILENCE ? silence : SILENCE;
-    return this.#newest.filter(sample => sample !== null).flatMap(sample => time - sample.stamp >= least ? [{ ...sample, stamp: time }] : []);
+  at(time: Nanoseconds, silence: (joint: number) => Nanoseconds): Sample[] {
+    return this.#newest.filter(sample => sample !== null)
+      .flatMap(sample => time - sample.stamp >= silence(sample.joint) ? [{ ...sample, stamp: time }] : []);
   }
 }
