@@ -52,8 +52,10 @@ describe('end of data', () => {
           const interval = INTERVALS[i % INTERVALS.length], move = make(random), options = source(interval, random);
           const samples = [...changes(move, random, { ...options, until: move.end + 2 })];
 
-          const verdict = judgeOf(samples).verdict(interval);
+          const judge = judgeOf(samples), verdict = judge.verdict(interval);
 
+          // One joint alone makes no emergency stop.
+          if (motion !== 'Emergency' && name !== 'WithLooksLeftOut') assert.equal(judge.verdict(interval, true), null, `alone, stop ${i} of seed ${SEED}`);
           assert.equal(verdict, null, `stop ${i} of seed ${SEED}: ${JSON.stringify(options)} ${JSON.stringify(samples.slice(-4))}`);
         }
       });
@@ -98,6 +100,20 @@ describe('end of data', () => {
 
     assert.equal(judge.verdict(0.01), null);
   });
+
+  for (const [place, isLearned] of [['Same', true], ['Another', false]])
+    it(`Verdict_MotionStartsAgainAt${place}Place_${isLearned ? 'LearnsTheStop' : 'LearnsNothing'}`, () => {
+      // It ends at its highest speed, 0.5 rad/s.
+      const swing = { position: t => 0.25 * Math.sin(2 * t) }, cut = [...changes(swing, () => 0, { interval: 0.05, from: 0, until: 3 * Math.PI })];
+      const judge = judgeOf(cut), before = judge.verdict(0.05, true), shift = place === 'Same' ? 0 : 0.2;
+      const later = { position: t => cut.at(-1).value + shift + 0.25 * Math.sin(2 * t) };
+
+      for (const { time, value } of changes(later, () => 0, { interval: 0.05, from: 0, until: 3 * Math.PI }))
+        judge.add(stampOf(time + 20), value);
+
+      assert.notEqual(before, null);
+      assert.equal(judge.verdict(0.05, true) === null, isLearned);
+    });
 
   it('Verdict_FewSamples_IsUnknown', () => {
     const judge = judgeOf([0, 1, 2].map(i => ({ time: 0.01 * i, value: i })));

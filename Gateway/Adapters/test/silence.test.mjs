@@ -85,6 +85,32 @@ describe('silence', () => {
     assert.equal(cell.status.level, 0);
   });
 
+  /** Joints that swing with at most 0.6 rad/s, read every 50 ms; those of `stopped` are silent from the moment of their highest speed. */
+  function swing(stopped, amplitude = 0.3) {
+    const cell = plant(), cut = 1000 * Math.PI * 3;
+    for (; cell.time.ms < cut + 2000; cell.time.ms += 50) {
+      const s = cell.time.ms / 1000;
+      for (const joint of [0, 1]) if (cell.time.ms < cut || !stopped.includes(joint)) cell.value(joint, amplitude * Math.sin(2 * s));
+      cell.output.hold(cell.clock.now - 50n * MS, 30n * MS);
+    }
+    return cell;
+  }
+
+  it('Motion_CutBelowTheFloorWhileAnotherJointGoesOn_IsFault', () => {
+    const cell = swing([0]);
+
+    assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'live']);
+    // 1.5 times the largest deceleration of the swing, 1.2 rad/s², and four times what the last samples show.
+    assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s²/);
+  });
+
+  it('Motion_OfAllJointsCutBelowTheFloor_IsRestWithDoubt', () => {
+    const cell = swing([0, 1]);
+
+    assert.deepEqual([cell.stateOf('a'), cell.stateOf('b'), cell.status.level], ['rest', 'rest', 0]);
+    assert.match(cell.status.values()['joint/a'], /assumed at rest; the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
+  });
+
   it('Silence_LongerThanConfigured_IsFault', () => {
     const cell = plant([{ joint: 'a', maxDeceleration: 200, faultAfterMs: 2000 }, { joint: 'b' }]);
 

@@ -46,10 +46,10 @@ export class JointConditions {
     this.log.resume(`joint ${joint}`, `${joint} is live again`);
   }
 
-  /** @param since Time of the last sample. */
-  rest(joint: string, since: number): void {
+  /** @param since Time of the last sample. @param doubt Why rest is not certain; empty for none. */
+  rest(joint: string, since: number, doubt = ''): void {
     if (this.stateOf(joint) === 'rest') return;
-    this.#enter(joint, 'rest', 'no change is reported; the joint is assumed at rest', since);
+    this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${doubt === '' ? '' : `; ${doubt}`}`, since);
     this.log.resume(`joint ${joint}`, `${joint} is at rest, without fault`);
   }
 

@@ -30,6 +30,12 @@ const RESOLUTION_MARGIN = 2;
 /** Margin on the largest deceleration that was seen, because it is measured between samples. */
 const SEEN_MARGIN = 1.5;
 
+/** A joint goes on moving when it was heard of this many seconds later, and moved in one direction in at least so many steps since. */
+const GOES_ON_S = 0.3, GOES_ON_STEPS = 3;
+
+/** A joint that starts again this near to where it was last seen, as a part of its last step, did stop there. */
+const STOPPED_NEAR = 0.25;
+
 interface Point {
   /** Seconds since the first sample of the joint. */
   time: number;
@@ -50,11 +56,13 @@ interface Point {
  * where q is the resolution of the positions (quantisation or deadband). The data ended in mid-motion when the joint cannot have braked
  * that hard. Without a configured limit the joint can brake with the floor, 1.5 times the largest deceleration that was seen, and 4 times
  * the deceleration that the last samples show: a constant deceleration that lasts 0.4 h or longer shows at least a quarter of a there, and
- * a shorter one of size A has a ≤ 0.32 A, so that the floor admits each stop with A ≤ 3 times the floor.
+ * a shorter one of size A has a ≤ 0.32 A, so that the floor admits each stop with A ≤ 3 times the floor. The floor is for emergency stops,
+ * which stop all joints: it does not count while another joint goes on, provided that a deceleration of this joint was seen.
  */
 export class EndOfData {
   readonly #points: Point[] = [];
   #start: Nanoseconds | null = null;
+  #newest: Nanoseconds | null = null;
   /** Smallest change of the position between two samples, and smallest mean speed between them, so far. */
   #smallestStep = Infinity;
   #smallestSpeed = Infinity;
@@ -72,14 +80,18 @@ export class EndOfData {
   /** Takes a sample that is newer than the one before. */
   add(stamp: Nanoseconds, position: number): void {
     this.#start ??= stamp;
-    const time = Number(stamp - this.#start) / Number(NS_PER_S), last = this.#points.at(-1);
-    if (last !== undefined && (time <= last.time || this.#isGap(time - last.time))) this.#points.length = 0;
+    const time = this.#secondsOf(stamp), last = this.#points.at(-1);
+    if (last !== undefined && (time <= last.time || this.#isGap(time - last.time))) {
+      if (time > last.time) this.#learnStop(position);
+      this.#points.length = 0;
+    }
     const step = last === undefined ? 0 : Math.abs(position - last.position);
     if (step > 0 && time > last!.time) {
       this.#smallestStep = Math.min(this.#smallestStep, step);
       this.#smallestSpeed = Math.min(this.#smallestSpeed, step / (time - last!.time));
     }
     this.#points.push({ time, position });
+    this.#newest = stamp;
     if (this.#points.length > WINDOW) this.#points.shift();
     this.#largestSeen = Math.max(this.#largestSeen, this.#sustained());
   }
@@ -88,20 +100,53 @@ export class EndOfData {
   restart(): void {
     this.#points.length = 0;
     this.#start = null;
+    this.#newest = null;
   }
+
+  /** Whether the joint went on moving for a while after a stamp. */
+  goesOnAfter(stamp: Nanoseconds): boolean {
+    const from = this.#start === null ? 0 : this.#secondsOf(stamp), after = this.#points.filter(({ time }) => time > from);
+    const directions = new Set(after.slice(1).map(({ position }, i) => Math.sign(position - after[i].position)));
+    return after.length > GOES_ON_STEPS && after.at(-1)!.time - from > GOES_ON_S && directions.size === 1 && !directions.has(0);
+  }
+
+  /** Stamp of the last sample; null without one. */
+  get newest(): Nanoseconds | null { return this.#newest; }
 
   /**
    * Returns why the joint cannot have stopped at its last sample; null when it can.
    * @param samplingS Seconds between two looks of the source at the joint; 0 when unknown.
+   * @param areOthersMoving Whether another joint goes on moving: then it was no emergency stop.
    */
-  verdict(samplingS: number): { required: number; limit: number } | null {
+  verdict(samplingS: number, areOthersMoving = false): { required: number; limit: number } | null {
     if (this.#points.length < MIN_SAMPLES) return null;
-    const required = this.#required(samplingS), limit = this.configured ?? this.#limit();
+    const isFloorLeftOut = areOthersMoving && this.#largestSeen > 0, observed = this.#observed();
+    const required = this.#required(samplingS), limit = this.configured ?? (isFloorLeftOut ? observed : Math.max(this.floor, observed));
     return required > limit ? { required, limit } : null;
   }
 
-  #limit(): number {
-    return Math.max(this.floor, SEEN_MARGIN * this.#largestSeen, BRAKING_MARGIN * Math.max(...this.#decelerations(BRAKING)));
+  /** Deceleration that a stop at the last sample needs, when neither the stop nor one as hard was observed; null otherwise. */
+  unobserved(samplingS: number): number | null {
+    if (this.#points.length < MIN_SAMPLES || this.configured !== null) return null;
+    const required = this.#required(samplingS);
+    return required > this.#observed() ? required : null;
+  }
+
+  /** What the joint can brake with, by its samples. */
+  #observed(): number {
+    return Math.max(SEEN_MARGIN * this.#largestSeen, BRAKING_MARGIN * Math.max(...this.#decelerations(BRAKING)));
+  }
+
+  /** A joint that starts again where it was last seen did stop there, as hard as that needs. */
+  #learnStop(position: number): void {
+    if (this.#points.length < MIN_SAMPLES) return;
+    const [before, last] = this.#points.slice(-2);
+    if (Math.abs(position - last.position) <= STOPPED_NEAR * Math.abs(last.position - before.position))
+      this.#largestSeen = Math.max(this.#largestSeen, this.#required(0));
+  }
+
+  #secondsOf(stamp: Nanoseconds): number {
+    return Number(stamp - this.#start!) / Number(NS_PER_S);
   }
 
   #required(samplingS: number): number {

@@ -42,6 +42,9 @@ const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
 /** Silence of a joint that stands, at least; and time between two samples that repeat it. Headsets predict for some 300 ms. */
 const SILENCE: Nanoseconds = 100n * NS_PER_MS, REPETITION: Nanoseconds = 80n * NS_PER_MS;
 
+/** After this silence it is known whether the other joints stopped too, as they do in an emergency stop. */
+const OTHERS_KNOWN: Nanoseconds = 500n * NS_PER_MS;
+
 /** Silence of a joint that stands, as a multiple of the interval between its samples. */
 const SILENT_INTERVALS = 2;
 
@@ -56,6 +59,9 @@ export class JointOutput {
   readonly #ends: EndOfData[];
   /** Joints whose end of data was judged since their last sample. */
   readonly #judged = new Set<number>();
+  /** Joints that were repeated since their last sample, and the deceleration that the stop of a joint needs where it was not observed. */
+  readonly #repeated = new Set<number>();
+  readonly #unobserved = new Map<number, number>();
   /** Seconds between two looks of the source; 0 when unknown. */
   samplingS = 0;
   readonly silence: Silence;
@@ -91,11 +97,12 @@ export class JointOutput {
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     const { now, isSettled } = this.clock;
     if (!isSettled || now === null) return;
-    const silent = this.#standing.at(time, joint => this.#silenceOf(joint, silence)).filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint));
+    const silent = this.#standing.at(time, joint => this.#silenceOf(joint, silence)).filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint, time));
     const standing = silent.filter(({ joint }) => this.#rule.judge(joint, time, now) === null);
     for (const sample of standing) {
       this.#standing.heard(sample);
-      this.silence.confirm(this.joints[sample.joint].joint);
+      this.#repeated.add(sample.joint);
+      this.silence.confirm(this.joints[sample.joint].joint, this.#doubtOf(sample.joint));
     }
     this.#send(standing);
   }
@@ -128,22 +135,36 @@ export class JointOutput {
 
   /** How long nothing has come of a joint that stands; a joint that is known to stand is only repeated less often than this. */
   #silenceOf(joint: number, silence: Nanoseconds): Nanoseconds {
-    if (this.#judged.has(joint)) return REPETITION;
+    if (this.#repeated.has(joint)) return REPETITION;
     const intervals = ofMilliseconds(1000 * SILENT_INTERVALS * this.#ends[joint].interval);
     return [SILENCE, silence, intervals].reduce((longest, each) => each > longest ? each : longest);
   }
 
   /** Judges, once for each silence, whether the data of the joint ended while it moved. */
-  #hasEnded(joint: number): boolean {
+  #hasEnded(joint: number, time: Nanoseconds): boolean {
+    const end = this.#ends[joint], { newest } = end;
     if (this.#judged.has(joint)) return false;
-    this.#judged.add(joint);
-    const verdict = this.#ends[joint].verdict(this.samplingS);
+    const unobserved = end.unobserved(this.samplingS), isOthersKnown = newest === null || time - newest >= OTHERS_KNOWN;
+    const areOthersMoving = newest !== null && isOthersKnown && this.#ends.some((other, i) => i !== joint && other.goesOnAfter(newest));
+    const verdict = end.verdict(this.samplingS, areOthersMoving);
+    if (verdict !== null || isOthersKnown || unobserved === null) this.#judged.add(joint);
+    if (unobserved !== null) this.#unobserved.set(joint, unobserved);
     if (verdict === null) return false;
-    const { joint: name, isLinear } = this.joints[joint], unit = isLinear === true ? 'm/s²' : 'rad/s²';
+    const { joint: name } = this.joints[joint], unit = this.#unitOf(joint);
     this.#standing.forget(joint);
     this.status.joints.fault(name, `its data ended in mid-motion: to stop there needs ${verdict.required.toFixed(1)} ${unit}, `
       + `more than the ${verdict.limit.toFixed(1)} ${unit} that it is capable of (max_deceleration in plant.yaml)`, this.silence.lastSample(name));
     return true;
+  }
+
+  /** Why it is not certain that the joint rests; empty when nothing contradicts it. */
+  #doubtOf(joint: number): string {
+    const required = this.#unobserved.get(joint);
+    return required === undefined ? '' : `the stop itself was not observed; it would need ${required.toFixed(1)} ${this.#unitOf(joint)}`;
+  }
+
+  #unitOf(joint: number): string {
+    return this.joints[joint].isLinear === true ? 'm/s²' : 'rad/s²';
   }
 
   #send(samples: Sample[]): void {
@@ -189,6 +210,8 @@ export class JointOutput {
     const sample = { joint, position, stamp: stamp! };
     this.#standing.heard(sample);
     this.#judged.delete(joint);
+    this.#repeated.delete(joint);
+    this.#unobserved.delete(joint);
     this.#ends[joint].add(stamp!, position);
     this.status.accept(this.joints[joint].joint);
     this.silence.heard(this.joints[joint].joint);
