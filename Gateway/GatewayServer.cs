@@ -60,9 +60,9 @@ public sealed class GatewayServer : IAsyncDisposable
         _sync = new SyncServer(options, Clock, _access, wrong, Log);
         _limits = new LimitAlarm(Hub, Log);
         var events = new EventList(options.Time, Log);
-        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits, events);
+        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits, events, Log);
         var recordings = new RecordingsFolder(options.Recordings);
-        RecordingsWatch = new RecordingsWatch(Recorder, recordings, events);
+        RecordingsWatch = new RecordingsWatch(Recorder, recordings, events, Log);
         _webPending = new PendingConnections(options.MaxPendingConnections, options.MaxPendingInAll);
         _web = GatewayWeb.Build(
             options, new PendingPlaces(_webPending, WebSocketConnections, Log), Log, _rosbridge.ServeAsync,

@@ -10,13 +10,14 @@ sealed class RecordingsWatch : IDisposable
     readonly Recorder _recorder;
     readonly RecordingsFolder _folder;
     readonly EventList _events;
+    readonly Action<string> _log;
     readonly Lock _lock = new();
     readonly Timer _timer;
     HashSet<string> _listed;
 
-    public RecordingsWatch(Recorder recorder, RecordingsFolder folder, EventList events)
+    public RecordingsWatch(Recorder recorder, RecordingsFolder folder, EventList events, Action<string> log)
     {
-        (_recorder, _folder, _events) = (recorder, folder, events);
+        (_recorder, _folder, _events, _log) = (recorder, folder, events, log);
         _listed = [.. folder.List().Select(file => file.Name)];
         _timer = new Timer(_ => LookUnlessBusy());
         if (recorder.CanRecord) _timer.Change(Interval, Interval);
@@ -39,12 +40,17 @@ sealed class RecordingsWatch : IDisposable
     public void Dispose() => _timer.Dispose();
 
     // On a disk that hangs, one thread waits and not one more each second.
-    void LookUnlessBusy()
+    internal void LookUnlessBusy()
     {
         if (!_lock.TryEnter()) return;
         try
         {
             Look();
+        }
+        catch (Exception e)
+        {
+            // All of them: an exception that leaves a timer's thread ends the process.
+            _log($"recordings: the folder could not be checked ({e.GetType().Name}: {e.Message})");
         }
         finally
         {

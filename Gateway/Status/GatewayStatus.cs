@@ -39,7 +39,7 @@ sealed class GatewayStatus : IDisposable
 
     public GatewayStatus(
         GatewayOptions options, ServedClock clock, PlantClocks plant, MessageHub hub, DropCounters drops, ConnectionCounters sync,
-        ConnectionCounters webSocket, Recorder recorder, LimitAlarm limits, EventList events)
+        ConnectionCounters webSocket, Recorder recorder, LimitAlarm limits, EventList events, Action<string> log)
     {
         _options = options;
         _clock = clock;
@@ -57,7 +57,7 @@ sealed class GatewayStatus : IDisposable
         hub.JointRefused += Refuse;
         _started = options.Time.GetUtcNow();
         _subscriptions = [.. Enumerable.Range(0, Topics.Length).Select(topic => hub.Subscribe(Topics[topic], message => Watch(topic, message)))];
-        _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time);
+        _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time, log);
     }
 
     public static string Version { get; } = typeof(GatewayStatus).Assembly.GetName().Version.ToString(3);

@@ -13,13 +13,15 @@ sealed class StatusWatch : IDisposable
     readonly JointBoard _joints;
     readonly JointStatusTopic _topic;
     readonly ClockSteps _steps;
+    readonly Action<string> _log;
     readonly Lock _lock = new();
     readonly ITimer _timer;
     bool _isDisposed;
 
-    public StatusWatch(Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, PlantClocks plant, TimeProvider time)
+    public StatusWatch(
+        Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, PlantClocks plant, TimeProvider time, Action<string> log)
     {
-        (_conditions, _events, _joints, _topic, _steps) = (conditions, events, joints, topic, new ClockSteps(plant, events));
+        (_conditions, _events, _joints, _topic, _steps, _log) = (conditions, events, joints, topic, new ClockSteps(plant, events), log);
         _timer = time.CreateTimer(_ => Look(), null, Interval, Interval);
     }
 
@@ -33,6 +35,11 @@ sealed class StatusWatch : IDisposable
             _events.Update(_conditions.Read());
             _topic.Publish(_joints.Read());
             _steps.Look();
+        }
+        catch (Exception e)
+        {
+            // All of them: an exception that leaves a timer's thread ends the process.
+            _log($"status: the state could not be updated ({e.GetType().Name}: {e.Message})");
         }
         finally
         {

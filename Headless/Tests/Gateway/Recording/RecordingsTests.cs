@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Net;
 using System.Net.Http.Headers;
 using System.Net.Sockets;
@@ -6,6 +7,7 @@ using System.Text.Json;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Recording;
+using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
@@ -152,6 +154,22 @@ public class RecordingsTests
             "it is an event");
         Assert.That((await StateAsync(gateway)).GetProperty("recording").GetProperty("deleted").GetBoolean());
         Assert.That((await StateAsync(gateway)).GetProperty("recording").TryGetProperty("problem", out _), Is.False);
+    }
+
+    [Test]
+    public async Task Look_EventCannotBeNoted_IsLogged()
+    {
+        await using var gateway = await StartAsync();
+        var path = Path.Combine(_folder, "a.jsonl");
+        File.WriteAllText(path, "{}\n");
+        var log = new ConcurrentQueue<string>();
+        var events = new EventList(TimeProvider.System, _ => throw new InvalidOperationException("the log is full"));
+        using var watch = new RecordingsWatch(gateway.Recorder, new RecordingsFolder(_folder), events, log.Enqueue);
+        File.Delete(path);
+
+        watch.LookUnlessBusy();
+
+        Assert.That(log, Does.Contain("recordings: the folder could not be checked (InvalidOperationException: the log is full)"));
     }
 
     [Test]

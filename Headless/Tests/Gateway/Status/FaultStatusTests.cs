@@ -290,6 +290,22 @@ public class FaultStatusTests
     }
 
     [Test]
+    public async Task Watch_SubscriberThrows_IsLoggedAndTheWatchGoesOn()
+    {
+        await StartAsync();
+        using var broken = _gateway.Hub.Subscribe(RosTopics.JointStatus, message =>
+        {
+            if (((DiagnosticsMessage)message.Content).Values.Count > 0) throw new InvalidOperationException("no status today");
+        });
+
+        Report("adapter/press", ("state", "refused"), ("joint/a", $"missing {Since()} "));
+
+        await Soon.BecomesAsync(() => Logged("status: the state could not be updated (InvalidOperationException: no status today)"), "it is in the log");
+        Report("adapter/second", ("state", "refused"));
+        await BeginsAsync("adapter", "second");
+    }
+
+    [Test]
     public async Task State_OfAGateway_NamesItsHost()
     {
         await StartAsync();
