@@ -64,6 +64,9 @@ public sealed class HubSource : IDisposable
     /// <summary>Publishes the joints that are not live; the newest message is kept for later subscribers.</summary>
     internal void PublishJointStatus(DiagnosticsMessage message, int level) => _hub.PublishNewest(this, HubMessage.JointStatus(message, level));
 
+    /// <summary>Reports a sample that was dropped for its content.</summary>
+    internal void ReportDropped(string reason) => _hub.ReportDropped(this, reason);
+
     /// <summary>Gives back what was claimed on one topic.</summary>
     public void Release(string topic)
     {

@@ -32,6 +32,9 @@ public sealed class MessageHub
     /// <summary>A sample was refused: the source, the joint, and the source that the joint belongs to. Called under the hub's lock.</summary>
     internal event Action<HubSource, string, HubSource> JointRefused;
 
+    /// <summary>A sample of a source was dropped: the source and the reason.</summary>
+    internal event Action<HubSource, string> SampleDropped;
+
     /// <summary>Somebody who publishes; a joint belongs to the first source that publishes it, until that one is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
@@ -98,6 +101,8 @@ public sealed class MessageHub
             return null;
         }
     }
+
+    internal void ReportDropped(HubSource source, string reason) => SampleDropped?.Invoke(source, reason);
 
     internal void Release(HubSource source, string topic)
     {

@@ -247,6 +247,9 @@ sealed class RosbridgeSession : IDisposable
             : $"{Subject(message)}dropped: {rule} ({reason})";
         if (_level != "none")
             Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
+        // The board knows by itself which joints belong to another source.
+        if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.JointStates } && reason != DropReason.JointTaken)
+            _source.ReportDropped($"the gateway drops the samples: {InvalidJointValue.In(_text) ?? rule} ({reason})");
     }
 
     static string Subject(RosbridgeMessage message) =>

@@ -55,6 +55,7 @@ sealed class GatewayStatus : IDisposable
         Events = events;
         _conditions = new Conditions(options, clock, _joints, _said, _refusals, limits, recorder);
         hub.JointRefused += Refuse;
+        hub.SampleDropped += _joints.Refuse;
         _started = options.Time.GetUtcNow();
         _subscriptions = [.. Enumerable.Range(0, Topics.Length).Select(topic => hub.Subscribe(Topics[topic], message => Watch(topic, message)))];
         _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time, log);
@@ -73,6 +74,7 @@ sealed class GatewayStatus : IDisposable
     {
         _watch.Dispose();
         _hub.JointRefused -= Refuse;
+        _hub.SampleDropped -= _joints.Refuse;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }
 

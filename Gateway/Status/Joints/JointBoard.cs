@@ -35,7 +35,16 @@ sealed class JointBoard(TimeProvider time)
     public void Refuse(HubSource source, string name, HubSource owner)
     {
         lock (_lock)
-            if (_joints.TryGetValue(name, out var joint)) joint.Rows.Find(row => row.Source == source.Name)?.Refuse(owner.Name);
+            if (_joints.TryGetValue(name, out var joint))
+                joint.Rows.Find(row => row.Source == source.Name)?.Refuse($"the source {owner.Name} already publishes this joint; each joint has one source");
+    }
+
+    /// <summary>A sample that was dropped for its content; it counts for all joints that the source publishes.</summary>
+    public void Refuse(HubSource source, string reason)
+    {
+        lock (_lock)
+            foreach (var joint in _joints.Values)
+                if (joint.Flow.HasAny && joint.Flow.Source == source) joint.OwnerRow(time).Refuse(reason);
     }
 
     /// <summary>The diagnostics of an adapter, with a key for each joint of its configuration.</summary>
@@ -114,7 +123,7 @@ sealed class JointBoard(TimeProvider time)
         }
 
         // An adapter that has just connected again has not told its name yet: its samples count for the only adapter of the joint.
-        JointRow OwnerRow(TimeProvider time)
+        public JointRow OwnerRow(TimeProvider time)
         {
             var configured = Rows.FindAll(row => row.IsConfigured);
             var isUnnamed = Flow.Source?.Name is null or HubSource.Unnamed;

@@ -8,7 +8,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     AdapterJointReport _report;
     long _reportedAt;
     long _refusedAt;
-    string _owner;
+    string _refusal;
 
     public string Source { get; } = source;
 
@@ -23,8 +23,8 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     /// <summary>The adapter no longer has the joint.</summary>
     public void EndReports() => IsConfigured = false;
 
-    /// <summary>The gateway refused a sample because the joint belongs to another source.</summary>
-    public void Refuse(string owner) => (_owner, _refusedAt) = (owner, time.GetTimestamp());
+    /// <summary>The gateway refused a sample of the joint.</summary>
+    public void Refuse(string reason) => (_refusal, _refusedAt) = (reason, time.GetTimestamp());
 
     /// <param name="flow">The samples of this source; null when the joint's samples are another source's.</param>
     public JointStatus Judge(SampleFlow flow)
@@ -40,8 +40,8 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     (JointHealth State, DateTimeOffset? Since, string Reason) StateOf(SampleFlow flow)
     {
         var isFlowing = flow is { IsFlowing: true };
-        if (_owner != null && !isFlowing && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter)
-            return (JointHealth.Refused, null, $"the source {_owner} already publishes this joint; each joint has one source");
+        if (_refusal != null && !isFlowing && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter)
+            return (JointHealth.Refused, null, _refusal);
         var isReportFresh = IsConfigured && time.GetElapsedTime(_reportedAt) < JointBoard.ReportLimit;
         if (isReportFresh && _report.State != JointHealth.Live) return (_report.State, _report.Since, _report.Reason);
         if (isFlowing) return (JointHealth.Live, null, "");

@@ -289,6 +289,29 @@ public class FaultStatusTests
         Assert.That((await GetAsync("/operations/events?format=xml")).Status, Is.EqualTo(HttpStatusCode.BadRequest));
     }
 
+    [TestCase("null", 5000, "position of joint b is null (NotFinite)")]
+    [TestCase("NaN", 5000, "position of joint b is NaN (NotFinite)")]
+    [TestCase("\"1\"", 5000, "position of joint b is \"1\" (WrongType)")]
+    [TestCase("1.5", 50000, "the stamp lies in the future of the control clock (StampInFuture)")]
+    public async Task Joints_OfASourceWithInvalidSamples_AreRefusedAndTheReasonNamesTheJoint(string position, int seconds, string reason)
+    {
+        await StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await client.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, Gateways.State(1, "a", "b"), RosTimeForm.Sec));
+        await Soon.BecomesAsync(() => StateAsync().Result.GetProperty("joints").GetArrayLength() == 2, "both joints are known");
+        _time.Advance(TimeSpan.FromSeconds(2));
+
+        await client.SendAsync("{\"op\":\"publish\",\"topic\":\"/joint_states\",\"msg\":{\"header\":{\"stamp\":{\"sec\":" + seconds
+            + ",\"nanosec\":0}},\"name\":[\"a\",\"b\"],\"position\":[0.5," + position + "]}}");
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
+
+        await Soon.BecomesAsync(
+            () => StateAsync().Result.GetProperty("joints").EnumerateArray().All(joint => joint.GetProperty("state").GetString() == "refused"), "both are refused");
+        var lines = await ReadyAsync(HttpStatusCode.ServiceUnavailable);
+        Assert.That(lines, Has.Length.EqualTo(3));
+        Assert.That(lines[1], Is.EqualTo($"joint a (rosbridge) is refused: the gateway drops the samples: {reason}"));
+    }
+
     [Test]
     public async Task Watch_SubscriberThrows_IsLoggedAndTheWatchGoesOn()
     {

@@ -180,6 +180,27 @@ public class JointBoardTests
     }
 
     [Test]
+    public void Read_SamplesDroppedForTheirContent_IsRefusedWithTheReasonUntilOneIsValid()
+    {
+        var other = _hub.OpenSource();
+        Send(2, "a", "b");
+        for (var i = 0; i < 40; i++)
+        {
+            _board.Add(other, ["c"], TimeSpan.Zero);
+            _board.Refuse(_source, "position of joint b is null");
+            _time.Advance(TimeSpan.FromMilliseconds(50));
+        }
+
+        foreach (var name in new[] { "a", "b" })
+            Assert.That((Joint(name).State, Joint(name).Reason), Is.EqualTo((JointHealth.Refused, "position of joint b is null")), name);
+        Assert.That(Joint("c").State, Is.EqualTo(JointHealth.Live), "the joint of another source");
+        Send(1, "a", "b");
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
+        _time.Advance(TimeSpan.FromSeconds(2));
+        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale), "nothing arrives, and nothing is refused");
+    }
+
+    [Test]
     public void Read_AdapterWithoutTheJointAnyMore_ForgetsIt()
     {
         Report("press", ("a", "missing", ""), ("b", "missing", ""));

@@ -1,0 +1,45 @@
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Rosbridge;
+
+/// <summary>Finds the joint because of which a joint state is invalid.</summary>
+static class InvalidJointValue
+{
+    const int MaxValueLength = 32;
+
+    // A velocity or an effort may be absent, null or NaN.
+    const string Field = "position";
+
+    /// <summary>Describes the first position that is no finite number, such as "position of joint a is null"; null where there is none.</summary>
+    /// <param name="text">A whole message.</param>
+    public static string In(string text)
+    {
+        try
+        {
+            if (JObject.Parse(text)["msg"] is not JObject state || state["name"] is not JArray names) return null;
+            return In(names, state[Field] as JArray);
+        }
+        catch (JsonException)
+        {
+            return null;
+        }
+    }
+
+    static string In(JArray names, JArray values)
+    {
+        for (var i = 0; i < Math.Min(names.Count, values?.Count ?? 0); i++)
+        {
+            if (IsFinite(values[i])) continue;
+            var name = InputException.OneLine(names[i].ToString(), ProtocolLimits.NameLength);
+            // NaN as it was written, without the quotation marks of Newtonsoft.Json.
+            var value = values[i].Type == JTokenType.Float ? values[i].ToString() : values[i].ToString(Formatting.None);
+            return $"{Field} of joint {name} is {InputException.OneLine(value, MaxValueLength)}";
+        }
+
+        return null;
+    }
+
+    static bool IsFinite(JToken value) => value.Type == JTokenType.Integer || (value.Type == JTokenType.Float && double.IsFinite((double)value));
+}
