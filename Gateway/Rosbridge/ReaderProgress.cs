@@ -107,7 +107,8 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
             if (_window.PingAt is not { } pingAt) return false;
             // What a client sends counts as long as it never answered a ping. One that did, and does not any more, has stopped reading.
             var last = _window.HasAnswered || _lastReceived < pingAt ? pingAt : _lastReceived;
-            return Now - last >= Patience(_window.Unread);
+            // Bytes behind the ping delay no pong.
+            return Now - last >= Patience(_window.BytesBeforePing);
         }
     }
 

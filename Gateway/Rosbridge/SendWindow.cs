@@ -42,6 +42,9 @@ sealed class SendWindow
     /// <summary>Bytes that were sent and are not known to be read.</summary>
     public long Unread => _sent - _read;
 
+    /// <summary>Bytes that the client has to read before the newest ping.</summary>
+    public long BytesBeforePing => _pingPosition - _read;
+
     /// <summary>Whether the client has answered a ping.</summary>
     public bool HasAnswered => _hasAnswered;
 

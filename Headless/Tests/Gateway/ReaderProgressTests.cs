@@ -44,6 +44,23 @@ public class ReaderProgressTests
     }
 
     [Test]
+    public void IsSilent_ClientThatNeverAnswersAndSendsNothing_IsSilentInTimeWhateverItIsSent()
+    {
+        var time = new SteppedTime();
+        var pings = new List<byte[]>();
+        var progress = Progress(time, pings);
+        var seconds = 0.0;
+
+        for (; seconds < 60 && !progress.IsSilent(); seconds += 0.1)
+        {
+            progress.SentAsync(600);
+            time.Advance(TimeSpan.FromSeconds(0.1));
+        }
+
+        Assert.That(seconds, Is.InRange(6, 7.5));
+    }
+
+    [Test]
     public void IsSilent_ClientThatNeverAnswersAPingAndSends_IsNot()
     {
         var time = new SteppedTime();
