@@ -16,7 +16,7 @@ namespace Nowpose.Session
         static readonly TimeSpan ReportLifetime = TimeSpan.FromSeconds(5);
 
         /// <summary>A report of rest explains missing samples only while the gateway repeats it; one repetition may be lost.</summary>
-        static readonly TimeSpan RestLifetime = TimeSpan.FromSeconds(2.5);
+        static readonly TimeSpan RestLifetime = TimeSpan.FromMilliseconds(2500);
 
         readonly RobotModel _robot;
         readonly JointTracks _tracks;
