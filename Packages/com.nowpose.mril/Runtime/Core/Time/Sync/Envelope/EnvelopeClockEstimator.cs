@@ -60,8 +60,8 @@ namespace Nowpose.Sync
         public EnvelopeClockEstimator()
         {
             _fit = new EnvelopeFit(_below, _above);
-            _up = new LeastDelay(1, _history, History);
-            _down = new LeastDelay(-1, _history, History);
+            _up = new LeastDelay(1, _history);
+            _down = new LeastDelay(-1, _history);
         }
 
         public ClockLine Line { get; private set; }

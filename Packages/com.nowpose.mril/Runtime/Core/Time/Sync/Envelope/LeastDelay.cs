@@ -37,7 +37,9 @@ namespace Nowpose.Sync
         /// Lengths of the windows in which every bound must be late. A quiet direction shows a change in the first, a noisy
         /// one needs the last.
         /// </summary>
-        static readonly int[] Windows = { 30, 60, 150 };
+        static readonly int[] Windows = { 30, 60, LongestWindow };
+
+        const int LongestWindow = 150;
 
         /// <summary>
         /// The oldest of so many parts of a window does not tell how large a change is: it may hold a late exchange from before.
@@ -58,18 +60,16 @@ namespace Nowpose.Sync
 
         readonly int _sign;
         readonly BoundsHistory _history;
-        readonly double[] _tightness, _lateness;
+        readonly double[] _tightness = new double[LongestWindow + MaxEarlier];
+        readonly double[] _lateness = new double[LongestWindow + MaxEarlier];
         double _excess, _excessError, _referenceError;
         int _sinceChange;
 
         /// <param name="sign">1 for the bounds below the offset, which requests give; −1 for those above, which replies give.</param>
-        /// <param name="capacity">Exchanges that the history can hold.</param>
-        public LeastDelay(int sign, BoundsHistory history, int capacity)
+        public LeastDelay(int sign, BoundsHistory history)
         {
             _sign = sign;
             _history = history;
-            _tightness = new double[capacity];
-            _lateness = new double[capacity];
         }
 
         /// <summary>How much longer the least delay is than the least one known, s; zero or more.</summary>
@@ -91,7 +91,7 @@ namespace Nowpose.Sync
         public void Update(OffsetCurve curve, double skewError, double resolution)
         {
             _sinceChange++;
-            var count = Math.Min(_history.Count, Windows[Windows.Length - 1] + MaxEarlier);
+            var count = Math.Min(_history.Count, _tightness.Length);
             if (count < MinEarlier + ShorterWindow) return;
             for (var i = 0; i < count; i++) _tightness[i] = Tightness(i, curve);
             if (_excess > 0) FollowShorterAgain(count);
@@ -134,9 +134,9 @@ namespace Nowpose.Sync
                 var late = reference - Max(0, window);
                 var change = reference - Max(0, window - window / BoundaryShare);
                 if (late <= Margin(earlier, skewError, resolution)) continue;
+                if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-Significance / window))) continue;
                 var typicalSince = Quantile(0, window, reference - change, 0.5);
                 var typical = Quantile(window, earlier, reference, 0.5);
-                if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-Significance / window))) continue;
                 if (typicalSince > MaxScatterGrowth * typical && duration < MinDurationScattered) continue;
                 _excessError += typical / (earlier - window) + typicalSince / window;
                 _excess += change;
