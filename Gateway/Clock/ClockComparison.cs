@@ -3,41 +3,38 @@ using System.Globalization;
 namespace Nowpose.Gateway.Clock;
 
 /// <summary>Says in the log how the clocks of one control system differ: once, and again when the difference has moved.</summary>
-sealed class ClockComparison(ServedClock served, Action<string> log) : IDisposable
+sealed class ClockComparison : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
 
     /// <summary>More than this beyond what both bounds explain has moved.</summary>
     static readonly TimeSpan Moved = TimeSpan.FromMilliseconds(1);
 
+    readonly ServedClock _served;
+    readonly Action<string> _log;
+    readonly GuardedTask _look;
     readonly Dictionary<string, (TimeSpan Ahead, TimeSpan Bound)> _said = [];
     readonly Dictionary<string, ClockState> _states = [];
     Timer _timer;
+
+    public ClockComparison(ServedClock served, Action<string> log)
+    {
+        (_served, _log) = (served, log);
+        _look = new GuardedTask(LookNow, "clock: the clocks could not be compared", log);
+    }
 
     public void Start() => _timer = new Timer(_ => Look(), null, Interval, Interval);
 
     public void Dispose() => _timer?.Dispose();
 
-    /// <summary>Looks once; one thread at a time.</summary>
-    internal void Look()
+    /// <summary>Looks once, unless a slow log still holds the look before.</summary>
+    internal void Look() => _look.RunUnlessBusy();
+
+    void LookNow()
     {
-        // A slow log must not let two looks meet.
-        if (!Monitor.TryEnter(_said)) return;
-        try
-        {
-            var clocks = served.Status();
-            served.Stamps.Look(log);
-            foreach (var clock in clocks) LookAt(clock, clocks.FirstOrDefault(other => other.IsControlClock));
-        }
-        catch (Exception e)
-        {
-            // All of them: an exception that leaves a timer's thread ends the process.
-            log($"clock: the clocks could not be compared ({e.GetType().Name}: {e.Message})");
-        }
-        finally
-        {
-            Monitor.Exit(_said);
-        }
+        var clocks = _served.Status();
+        _served.Stamps.Look(_log);
+        foreach (var clock in clocks) LookAt(clock, clocks.FirstOrDefault(other => other.IsControlClock));
     }
 
     void LookAt(PlantClockStatus clock, PlantClockStatus control)
@@ -45,16 +42,16 @@ sealed class ClockComparison(ServedClock served, Action<string> log) : IDisposab
         if (_states.GetValueOrDefault(clock.Name) != clock.State)
         {
             _states[clock.Name] = clock.State;
-            log($"clock '{clock.Name}': {clock.State.Word()}{Why(clock)}{(clock.IsControlClock ? "; it is the control clock" : "")}");
+            _log($"clock '{clock.Name}': {clock.State.Word()}{Why(clock)}{(clock.IsControlClock ? "; it is the control clock" : "")}");
         }
 
         if (clock.IsControlClock || clock.OffsetToControl is not { } ahead || clock.State != ClockState.Synchronised) return;
         var bound = clock.ErrorBound + (control?.ErrorBound ?? TimeSpan.Zero);
         if (_said.TryGetValue(clock.Name, out var said) && (ahead - said.Ahead).Duration() <= said.Bound + bound + Moved) return;
         _said[clock.Name] = (ahead, bound);
-        log(string.Create(CultureInfo.InvariantCulture,
+        _log(string.Create(CultureInfo.InvariantCulture,
             $"clock '{clock.Name}': {ahead.TotalMilliseconds:+0.00;-0.00;0.00} ms (± {bound.TotalMilliseconds:0.00}) ")
-            + string.Create(CultureInfo.InvariantCulture, $"against '{served.Source}', drifting by {clock.DriftPpm:+0.0;-0.0;0.0} ppm"));
+            + string.Create(CultureInfo.InvariantCulture, $"against '{_served.Source}', drifting by {clock.DriftPpm:+0.0;-0.0;0.0} ppm"));
     }
 
     static string Why(PlantClockStatus clock) =>

@@ -53,7 +53,7 @@ sealed class GatewayStatus : IDisposable
         _joints = new JointBoard(options.Time);
         _refusals = new RecentRefusals(options.Time);
         Events = events;
-        _conditions = new Conditions(options, clock, _joints, _said, _refusals, limits, recorder);
+        _conditions = new Conditions(options, clock, _said, _refusals, limits, recorder);
         hub.JointRefused += Refuse;
         hub.SampleDropped += _joints.Refuse;
         _started = options.Time.GetUtcNow();
@@ -68,7 +68,7 @@ sealed class GatewayStatus : IDisposable
     public EventList Events { get; }
 
     /// <summary>Why headsets cannot be served, one line for each reason; empty when the gateway is ready.</summary>
-    public IReadOnlyList<string> NotReadyReasons() => [.. _conditions.Read().Where(condition => condition.Blocks).Select(condition => condition.Text)];
+    public IReadOnlyList<string> NotReadyReasons() => [.. _conditions.Read(_joints.Read()).Where(condition => condition.Blocks).Select(condition => condition.Text)];
 
     public void Dispose()
     {
@@ -85,8 +85,8 @@ sealed class GatewayStatus : IDisposable
             Middle([.. sources.SelectMany(source => source.SortedAges).Order()]), _hub.Forwarding.Percentile(0.5)?.TotalMilliseconds);
         var said = _said.Read();
         var beyond = _limits.Joints;
-        var conditions = _conditions.Read();
         var joints = _joints.Read();
+        var conditions = _conditions.Read(joints);
         return new StatusSnapshot(
             _options.Cell, Environment.MachineName, Version, OverallStatus.Of(conditions, joints, said), _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1), Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6), OfClock(),

@@ -1,6 +1,7 @@
 using System.Text.Json.Nodes;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
@@ -10,8 +11,6 @@ static class JointMetrics
 {
     const string Gauge = "gauge", Counter = "counter", RefusedPrefix = "refused/", Other = "other";
     const int MaxReasons = 32;
-
-    static readonly string[] JointStates = [.. Enum.GetNames<JointHealth>().Select(name => name.ToLowerInvariant())];
 
     // The words of the protocol for pose; every other word counts as other.
     static readonly string[] PoseStates = ["current", "coarse", "held", "unsynchronised", "incomplete", "outside", Other];
@@ -31,7 +30,7 @@ static class JointMetrics
         if (joints.Count == 0) return;
         text.Begin("nowpose_joint_state", Gauge, "1 for the present state of the joint, 0 for the other states.");
         foreach (var joint in joints)
-            foreach (var word in JointStates)
+            foreach (var word in JointDataStates.Names)
                 text.Add(joint.State == word ? 1 : 0, ("joint", joint.Name), ("source", joint.Source), ("state", word));
         text.Begin("nowpose_joint_age_seconds", Gauge, "Control time minus the stamp of the joint's newest sample.");
         foreach (var joint in joints) text.Add(joint.AgeS, ("joint", joint.Name), ("source", joint.Source));

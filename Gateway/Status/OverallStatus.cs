@@ -1,6 +1,7 @@
 using System.Globalization;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
@@ -21,7 +22,7 @@ sealed record OverallStatus(string Level, string Text)
     static string Summary(IReadOnlyList<JointStatus> joints, int headsets)
     {
         if (joints.Count == 0) return "no source publishes joint positions yet";
-        var resting = joints.Count(joint => joint.State == JointHealth.Rest);
+        var resting = joints.Count(joint => joint.State == JointDataState.Rest);
         var live = resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} at rest";
         return $"{live}, {Count(headsets, "headset")}";
     }

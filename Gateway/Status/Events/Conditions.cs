@@ -2,12 +2,13 @@ using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Events;
 
 /// <summary>Finds everything that is wrong at the moment. Any thread.</summary>
 sealed class Conditions(
-    GatewayOptions options, ServedClock clock, JointBoard joints, DiagnosticsBoard diagnostics, RecentRefusals refusals, LimitAlarm limits,
+    GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, LimitAlarm limits,
     Recorder recorder)
 {
     /// <summary>Timeout of the reports of adapters and headsets, which come once per second.</summary>
@@ -19,18 +20,15 @@ sealed class Conditions(
     static readonly string[] CurrentPoses = ["current", "coarse"];
 
     /// <summary>The worst first.</summary>
-    public IReadOnlyList<Condition> Read()
-    {
-        var rows = joints.Read();
-        return
-        [
-            .. OfClock().Concat(OfSources(rows)).Concat(rows.Where(row => !row.IsGood).Select(Of)).Concat(diagnostics.Read().SelectMany(Of))
-                .Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate()).OrderByDescending(condition => condition.Level),
-        ];
-    }
+    /// <param name="joints">As the joint board has just judged them.</param>
+    public IReadOnlyList<Condition> Read(IReadOnlyList<JointStatus> joints) =>
+    [
+        .. OfClock().Concat(OfSources(joints)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(diagnostics.Read().SelectMany(Of))
+            .Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate()).OrderByDescending(condition => condition.Level),
+    ];
 
     static Condition Of(JointStatus row) =>
-        new("joint", $"{row.Name} ({row.Source})", $"is {(row.State == JointHealth.Fault ? "in fault" : row.Word)}", row.Reason, Level.Error, true, row.Since);
+        new("joint", $"{row.Name} ({row.Source})", $"is {(row.State == JointDataState.Fault ? "in fault" : row.Word)}", row.Reason, Level.Error, true, row.Since);
 
     IEnumerable<Condition> OfClock()
     {

@@ -13,44 +13,34 @@ sealed class StatusWatch : IDisposable
     readonly JointBoard _joints;
     readonly JointStatusTopic _topic;
     readonly ClockSteps _steps;
-    readonly Action<string> _log;
-    readonly Lock _lock = new();
+    readonly GuardedTask _look;
     readonly ITimer _timer;
     bool _isDisposed;
 
     public StatusWatch(
         Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, PlantClocks plant, TimeProvider time, Action<string> log)
     {
-        (_conditions, _events, _joints, _topic, _steps, _log) = (conditions, events, joints, topic, new ClockSteps(plant, events), log);
+        (_conditions, _events, _joints, _topic, _steps) = (conditions, events, joints, topic, new ClockSteps(plant, events));
+        _look = new GuardedTask(LookNow, "status: the state could not be updated", log);
         _timer = time.CreateTimer(_ => Look(), null, Interval, Interval);
     }
 
-    public void Look()
-    {
-        // A look that takes longer than the interval is not overtaken.
-        if (!_lock.TryEnter()) return;
-        try
-        {
-            if (_isDisposed) return;
-            _events.Update(_conditions.Read());
-            _topic.Publish(_joints.Read());
-            _steps.Look();
-        }
-        catch (Exception e)
-        {
-            // All of them: an exception that leaves a timer's thread ends the process.
-            _log($"status: the state could not be updated ({e.GetType().Name}: {e.Message})");
-        }
-        finally
-        {
-            _lock.Exit();
-        }
-    }
+    /// <summary>Looks, unless a look that takes longer than the interval still runs.</summary>
+    public void Look() => _look.RunUnlessBusy();
 
     public void Dispose()
     {
         _timer.Dispose();
-        lock (_lock) _isDisposed = true;
+        _look.Exclude(() => _isDisposed = true);
         _topic.Dispose();
+    }
+
+    void LookNow()
+    {
+        if (_isDisposed) return;
+        var joints = _joints.Read();
+        _events.Update(_conditions.Read(joints));
+        _topic.Publish(joints);
+        _steps.Look();
     }
 }

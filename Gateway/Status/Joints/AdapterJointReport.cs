@@ -1,10 +1,11 @@
 using System.Globalization;
+using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>State of one joint as its adapter reports it: the value STATE SINCE REASON of the key joint/NAME.</summary>
 /// <param name="Since">On the wall clock of the adapter's machine.</param>
-readonly record struct AdapterJointReport(JointHealth State, DateTimeOffset Since, string Reason)
+readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset Since, string Reason)
 {
     public const string KeyPrefix = "joint/";
     const int MaxReasonLength = 300;
@@ -12,18 +13,13 @@ readonly record struct AdapterJointReport(JointHealth State, DateTimeOffset Sinc
     // The year 9999, the last that DateTimeOffset holds.
     const double MaxUnixSeconds = 253_402_300_799;
 
-    static readonly Dictionary<string, JointHealth> States = new()
-    {
-        // An adapter does not judge what arrives at the gateway: stale is not among its states.
-        ["live"] = JointHealth.Live, ["rest"] = JointHealth.Rest, ["refused"] = JointHealth.Refused, ["fault"] = JointHealth.Fault,
-        ["missing"] = JointHealth.Missing,
-    };
-
     public static bool TryParse(string value, out AdapterJointReport report)
     {
         report = default;
         var words = value.Split(' ', 3);
-        if (words.Length < 2 || !States.TryGetValue(words[0], out var state)) return false;
+        if (words.Length < 2 || !JointDataStates.TryRead(words[0], out var state)) return false;
+        // An adapter does not judge what arrives at the gateway.
+        if (state == JointDataState.Stale) return false;
         var isNumber = double.TryParse(words[1], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var seconds);
         if (!isNumber || seconds is not (>= 0 and <= MaxUnixSeconds)) return false;
         var reason = words.Length == 3 ? InputException.OneLine(words[2].Trim(), MaxReasonLength) : "";

@@ -1,9 +1,11 @@
+using Nowpose.Protocol;
+
 namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>One joint of one source: what the adapter reports, what arrives, and the state that follows from both.</summary>
 sealed class JointRow(string joint, string source, TimeProvider time)
 {
-    JointHealth? _last;
+    JointDataState? _last;
     DateTimeOffset _since;
     AdapterJointReport _report;
     long _reportedAt;
@@ -37,17 +39,17 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         return new JointStatus(joint, Source, state, _since, flow?.Age, Math.Round(flow?.RateHz ?? 0, 2), reason);
     }
 
-    (JointHealth State, DateTimeOffset? Since, string Reason) StateOf(SampleFlow flow)
+    (JointDataState State, DateTimeOffset? Since, string Reason) StateOf(SampleFlow flow)
     {
         var isFlowing = flow is { IsFlowing: true };
         if (_refusal != null && !isFlowing && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter)
-            return (JointHealth.Refused, null, _refusal);
+            return (JointDataState.Refused, null, _refusal);
         var isReportFresh = IsConfigured && time.GetElapsedTime(_reportedAt) < JointBoard.ReportLimit;
-        if (isReportFresh && _report.State != JointHealth.Live) return (_report.State, _report.Since, _report.Reason);
-        if (isFlowing) return (JointHealth.Live, null, "");
-        if (flow is not { HasAny: true }) return (JointHealth.Missing, null, isReportFresh
+        if (isReportFresh && _report.State != JointDataState.Live) return (_report.State, _report.Since, _report.Reason);
+        if (isFlowing) return (JointDataState.Live, null, "");
+        if (flow is not { HasAny: true }) return (JointDataState.Missing, null, isReportFresh
             ? "the adapter reports a live joint, but no sample has arrived at the gateway" : "the adapter stopped reporting before the first sample");
-        if (IsConfigured && !isReportFresh) return (JointHealth.Stale, flow.LastUtc, $"samples stopped and the adapter {Source} does not report");
-        return (JointHealth.Stale, flow.LastUtc, isReportFresh ? "samples stopped arriving; the adapter reports a live joint" : "samples stopped arriving");
+        if (IsConfigured && !isReportFresh) return (JointDataState.Stale, flow.LastUtc, $"samples stopped and the adapter {Source} does not report");
+        return (JointDataState.Stale, flow.LastUtc, isReportFresh ? "samples stopped arriving; the adapter reports a live joint" : "samples stopped arriving");
     }
 }

@@ -1,3 +1,5 @@
+using Nowpose.Protocol;
+
 namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>State of one joint of one source at one moment.</summary>
@@ -5,8 +7,8 @@ namespace Nowpose.Gateway.Status.Joints;
 /// <param name="RateHz">Samples per second; 0 when they stopped.</param>
 /// <param name="Reason">One sentence; empty for a live joint.</param>
 readonly record struct JointStatus(
-    string Name, string Source, JointHealth State, DateTimeOffset Since, TimeSpan? Age, double RateHz, string Reason)
+    string Name, string Source, JointDataState State, DateTimeOffset Since, TimeSpan? Age, double RateHz, string Reason)
 {
-    public bool IsGood => State is JointHealth.Live or JointHealth.Rest;
-    public string Word => State.ToString().ToLowerInvariant();
+    public bool IsGood => State.IsGood();
+    public string Word => JointDataStates.Of(State);
 }

@@ -17,14 +17,14 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     const int MaxReasonsLength = 16 * 1024;
 
     readonly HubSource _source = hub.OpenSource();
-    List<(string Name, JointHealth State, string Reason)> _sent;
+    List<(string Name, JointDataState State, string Reason)> _sent;
     long _sentAt;
 
     public void Publish(IReadOnlyList<JointStatus> joints)
     {
         // A joint of two sources is as good as the better one: the other's samples are refused.
         var troubled = joints.GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
-            .Where(row => row.State != JointHealth.Live).Take(ProtocolLimits.Joints).ToList();
+            .Where(row => row.State != JointDataState.Live).Take(ProtocolLimits.Joints).ToList();
         var content = troubled.ConvertAll(row => (row.Name, row.State, row.Reason));
         var isSame = _sent != null && content.SequenceEqual(_sent);
         if (isSame && (content.Count == 0 || time.GetElapsedTime(_sentAt) < Interval)) return;

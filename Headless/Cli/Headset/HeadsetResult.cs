@@ -41,7 +41,7 @@ sealed record HeadsetResult(
     public sealed record JointResult(string Name, string State, double? SinceS, string Reason)
     {
         public static JointResult Of(JointStatus joint) =>
-            new(joint.Joint, JointDataStateName.Of(joint.State), joint.Age?.TotalSeconds, joint.Reason);
+            new(joint.Joint, JointDataStates.Of(joint.State), joint.Age?.TotalSeconds, joint.Reason);
     }
 
     /// <summary>A part of the run between two outages, which are times of more than 1 s without a current pose.</summary>

@@ -2,6 +2,7 @@ using System.Globalization;
 using NUnit.Framework;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 
@@ -45,7 +46,7 @@ public class JointBoardTests
 
         var joint = Joint("a");
 
-        Assert.That(joint.State, Is.EqualTo(JointHealth.Live));
+        Assert.That(joint.State, Is.EqualTo(JointDataState.Live));
         Assert.That(joint.RateHz, Is.EqualTo(20).Within(0.1));
         Assert.That(joint.Age.Value.TotalSeconds, Is.EqualTo(0.07 + 0.05).Within(1e-6));
         Assert.That(joint.Source, Is.EqualTo("gateway"));
@@ -58,14 +59,14 @@ public class JointBoardTests
         var last = _time.GetUtcNow() - TimeSpan.FromMilliseconds(50);
 
         Send(1.5, "b");
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live), "a short gap");
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Live), "a short gap");
         Send(0.4, "b");
 
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale));
         Assert.That(Joint("a").Since, Is.EqualTo(last));
         Assert.That(Joint("a").RateHz, Is.Zero);
         Assert.That(Joint("a").Reason, Is.Not.Empty);
-        Assert.That(Joint("b").State, Is.EqualTo(JointHealth.Live), "the other joint goes on");
+        Assert.That(Joint("b").State, Is.EqualTo(JointDataState.Live), "the other joint goes on");
     }
 
     [Test]
@@ -73,12 +74,12 @@ public class JointBoardTests
     {
         Send(2, "a");
         _time.Advance(TimeSpan.FromSeconds(60));
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale));
 
         var again = _time.GetUtcNow();
         _board.Add(_source, ["a"], TimeSpan.Zero);
 
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Live));
         Assert.That(Joint("a").Since, Is.EqualTo(again));
         Send(2, "a");
         Assert.That(Joint("a").RateHz, Is.EqualTo(20).Within(0.5), "the pause does not count as an interval");
@@ -96,7 +97,7 @@ public class JointBoardTests
         {
             _time.Advance(TimeSpan.FromSeconds(1));
             _board.Report("press", [KeyValuePair.Create("joint/a", $"rest {since.ToUnixTimeSeconds()}.000 no change since then")]);
-            Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Rest));
+            Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Rest));
         }
 
         Assert.That(Joint("a").Since, Is.EqualTo(since).Within(TimeSpan.FromSeconds(1)));
@@ -112,7 +113,7 @@ public class JointBoardTests
 
         _time.Advance(TimeSpan.FromSeconds(3));
 
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale), "no adapter vouches for the rest");
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale), "no adapter vouches for the rest");
         Assert.That(Joint("a").Reason, Does.Contain("press"));
     }
 
@@ -128,23 +129,23 @@ public class JointBoardTests
 
         Assert.That(Joint("a").Word, Is.EqualTo(word));
         Assert.That(Joint("a").Reason, Is.EqualTo("status Bad"));
-        Assert.That(Joint("b").State, Is.EqualTo(JointHealth.Live));
+        Assert.That(Joint("b").State, Is.EqualTo(JointDataState.Live));
     }
 
     [Test]
     public void Read_AdapterReportsLiveAndNothingArrives_IsMissingThenStale()
     {
         Report("press", ("a", "live", ""));
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Missing));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Missing));
 
         _source.Name = "press";
         Send(2, "a");
         Report("press", ("a", "live", ""));
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Live));
         _time.Advance(TimeSpan.FromSeconds(1.9));
         Report("press", ("a", "live", ""));
 
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale));
     }
 
     [Test]
@@ -159,7 +160,7 @@ public class JointBoardTests
         Send(1, "a");
 
         Assert.That(_board.Read().Single().Source, Is.EqualTo("press"));
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Live));
     }
 
     [Test]
@@ -174,8 +175,8 @@ public class JointBoardTests
 
         _board.Refuse(second, "a", _source);
 
-        Assert.That(Joint("a", "press").State, Is.EqualTo(JointHealth.Live));
-        Assert.That(Joint("a", "copy").State, Is.EqualTo(JointHealth.Refused));
+        Assert.That(Joint("a", "press").State, Is.EqualTo(JointDataState.Live));
+        Assert.That(Joint("a", "copy").State, Is.EqualTo(JointDataState.Refused));
         Assert.That(Joint("a", "copy").Reason, Does.Contain("press"));
     }
 
@@ -192,12 +193,12 @@ public class JointBoardTests
         }
 
         foreach (var name in new[] { "a", "b" })
-            Assert.That((Joint(name).State, Joint(name).Reason), Is.EqualTo((JointHealth.Refused, "position of joint b is null")), name);
-        Assert.That(Joint("c").State, Is.EqualTo(JointHealth.Live), "the joint of another source");
+            Assert.That((Joint(name).State, Joint(name).Reason), Is.EqualTo((JointDataState.Refused, "position of joint b is null")), name);
+        Assert.That(Joint("c").State, Is.EqualTo(JointDataState.Live), "the joint of another source");
         Send(1, "a", "b");
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Live));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Live));
         _time.Advance(TimeSpan.FromSeconds(2));
-        Assert.That(Joint("a").State, Is.EqualTo(JointHealth.Stale), "nothing arrives, and nothing is refused");
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale), "nothing arrives, and nothing is refused");
     }
 
     [Test]

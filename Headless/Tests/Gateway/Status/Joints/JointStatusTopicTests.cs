@@ -26,13 +26,13 @@ public class JointStatusTopicTests
     [TearDown]
     public void Close() => _topic.Dispose();
 
-    JointStatus Joint(string name, JointHealth state, string reason = "", double secondsAgo = 4) =>
+    JointStatus Joint(string name, JointDataState state, string reason = "", double secondsAgo = 4) =>
         new(name, "press", state, _time.GetUtcNow() - TimeSpan.FromSeconds(secondsAgo), null, 0, reason);
 
     [Test]
     public void Publish_JointsThatAreNotLive_NamesThemSinceWhenOnTheControlClock()
     {
-        _topic.Publish([Joint("a", JointHealth.Live), Joint("b", JointHealth.Rest, "assumed at rest"), Joint("c", JointHealth.Fault, "the node is gone", 1.25)]);
+        _topic.Publish([Joint("a", JointDataState.Live), Joint("b", JointDataState.Rest, "assumed at rest"), Joint("c", JointDataState.Fault, "the node is gone", 1.25)]);
 
         Assert.That(_received.Single().HardwareId, Is.EqualTo("gateway"));
         Assert.That(_received.Single().Values, Is.EqualTo(new[]
@@ -44,8 +44,8 @@ public class JointStatusTopicTests
     [Test]
     public void Publish_OverTime_OnEachChangeAndEverySecondWhileThereAreAny()
     {
-        JointStatus[] fault = [Joint("a", JointHealth.Fault)];
-        JointStatus[] none = [Joint("a", JointHealth.Live)];
+        JointStatus[] fault = [Joint("a", JointDataState.Fault)];
+        JointStatus[] none = [Joint("a", JointDataState.Live)];
         void Look(JointStatus[] joints, double seconds)
         {
             for (var i = 0; i < seconds * 5; i++)
@@ -67,7 +67,7 @@ public class JointStatusTopicTests
     [Test]
     public void Subscribe_Later_GetsTheNewest()
     {
-        _topic.Publish([Joint("a", JointHealth.Stale)]);
+        _topic.Publish([Joint("a", JointDataState.Stale)]);
         var late = new List<HubMessage>();
 
         _hub.Subscribe(RosTopics.JointStatus, late.Add);
@@ -80,7 +80,7 @@ public class JointStatusTopicTests
     [Test]
     public void Publish_OneSourceOfTheJointIsLive_LeavesItOut()
     {
-        _topic.Publish([Joint("a", JointHealth.Live), Joint("a", JointHealth.Refused)]);
+        _topic.Publish([Joint("a", JointDataState.Live), Joint("a", JointDataState.Refused)]);
 
         Assert.That(_received.Single().Values, Is.Empty);
     }
@@ -88,7 +88,7 @@ public class JointStatusTopicTests
     [Test]
     public void Publish_ManyJointsWithLongReasons_FitsIntoOneMessage()
     {
-        _topic.Publish([.. Enumerable.Range(0, 256).Select(i => Joint(i.ToString("000", CultureInfo.InvariantCulture), JointHealth.Fault, new string('x', 300)))]);
+        _topic.Publish([.. Enumerable.Range(0, 256).Select(i => Joint(i.ToString("000", CultureInfo.InvariantCulture), JointDataState.Fault, new string('x', 300)))]);
 
         var late = new List<HubMessage>();
         _hub.Subscribe(RosTopics.JointStatus, late.Add);

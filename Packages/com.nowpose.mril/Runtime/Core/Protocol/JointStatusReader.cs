@@ -30,7 +30,7 @@ namespace Nowpose.Protocol
         {
             report = default;
             var parts = value.Split(' ', 3);
-            if (parts.Length < 2 || !JointDataStateName.TryRead(parts[0], out var state) || !TryReadTime(parts[1], out var since)) return false;
+            if (parts.Length < 2 || !JointDataStates.TryRead(parts[0], out var state) || !TryReadTime(parts[1], out var since)) return false;
             report = new JointReport(joint, state, since, parts.Length < 3 ? "" : OneLine(parts[2].Trim()));
             return true;
         }

@@ -31,7 +31,7 @@ namespace Nowpose.Session
         public string Reason { get; }
 
         /// <summary>Whether the joint has no data, so that it is not shown as current. False for a joint that is assumed at rest.</summary>
-        public bool IsMissing => State != JointDataState.Rest && State != JointDataState.Live;
+        public bool IsMissing => !State.IsGood();
 
         /// <summary>State, age and reason in one line, such as "no data since 4 s: node deleted"; allocates.</summary>
         public string Description => DescriptionSince(Age.HasValue ? TextOf(Age.Value) : null);

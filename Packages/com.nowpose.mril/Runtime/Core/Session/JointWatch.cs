@@ -44,7 +44,7 @@ namespace Nowpose.Session
                 // A gripper may send samples only when it moves: that they stopped is a fault only when the gateway knows why.
                 if (joint < 0 || (report.State == JointDataState.Stale && !_isToolJoint[joint])) continue;
                 reports.OfJoint[joint] = report;
-                reports.IsAnyMissing |= IsMissing(report.State);
+                reports.IsAnyMissing |= !report.State.IsGood();
             }
             _newest = reports;
         }
@@ -63,7 +63,7 @@ namespace Nowpose.Session
             for (var i = 0; i < _isToolJoint.Length; i++)
             {
                 var report = reports?.OfJoint[i] ?? default;
-                if (IsMissing(report.State)) into.Add(StatusOf(i, report.State, report.Since, controlNow, report.Reason));
+                if (!report.State.IsGood()) into.Add(StatusOf(i, report.State, report.Since, controlNow, report.Reason));
                 else if (_isToolJoint[i] && !_tracks.HasSample(i)) into.Add(StatusOf(i, JointDataState.Missing, null, controlNow, ""));
                 else if (report.State == JointDataState.Rest && (isRestConfirmed || !IsOld(i, shownFor)))
                     into.Add(StatusOf(i, JointDataState.Rest, report.Since, controlNow, report.Reason));
@@ -84,8 +84,6 @@ namespace Nowpose.Session
             var newest = _newest;
             return newest != null && now - newest.Arrival <= ReportLifetime ? newest : null;
         }
-
-        static bool IsMissing(JointDataState state) => state != JointDataState.Live && state != JointDataState.Rest;
 
         sealed class Reports
         {
