@@ -11,7 +11,7 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     /// <summary>A client that reads more slowly than this may be closed while a long message is on its way to it.</summary>
     const double MinBytesPerSecond = 3000;
 
-    static readonly TimeSpan LongestTick = TimeSpan.FromMilliseconds(250);
+    static readonly TimeSpan MaxTick = TimeSpan.FromMilliseconds(250);
 
     readonly Lock _lock = new();
     readonly SendWindow _window = new();
@@ -87,7 +87,7 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     public async Task BecomesSilentAsync(CancellationToken stop)
     {
         var shortest = pingInterval < pongTimeout ? pingInterval : pongTimeout;
-        using var timer = new PeriodicTimer(shortest / 4 < LongestTick ? shortest / 4 : LongestTick, time);
+        using var timer = new PeriodicTimer(shortest / 4 < MaxTick ? shortest / 4 : MaxTick, time);
         while (await timer.WaitForNextTickAsync(stop))
         {
             if (IsSilent()) return;

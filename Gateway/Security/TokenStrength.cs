@@ -7,7 +7,7 @@ namespace Nowpose.Gateway.Security;
 /// </remarks>
 static class TokenStrength
 {
-    /// <summary>Below this a token can be guessed by somebody with time.</summary>
+    /// <summary>Minimum strength, bits. A weaker token can be guessed.</summary>
     public const double MinBits = 128;
 
     const int Digits = 10, HexadecimalDigits = 16, MixedHexadecimalDigits = 22, Letters = 26, OtherCharacters = 32;

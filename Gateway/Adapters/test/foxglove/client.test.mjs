@@ -53,7 +53,7 @@ test('the graph is one node with the topics and services of the gateway', limit,
   for (const service of services) assert.match(await ask(ros, 'getServiceType', service), /^rosapi\/[A-Z]/, service);
 });
 
-test('a message type is told field by field, with the types in it', limit, async t => {
+test('a message type is described field by field, with the types in it', limit, async t => {
   const ros = await connect(t);
 
   const decoded = ros.decodeTypeDefs(await ask(ros, 'getMessageDetails', 'diagnostic_msgs/DiagnosticArray'));
@@ -72,7 +72,7 @@ test('the robot description is a parameter, too, and unknown ones are null', lim
   assert.deepEqual(await ask(ros, 'getParams'), ['/robot_description']);
 });
 
-test('to a client that has named a type of ROS 2 everything is told in its spelling', limit, async t => {
+test('a client that has named a type of ROS 2 gets all answers in its spelling', limit, async t => {
   const ros = await connect(t);
   new ROSLIB.Topic({ ros, name: '/joint_states', messageType: 'sensor_msgs/msg/JointState' }).subscribe(() => {});
 

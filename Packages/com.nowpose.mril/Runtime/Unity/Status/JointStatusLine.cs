@@ -5,7 +5,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity
 {
-    /// <summary>The joints that are not live, in one line; made anew only when a joint, a state or a reason changes.</summary>
+    /// <summary>The joints that are not live, in one line; changed only when a joint, a state or a reason changes.</summary>
     /// <remarks>Shows the time of day at which a state began: unlike its age, that text stays the same, so that frames allocate nothing.</remarks>
     sealed class JointStatusLine
     {
@@ -59,7 +59,7 @@ namespace Nowpose.Unity
             return true;
         }
 
-        // The time of day is known once the clock is. A gateway may compute the start of a state anew for each report.
+        // The time of day is known once the clock is. A gateway may recompute the start of a state for each report.
         static bool IsSame(in JointStatus a, in JointStatus b) => a.Joint == b.Joint && a.State == b.State && a.Reason == b.Reason
             && a.Age.HasValue == b.Age.HasValue && !((a.Since - b.Since)?.Duration() > Tolerance);
     }

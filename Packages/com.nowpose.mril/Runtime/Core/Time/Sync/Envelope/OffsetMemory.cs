@@ -5,7 +5,7 @@ namespace Nowpose.Sync
     /// <summary>
     /// Finds out that the estimate has moved away from where earlier estimates lead, by more than it is known: a change of the
     /// path that was too small or too slow to be recognised. One of the two is wrong by about that much, and nothing tells which,
-    /// so the estimated error grows by it until the estimate starts anew. Allocates nothing.
+    /// so the estimated error grows by it until the estimate restarts. Allocates nothing.
     /// </summary>
     sealed class OffsetMemory
     {
