@@ -25,12 +25,12 @@ static class DescriptorLimit
     /// <summary>Refuses a connection that takes one of the last descriptors.</summary>
     /// <remarks>The .NET runtime ends the process when it cannot start a thread, and it takes descriptors to start one.</remarks>
     /// <exception cref="IOException">Too few descriptors are left. The connection is closed.</exception>
-    public static Socket Guarded(Socket accepted)
+    public static void Guard(Socket accepted)
     {
         // The system hands out the lowest number that is free.
         var number = (ulong)(long)accepted.Handle;
         var allowed = Allowed();
-        if (OperatingSystem.IsWindows() || number + Spare < allowed) return accepted;
+        if (OperatingSystem.IsWindows() || number + Spare < allowed) return;
         accepted.Dispose();
         throw new IOException($"descriptor {number} of {allowed}; the last {Spare} are kept free");
     }

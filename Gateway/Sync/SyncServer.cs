@@ -71,7 +71,9 @@ sealed class SyncServer : IDisposable
         {
             try
             {
-                Serve(DescriptorLimit.Guarded(await _listener.AcceptSocketAsync()));
+                var accepted = await _listener.AcceptSocketAsync();
+                DescriptorLimit.Guard(accepted);
+                Serve(accepted);
             }
             catch (Exception e)
             {

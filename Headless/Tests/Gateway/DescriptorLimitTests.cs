@@ -1,7 +1,9 @@
 using System.Net;
 using System.Net.Sockets;
+using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Server.Kestrel.Transport.Sockets;
 using Microsoft.Extensions.Logging.Abstractions;
+using Microsoft.Extensions.Options;
 using Nowpose.Gateway;
 using NUnit.Framework;
 
@@ -38,17 +40,14 @@ public class DescriptorLimitTests
     [Test]
     public async Task Accept_ThatFails_IsTriedAgain()
     {
-        using var listener = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
-        listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        listener.Listen();
+        var sockets = new SocketTransportFactory(Options.Create(new SocketTransportOptions()), NullLoggerFactory.Instance);
         var failures = new Queue<Exception>(
             [new SocketException((int)SocketError.TooManyOpenSockets), new InsufficientMemoryException("no memory"), new IOException("disk")]);
         var log = new List<string>();
         await using var patient = new PatientListener(
-            listener, stop => failures.TryDequeue(out var failure) ? throw failure : listener.AcceptAsync(stop),
-            new SocketConnectionContextFactory(new SocketConnectionFactoryOptions(), NullLogger.Instance), log.Add);
+            new FailingListener(await sockets.BindAsync(new IPEndPoint(IPAddress.Loopback, 0)), failures), log.Add);
         using var client = new TcpClient();
-        await client.ConnectAsync((IPEndPoint)listener.LocalEndPoint).Bounded();
+        await client.ConnectAsync((IPEndPoint)patient.EndPoint).Bounded();
 
         await using var connection = await patient.AcceptAsync().AsTask().Bounded();
 
@@ -56,5 +55,17 @@ public class DescriptorLimitTests
         Assert.That(log, Has.Count.EqualTo(3).And.All.Contain("could not be accepted"));
         await patient.UnbindAsync();
         Assert.That(await patient.AcceptAsync().AsTask().Bounded(), Is.Null);
+    }
+
+    sealed class FailingListener(IConnectionListener inner, Queue<Exception> failures) : IConnectionListener
+    {
+        public EndPoint EndPoint => inner.EndPoint;
+
+        public ValueTask<ConnectionContext> AcceptAsync(CancellationToken cancellationToken = default) =>
+            failures.TryDequeue(out var failure) ? throw failure : inner.AcceptAsync(cancellationToken);
+
+        public ValueTask UnbindAsync(CancellationToken cancellationToken = default) => inner.UnbindAsync(cancellationToken);
+
+        public ValueTask DisposeAsync() => inner.DisposeAsync();
     }
 }
