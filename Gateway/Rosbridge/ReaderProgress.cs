@@ -3,20 +3,18 @@ using System.Buffers.Binary;
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Follows by pings how far a client has read, and says when more may be sent to it. Any thread.</summary>
-/// <param name="sendPing">Sends a ping with a payload after everything that was sent before.</param>
-sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time)
+sealed class ReaderProgress(IPingSender pings, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time)
 {
     const int PayloadBytes = sizeof(long);
 
     /// <summary>A client that reads more slowly than this may be closed while a long message is on its way to it.</summary>
     const double MinBytesPerSecond = 3000;
 
-    static readonly TimeSpan MaxTick = TimeSpan.FromMilliseconds(250);
-
     readonly Lock _lock = new();
     readonly SendWindow _window = new();
     readonly long _start = time.GetTimestamp();
-    TaskCompletionSource _changed = NewSignal();
+    // Null while no message waits.
+    TaskCompletionSource _changed;
     TimeSpan _lastPing;
     TimeSpan _lastReceived;
 
@@ -33,7 +31,15 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     {
         while (NextChange() is { } change)
         {
-            await change.WaitAsync(stop);
+            try
+            {
+                await change.WaitAsync(SendWindow.FirstPongTimeout, time, stop);
+            }
+            catch (TimeoutException)
+            {
+                // Time passes for a window, too: it opens for a client that answers no pings.
+            }
+
             OnWaited();
         }
     }
@@ -42,11 +48,17 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     public void OnWaited() => WaitedUntil = time.GetTimestamp();
 
     /// <summary>To be called before a message is sent.</summary>
-    public Task SendsAsync(int bytes)
+    public void OnSending()
     {
+        byte[] ping;
         lock (_lock)
-            if (!_window.IsPingDueBefore(bytes)) return Task.CompletedTask;
-        return PingAsync();
+        {
+            if (!_window.IsPingDueBefore) return;
+            ping = NewPing();
+        }
+
+        // With the message: a ping of its own would cost both sides as much as the message does.
+        pings.SendWithNext(ping);
     }
 
     /// <summary>To be called after a message was sent.</summary>
@@ -87,14 +99,12 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     public async Task BecomesSilentAsync(CancellationToken stop)
     {
         var shortest = pingInterval < pongTimeout ? pingInterval : pongTimeout;
-        using var timer = new PeriodicTimer(shortest / 4 < MaxTick ? shortest / 4 : MaxTick, time);
+        using var timer = new PeriodicTimer(shortest / 2, time);
         while (await timer.WaitForNextTickAsync(stop))
         {
             if (IsSilent()) return;
             bool isPingDue;
             lock (_lock) isPingDue = _window.PingAt == null && Now - _lastPing >= pingInterval;
-            // Time passes for a window, too: it opens for a client that answers no pings.
-            Signal();
             if (isPingDue) _ = PingAsync();
         }
     }
@@ -114,17 +124,16 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
 
     async Task PingAsync()
     {
-        var payload = new byte[PayloadBytes];
+        byte[] ping;
         lock (_lock)
         {
             if (_window.PingAt != null) return;
-            _lastPing = Now;
-            BinaryPrimitives.WriteInt64BigEndian(payload, _window.OnPing(_lastPing));
+            ping = NewPing();
         }
 
         try
         {
-            await sendPing(payload);
+            await pings.SendAsync(ping);
         }
         catch (Exception e) when (e is IOException or ObjectDisposedException or InvalidOperationException or OperationCanceledException)
         {
@@ -132,17 +141,26 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
         }
     }
 
+    // Under the lock.
+    byte[] NewPing()
+    {
+        var payload = new byte[PayloadBytes];
+        _lastPing = Now;
+        BinaryPrimitives.WriteInt64BigEndian(payload, _window.OnPing(_lastPing));
+        return payload;
+    }
+
     // Null while the window is open.
     Task NextChange()
     {
-        lock (_lock) return _window.IsOpen(Now) ? null : _changed.Task;
+        lock (_lock) return _window.IsOpen(Now) ? null : (_changed ??= NewSignal()).Task;
     }
 
     void Signal()
     {
         TaskCompletionSource changed;
-        lock (_lock) (changed, _changed) = (_changed, NewSignal());
-        changed.TrySetResult();
+        lock (_lock) (changed, _changed) = (_changed, null);
+        changed?.TrySetResult();
     }
 
     static TaskCompletionSource NewSignal() => new(TaskCreationOptions.RunContinuationsAsynchronously);
