@@ -52,7 +52,7 @@ namespace Nowpose.Sync
         readonly OffsetMemory _memory = new OffsetMemory();
         readonly UnmetPart _unmetPart = new UnmetPart();
         OffsetCurve _curve;
-        double _expectedSkew, _steadySkew;
+        double _expectedSkew, _steadySkew, _steadySkewError;
         double _skewDoubt = SkewPrior;
         HeadsetTime _start;
         int _exchanges;
@@ -85,13 +85,16 @@ namespace Nowpose.Sync
             if (Line.Exchanges > 0)
             {
                 var resolution = ClockTicks.Seconds(exchange.Resolution);
-                _up.Update(_curve, Line.SkewError, resolution);
-                _down.Update(_curve, Line.SkewError, resolution);
+                // The newest bounds tilt the curve when a path has changed, which would hide the change.
+                var steady = new OffsetCurve(_steadySkew, _curve.Bend);
+                _up.Update(steady, _steadySkewError, resolution);
+                _down.Update(steady, _steadySkewError, resolution);
             }
             if (_exchanges++ == 0)
             {
                 _start = exchange.T4;
                 _steadySkew = _expectedSkew;
+                _steadySkewError = _skewDoubt;
             }
 
             var newest = _history[0];
@@ -156,10 +159,12 @@ namespace Nowpose.Sync
             var skew = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
             var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
             // Half of the time there was, at first.
-            _steadySkew += (skew - _steadySkew) * Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewPatience, running / 2)));
+            var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewPatience, running / 2)));
+            _steadySkew += (skew - _steadySkew) * share;
             // Off by half the part at one end and by half at the other, the other way: that is no standard error, but all there can be.
             var hidden = unmet / Math.Max(1e-3, span) / 3;
             var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
+            _steadySkewError += (skewError - _steadySkewError) * share;
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
             var error = _fit.OffsetError + (_up.Error + _down.Error) / 2;
             var line = new ClockLine(reference, offset, skew, ClockTicks.Span(error), skewError, _exchanges);

@@ -58,12 +58,16 @@ namespace Nowpose.Sync
         /// <summary>How much shorter a delay must be, in median latenesses divided by the number of earlier exchanges.</summary>
         const double LatenessShare = 15;
 
+        /// <summary>Standard errors of the skew by which the bounds before a change may seem shifted.</summary>
+        const double SkewErrors = 1.5;
+
         readonly int _sign;
         readonly BoundsHistory _history;
         readonly double[] _tightness = new double[LongestWindow + MaxEarlier];
+        readonly double[] _shorter = new double[ShorterWindow];
         readonly double[] _lateness = new double[LongestWindow + MaxEarlier];
         double _excess, _excessError, _referenceError;
-        int _sinceChange;
+        int _sinceChange, _looks;
 
         /// <param name="sign">1 for the bounds below the offset, which requests give; −1 for those above, which replies give.</param>
         public LeastDelay(int sign, BoundsHistory history)
@@ -81,7 +85,7 @@ namespace Nowpose.Sync
         public void Reset()
         {
             _excess = _excessError = _referenceError = 0;
-            _sinceChange = 0;
+            _sinceChange = _looks = 0;
         }
 
         /// <summary>Looks at the newest exchange of the history, which has been corrected by <see cref="Excess"/>.</summary>
@@ -115,7 +119,7 @@ namespace Nowpose.Sync
             // What is left then is the lateness of single exchanges.
             if (_excess - broken < MinChange / 2) broken = _excess;
             // A little: the excess was never as large. Much: the path has changed again with this exchange.
-            var isEstimate = broken < _excess / 4;
+            var isEstimate = broken < 3 * _excessError;
             Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -broken);
             _excessError *= 1 - broken / _excess;
             _excess -= broken;
@@ -147,25 +151,38 @@ namespace Nowpose.Sync
             return false;
         }
 
+        // Until it is certain, a bound that proves more than those before is taken as if it proved as much: what follows is a change of the
+        // offset, never one of the skew.
         void FindShorter(int count, double skewError, double resolution)
         {
-            var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
-            var reference = Max(ShorterWindow, earlier);
-            var margin = Math.Max(
-                Margin(earlier, skewError, resolution), LatenessShare * Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow));
-            int shorter = 0, first = 0;
-            for (var i = 0; i < ShorterWindow; i++)
-                if (_tightness[i] > reference + margin) (shorter, first) = (shorter + 1, i);
+            var earlier = Math.Min(count, 1 + MaxEarlier);
+            var reference = Max(1, earlier);
+            var shorter = _tightness[0] - reference;
+            int times = 0, first = 0;
+            double change = 0;
+            _shorter[_looks++ % ShorterWindow] = 0;
+            for (var age = 1; age < Math.Min(_looks, ShorterWindow); age++)
+            {
+                var one = _shorter[(_looks - 1 - age) % ShorterWindow];
+                if (one > 0) (times, first, change) = (times + 1, age, Math.Max(change, one));
+            }
+            // Any amount confirms a bound that has exceeded the margin.
+            var margin = times > 0 ? 0 : Math.Max(
+                Margin(earlier, skewError, resolution), LatenessShare * Quantile(1, earlier, reference, 0.5) / (earlier - 1));
+            if (shorter <= margin) return;
+            _shorter[(_looks - 1) % ShorterWindow] = shorter;
+            change = Math.Max(change, shorter);
+            Shift(0, 1, -shorter);
             // Until then it may be a step.
-            if (shorter < ShorterCount || first < StepWindow - 1) return;
-            var change = Max(0, first + 1) - reference;
+            if (times + 1 < ShorterCount || first < StepWindow - 1) return;
+            Shift(0, 1, shorter);
+            Shift(1, _history.Count, change);
             _referenceError += change / 2;
-            Shift(first + 1, _history.Count, change);
-            _sinceChange = first + 1;
+            _looks = 0;
         }
 
         double Margin(int earlier, double skewError, double resolution) =>
-            MinChange + resolution + 3 * skewError * ClockTicks.Seconds(_history[0].Received - _history[earlier - 1].Received);
+            MinChange + resolution + SkewErrors * skewError * ClockTicks.Seconds(_history[0].Received - _history[earlier - 1].Received);
 
         // Of the lateness behind the reference.
         double Quantile(int from, int to, double reference, double share)

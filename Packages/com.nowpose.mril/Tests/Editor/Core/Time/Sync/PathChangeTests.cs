@@ -112,6 +112,24 @@ namespace Nowpose.Tests
         }
 
         [Test]
+        public void Skew_DirectionBecomesShorterThanEver_StaysAsProven(
+            [Values("lan", "wifi", "busy-wifi")] string network, [Values(2.0, 4.0, 20.0)] double changeMs)
+        {
+            for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
+            {
+                var link = Link(network, seed);
+                link.LongerUpMs = changeMs;
+                var run = new SyncRun(new EnvelopeClockEstimator());
+                run.Run(link, 0, ChangeAt);
+                link.LongerUpMs = 0;
+                run.Run(link, ChangeAt, ChangeAt + 150);
+
+                Assert.That(SkewDeviationPpm(run), Is.LessThan(network == "busy-wifi" ? 7 : 5), "seed " + seed);
+                Assert.That(run.PercentileMs(ChangeAt + 60, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15), "symmetric again; seed " + seed);
+            }
+        }
+
+        [Test]
         public void Error_DirectionBecomesShorterThanEver_MovesByHalfAndSaysSo()
         {
             const string network = "wifi";
