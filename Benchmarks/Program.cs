@@ -3,12 +3,16 @@ using Nowpose.Benchmarks;
 using Nowpose.Benchmarks.Comparison;
 using Nowpose.Benchmarks.Links;
 using Nowpose.Benchmarks.Load;
+using Nowpose.Benchmarks.Paths;
 
 if (args is ["gateway", ..])
     return await LoadVerb.RunAsync(args);
 
 if (args is ["links", ..])
     return await LinksVerb.RunAsync(args);
+
+if (args is ["paths", ..])
+    return await PathsVerb.RunAsync(args);
 
 if (args is ["sessions", ..])
     return await SessionVerb.RunAsync(args);

@@ -87,8 +87,7 @@ namespace Nowpose.Sync
                 var resolution = ClockTicks.Seconds(exchange.Resolution);
                 // The newest bounds tilt the curve when a path has changed, which would hide the change.
                 var steady = new OffsetCurve(_steadySkew, _curve.Bend);
-                _up.Update(steady, _steadySkewError, resolution);
-                _down.Update(steady, _steadySkewError, resolution);
+                if (_up.Update(steady, _steadySkewError, resolution) | _down.Update(steady, _steadySkewError, resolution)) _memory.Explain();
             }
             if (_exchanges++ == 0)
             {

@@ -34,12 +34,13 @@ namespace Nowpose.Sync
         const double MaxScatterGrowth = 2;
 
         /// <summary>
-        /// Lengths of the windows in which every bound must be late. A quiet direction shows a change in the first, a noisy
-        /// one needs the last.
+        /// Lengths of the windows in which every bound must be late, more where these are less than the least duration. A quiet direction
+        /// shows a change in the first, a noisy one needs the last.
         /// </summary>
-        static readonly int[] Windows = { 30, 60, LongestWindow };
+        static readonly int[] Windows = { 30, 60, 150, LongestWindow };
 
-        const int LongestWindow = 150;
+        /// <summary>15 s at 20 exchanges a second.</summary>
+        const int LongestWindow = 300;
 
         /// <summary>
         /// The oldest of so many parts of a window does not tell how large a change is: it may hold a late exchange from before.
@@ -92,15 +93,15 @@ namespace Nowpose.Sync
         /// <param name="curve">Runs as the offset does; its height does not matter.</param>
         /// <param name="skewError">One standard error of its slope.</param>
         /// <param name="resolution">Of the control clock, s: so far bounds move without any change.</param>
-        public void Update(OffsetCurve curve, double skewError, double resolution)
+        /// <returns>Whether a change was recognised.</returns>
+        public bool Update(OffsetCurve curve, double skewError, double resolution)
         {
             _sinceChange++;
             var count = Math.Min(_history.Count, _tightness.Length);
-            if (count < MinEarlier + ShorterWindow) return;
+            if (count < MinEarlier + ShorterWindow) return false;
             for (var i = 0; i < count; i++) _tightness[i] = Tightness(i, curve);
             if (_excess > 0) FollowShorterAgain(count);
-            if (FindLonger(count, skewError, resolution)) return;
-            FindShorter(count, skewError, resolution);
+            return FindLonger(count, skewError, resolution) || FindShorter(count, skewError, resolution);
         }
 
         double Tightness(int age, OffsetCurve curve)
@@ -128,10 +129,12 @@ namespace Nowpose.Sync
 
         bool FindLonger(int count, double skewError, double resolution)
         {
-            foreach (var window in Windows)
+            foreach (var least in Windows)
             {
+                var window = least;
+                while (window < Math.Min(LongestWindow, count) && Duration(window) < MinDuration) window++;
                 if (count < window + MinEarlier) return false;
-                var duration = _history[0].Received - _history[window - 1].Received;
+                var duration = Duration(window);
                 if (duration < MinDuration) continue;
                 var earlier = Math.Min(count, window + MaxEarlier);
                 var reference = Max(window, earlier);
@@ -153,7 +156,7 @@ namespace Nowpose.Sync
 
         // Until it is certain, a bound that proves more than those before is taken as if it proved as much: what follows is a change of the
         // offset, never one of the skew.
-        void FindShorter(int count, double skewError, double resolution)
+        bool FindShorter(int count, double skewError, double resolution)
         {
             var earlier = Math.Min(count, 1 + MaxEarlier);
             var reference = Max(1, earlier);
@@ -169,20 +172,23 @@ namespace Nowpose.Sync
             // Any amount confirms a bound that has exceeded the margin.
             var margin = times > 0 ? 0 : Math.Max(
                 Margin(earlier, skewError, resolution), LatenessShare * Quantile(1, earlier, reference, 0.5) / (earlier - 1));
-            if (shorter <= margin) return;
+            if (shorter <= margin) return false;
             _shorter[(_looks - 1) % ShorterWindow] = shorter;
             change = Math.Max(change, shorter);
             Shift(0, 1, -shorter);
             // Until then it may be a step.
-            if (times + 1 < ShorterCount || first < StepWindow - 1) return;
+            if (times + 1 < ShorterCount || first < StepWindow - 1) return false;
             Shift(0, 1, shorter);
             Shift(1, _history.Count, change);
             _referenceError += change / 2;
             _looks = 0;
+            return true;
         }
 
+        TimeSpan Duration(int exchanges) => _history[0].Received - _history[exchanges - 1].Received;
+
         double Margin(int earlier, double skewError, double resolution) =>
-            MinChange + resolution + SkewErrors * skewError * ClockTicks.Seconds(_history[0].Received - _history[earlier - 1].Received);
+            MinChange + resolution + SkewErrors * skewError * ClockTicks.Seconds(Duration(earlier));
 
         // Of the lateness behind the reference.
         double Quantile(int from, int to, double reference, double share)

@@ -24,6 +24,7 @@ namespace Nowpose.Sync
         const double SkewWander = 1e-6;
 
         readonly ClockLine[] _lines = new ClockLine[Capacity];
+        readonly double[] _errors = new double[Capacity];
         int _count;
 
         /// <summary>One standard error of the offset that comes from it, s.</summary>
@@ -35,14 +36,28 @@ namespace Nowpose.Sync
             Error = 0;
         }
 
+        /// <summary>
+        /// A change of the path was recognised and corrected. It explains how the estimate has moved of late; what it does not explain shows in
+        /// the comparison with the oldest estimate.
+        /// </summary>
+        public void Explain()
+        {
+            if (_count == 0) return;
+            Error = _errors[Oldest];
+            (_lines[0], _errors[0], _count) = (_lines[Oldest], Error, 1);
+        }
+
         /// <param name="running">Time since the first exchange, s.</param>
         public void Add(in ClockLine line, double running)
         {
-            if (_count > 0) Compare(line, _count < Capacity ? _lines[0] : _lines[_count % Capacity]);
+            if (_count > 0) Compare(line, _lines[Oldest]);
             if (running < MinRunning) return;
             if (_count > 0 && ClockTicks.Seconds(line.Reference - _lines[(_count - 1) % Capacity].Reference) < Interval) return;
+            _errors[_count % Capacity] = Error;
             _lines[_count++ % Capacity] = line;
         }
+
+        int Oldest => _count < Capacity ? 0 : _count % Capacity;
 
         void Compare(in ClockLine line, in ClockLine earlier)
         {

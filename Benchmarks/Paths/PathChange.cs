@@ -1,0 +1,20 @@
+namespace Nowpose.Benchmarks.Paths;
+
+/// <summary>A change of the least delays of a path.</summary>
+/// <param name="Name">What changes, for the table.</param>
+/// <param name="Extra">Delays on top of the link's own, as parts of the size, by seconds since the change; negative before it.</param>
+/// <param name="Limit">What any estimator may err by after the change: half the difference of both directions, as a part of the size.</param>
+sealed record PathChange(string Name, Func<double, (double Up, double Down)> Extra, double Limit)
+{
+    /// <summary>Seconds after which a path changes back.</summary>
+    const double Stay = 100;
+
+    public static readonly IReadOnlyList<PathChange> All =
+    [
+        new("requests longer", since => (since < 0 ? 0 : 1, 0), 0.5),
+        new("replies longer", since => (0, since < 0 ? 0 : 1), 0.5),
+        new("both longer", since => since < 0 ? (0, 0) : (1, 0.5), 0.25),
+        new("longer and back", since => (since is < 0 or > Stay ? 0 : 1, 0), 0.5),
+        new("shorter than ever", since => (since < 0 ? 1 : 0, 0), 0.5),
+    ];
+}
