@@ -358,6 +358,8 @@ public class RecorderTests
             _ => new LineFile(new SmallDisk(10_000_000)),
         });
         recorder.SwitchOn();
+        // Each file is opened by a thread of its own. The second one must not be opened before the first.
+        await Soon.BecomesAsync(() => Volatile.Read(ref files) == 1, "the first file is opened");
         Publish(5, "a");
         _source.TryDescribe(RobotFiles.LoadText("youbot"));
         await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the second file fails");
