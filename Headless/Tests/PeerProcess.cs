@@ -19,7 +19,7 @@ sealed class PeerProcess : IDisposable
         _process = new Process { StartInfo = start };
         _process.OutputDataReceived += (_, line) => Add(line.Data);
         _process.ErrorDataReceived += (_, line) => Add(line.Data);
-        _process.Start();
+        using (DefaultSignals.Restore()) _process.Start();
         _process.BeginOutputReadLine();
         _process.BeginErrorReadLine();
     }
