@@ -13,6 +13,8 @@ sealed class RosbridgeSession : IDisposable
     const string Operations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, advertise_service, unadvertise_service, "
         + "service_response, status, set_level";
 
+    static readonly string Topics = string.Join(", ", Publications.All.Select(topic => topic.Key).Append(RosTopics.JointStatus));
+
     readonly MessageHub _hub;
     readonly HubSource _source;
     readonly ServedClock _clock;
@@ -104,6 +106,8 @@ sealed class RosbridgeSession : IDisposable
         if (!HasRoomFor(message))
             return;
         Warn(message);
+        if (!Publications.IsKnown(message.Topic) && message.Topic != RosTopics.JointStatus)
+            Warn(message, $"gets no messages: the gateway never publishes this topic. Its topics: {Topics}");
         Remember(message.Type);
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
     }
@@ -234,8 +238,12 @@ sealed class RosbridgeSession : IDisposable
     // The request is served, but not as it was asked for.
     void Warn(RosbridgeMessage message)
     {
-        if (_level is not ("none" or "error") && Unsupported.In(_text) is { } unsupported)
-            Reply(RosbridgeWriter.Status("warning", Subject(message) + unsupported, Short(message.Id)));
+        if (Unsupported.In(_text) is { } unsupported) Warn(message, unsupported);
+    }
+
+    void Warn(RosbridgeMessage message, string text)
+    {
+        if (_level is not ("none" or "error")) Reply(RosbridgeWriter.Status("warning", Subject(message) + text, Short(message.Id)));
     }
 
     void Drop(RosbridgeMessage message, DropReason reason, string what = null, string rule = null)

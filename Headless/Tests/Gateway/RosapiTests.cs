@@ -54,7 +54,6 @@ public class RosapiTests
 
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"none","type":"sensor_msgs/msg/JointState"}""")]
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"","fragment_size":null}""")]
-    [TestCase("""{"op":"subscribe","topic":"/of_nobody","type":"any_msgs/Type"}""")]
     [TestCase("""{"op":"set_level","level":"error"}\n{"op":"subscribe","topic":"/joint_states","compression":"png"}""")]
     public async Task Request_ForWhatIsSupported_GetsNoStatus(string requests)
     {

@@ -101,17 +101,60 @@ public class RosbridgeTopicTests
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         for (var i = 0; i < ProtocolLimits.TopicsPerClient; i++)
-            await client.SubscribeAsync("/topic" + i);
+            await SubscribeToUnknownAsync(client, "/topic" + i);
 
         await client.SendAsync(RosbridgeWriter.Subscribe("/one_more"));
         await client.ExpectErrorAsync("32");
 
         await client.SendAsync(RosbridgeWriter.Advertise(RosTopics.JointStates, null));
         await client.ExpectErrorAsync("32");
-        await client.SubscribeAsync("/topic0"); // not a further one
+        await SubscribeToUnknownAsync(client, "/topic0"); // not a further one
         await client.SendAsync(RosbridgeWriter.Unsubscribe("/topic0"));
-        await client.SubscribeAsync("/one_more");
+        await SubscribeToUnknownAsync(client, "/one_more");
         Assert.That(gateway.Drops[DropReason.TooManyTopics], Is.EqualTo(2));
+    }
+
+    [Test]
+    public async Task Subscribe_TopicThatTheGatewayNeverPublishes_GetsAWarning()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await SubscribeToUnknownAsync(client, "/foo");
+
+        Assert.That(gateway.Drops.Total, Is.Zero);
+    }
+
+    [TestCase(RosTopics.JointStates)]
+    [TestCase(RosTopics.JointTrajectory)]
+    [TestCase(RosTopics.RobotDescription)]
+    [TestCase(RosTopics.Diagnostics)]
+    [TestCase(RosTopics.Displayed)]
+    [TestCase(RosTopics.JointStatus)]
+    public async Task Subscribe_TopicWithoutASource_GetsNoWarning(string topic)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync(RosbridgeWriter.Subscribe(topic));
+        await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "after"));
+
+        RosbridgeMessage message;
+        do
+        {
+            message = await client.ReceiveAsync();
+            Assert.That(message.Op, Is.Not.EqualTo(RosbridgeOp.Status), message.Text);
+        }
+        while (message.Id != "after");
+    }
+
+    static async Task SubscribeToUnknownAsync(RawRosbridgeClient client, string topic)
+    {
+        await client.SendAsync(RosbridgeWriter.Subscribe(topic));
+        var warning = await client.ReceiveAsync();
+        Assert.That((warning.Op, warning.Level), Is.EqualTo((RosbridgeOp.Status, "warning")));
+        Assert.That(warning.Text, Does.Contain(topic).And.Contain("never publishes").And.Contain(RosTopics.JointStates));
+        await client.RoundTripAsync();
     }
 
     [Test]
