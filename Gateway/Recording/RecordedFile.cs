@@ -80,7 +80,7 @@ sealed class RecordedFile
     public void SetDeleted(bool isRecording)
     {
         IsDeleted = true;
-        if (isRecording) _deletion = "the file was deleted while it was written, and its lines are lost; switch the recording on again";
+        if (isRecording) _deletion = "the file was deleted while it was written, and its lines are lost";
     }
 
     /// <summary>Whether the file has been made.</summary>

@@ -68,7 +68,8 @@ sealed class GatewayStatus : IDisposable
     public EventList Events { get; }
 
     /// <summary>Why headsets cannot be served, one line for each reason; empty when the gateway is ready.</summary>
-    public IReadOnlyList<string> NotReadyReasons() => [.. _conditions.Read(_joints.Read()).Where(condition => condition.Blocks).Select(condition => condition.Text)];
+    public IReadOnlyList<string> NotReadyReasons() =>
+        [.. ConditionsOf(_joints.Read()).Where(condition => condition.Blocks).Select(condition => condition.TextWithSince)];
 
     public void Dispose()
     {
@@ -86,7 +87,7 @@ sealed class GatewayStatus : IDisposable
         var said = _said.Read();
         var beyond = _limits.Joints;
         var joints = _joints.Read();
-        var conditions = _conditions.Read(joints);
+        var conditions = ConditionsOf(joints);
         return new StatusSnapshot(
             _options.Cell, Environment.MachineName, Version, OverallStatus.Of(conditions, joints, said), _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1), Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6), OfClock(),
@@ -102,6 +103,8 @@ sealed class GatewayStatus : IDisposable
             _recorder.Status, _options.Headsets != null, !conditions.Any(condition => condition.Blocks),
             [.. Events.Read(EventsInState).Select(one => one.View)], CertificateExpiresUtc: _options.CertificateExpires);
     }
+
+    IReadOnlyList<Condition> ConditionsOf(IReadOnlyList<JointStatus> joints) => Events.Date(_conditions.Read(joints));
 
     void Watch(int topic, HubMessage message)
     {

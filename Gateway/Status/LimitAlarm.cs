@@ -22,14 +22,17 @@ sealed class LimitAlarm : IDisposable
         _subscriptions = [hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take)];
     }
 
-    /// <summary>Names of the joints that are beyond their limits now.</summary>
-    public IReadOnlyList<string> Joints
+    /// <summary>Joints that are beyond their limits now.</summary>
+    public IReadOnlyList<JointBeyondLimits> Beyond
     {
         get
         {
-            lock (_lock) return _watch == null ? [] : [.. _watch.Found.Where(_watch.IsBeyond).Select(found => found.Joint.Name)];
+            lock (_lock) return _watch == null ? [] : [.. _watch.Found.Where(_watch.IsBeyond)];
         }
     }
+
+    /// <summary>Names of the joints that are beyond their limits now.</summary>
+    public IReadOnlyList<string> Joints => [.. Beyond.Select(found => found.Joint.Name)];
 
     public void Dispose()
     {

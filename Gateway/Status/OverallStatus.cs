@@ -16,7 +16,7 @@ sealed record OverallStatus(string Level, string Text)
     {
         if (conditions.Count == 0) return new("ok", Summary(joints, said.Count(one => !StatusObjects.IsAdapter(one.Name))));
         var more = conditions.Count == 1 ? "" : $" (and {conditions.Count - 1} more)";
-        return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].Text + more);
+        return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].TextWithSince + more);
     }
 
     static string Summary(IReadOnlyList<JointStatus> joints, int headsets)

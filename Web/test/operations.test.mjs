@@ -278,6 +278,15 @@ describe('faults', () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it('are shown in the words of the gateway', async () => {
+    gateway.state.events = [event(7, 'warning', { kind: 'limit', which: 'arm_joint_3', what: 'is exceeded', text: 'joint arm_joint_3 is outside its limits. Check it.' })];
+    const page = await open();
+
+    assert.match(await page.textContent('#alarms'), /^joint arm_joint_3 is outside its limits\. Check it\. – since/);
+    assert.match(await page.textContent('#events'), /joint arm_joint_3 is outside its limits\. Check it\./);
+    assert.doesNotMatch(await page.textContent('#content'), /limit arm_joint_3/);
+  });
+
   it('that are over stay in the list, below those that last', async () => {
     gateway.state.events = [event(9, 'error', { until_utc: ago(10) }), event(8, 'warning'), event(7, 'error', { until_utc: ago(90) })];
     const page = await open();

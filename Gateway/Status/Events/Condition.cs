@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Nowpose.Gateway.Status.Events;
 
 enum Level
@@ -16,8 +18,25 @@ enum Level
 sealed record Condition(
     string Kind, string Which, string What, string Reason, Level Level, bool Blocks = false, DateTimeOffset? Since = null)
 {
+    /// <summary>Fault and place as one clause.</summary>
+    public string Headline { get => field ?? $"{Kind} {Which} {What}"; init; }
+
+    /// <summary>Advice as a sentence; empty where the reason contains it.</summary>
+    public string Remedy { get; init; } = "";
+
     /// <summary>Two conditions of the same key are the same event.</summary>
     public (string, string, string) Key => (Kind, Which, What);
 
-    public string Text => Reason.Length == 0 ? $"{Kind} {Which} {What}" : $"{Kind} {Which} {What}: {Reason}";
+    public string Text => Compose("");
+
+    /// <summary><see cref="Text"/> with the time at which it began.</summary>
+    public string TextWithSince => Compose(
+        Since is { } since ? $" (since {since.UtcDateTime.ToString("yyyy-MM-dd HH:mm:ss 'UTC'", CultureInfo.InvariantCulture)})" : "");
+
+    string Compose(string note)
+    {
+        var isLast = note.Length == 0 && Remedy.Length == 0;
+        var reason = Reason.Length == 0 ? "" : $": {(isLast ? Reason : Reason.TrimEnd('.'))}";
+        return Headline + reason + note + (Remedy.Length == 0 ? "" : $". {Remedy}");
+    }
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Joints;
+using Nowpose.Kinematics;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Events;
@@ -28,22 +29,53 @@ sealed class Conditions(
     ];
 
     static Condition Of(JointStatus row) =>
-        new("joint", $"{row.Name} ({row.Source})", $"is {(row.State == JointDataState.Fault ? "in fault" : row.Word)}", row.Reason, Level.Error, true, row.Since);
+        new("joint", $"{row.Name} ({row.Source})", $"is {(row.State == JointDataState.Fault ? "in fault" : row.Word)}", row.Reason, Level.Error, true, row.Since)
+        {
+            Remedy = row.State switch
+            {
+                JointDataState.Stale => "Check that its source runs and reaches the gateway.",
+                JointDataState.Missing => "Check that the plant offers the joint's value and that the plant's configuration names it correctly.",
+                JointDataState.Refused => "Check what its source sends.",
+                JointDataState.Fault => "Check the plant and its connection.",
+                _ => "",
+            },
+        };
+
+    string ClockName => clock.Source == PlantClocks.Own ? "the gateway's own control clock" : $"the control clock {clock.Source}";
 
     IEnumerable<Condition> OfClock()
     {
         if (!clock.IsSynchronised)
-            yield return new("clock", clock.Source, "is not served", $"its state is {clock.State.Word()}", Level.Error, true);
+            yield return new("clock", clock.Source, "is not served", $"its state is {clock.State.Word()}", Level.Error, true)
+            {
+                Headline = $"{ClockName} is not served to headsets",
+                Remedy = clock.Source == PlantClocks.Own ? "" : "Check the adapter that reads this clock.",
+            };
         var stamps = clock.Stamps;
-        if (stamps.Warning is { } warning)
-            yield return new(
-                "clock", clock.Source, "contradicts the stamps of samples", warning, stamps.IsContradicted ? Level.Error : Level.Warning, stamps.IsContradicted);
+        if (stamps.Warning is not { } warning) yield break;
+        // The warning says what to do.
+        yield return stamps.IsContradicted
+            ? new("clock", clock.Source, "contradicts the stamps of samples", warning, Level.Error, true)
+            {
+                Headline = $"{ClockName} and the stamps of samples contradict each other",
+            }
+            : new("clock", clock.Source, "does not follow the system clock", warning, Level.Warning)
+            {
+                Headline = $"{ClockName} does not follow the system clock",
+            };
     }
 
     IEnumerable<Condition> OfSources(IReadOnlyList<JointStatus> rows)
     {
         if (!options.ExpectsSources || rows.Count > 0) return [];
-        return [new("source", "of joint positions", "is missing", "no adapter has reported a joint and no sample has arrived", Level.Error, true)];
+        return
+        [
+            new("source", "of joint positions", "is missing", "no adapter has reported a joint and no sample has arrived", Level.Error, true)
+            {
+                Headline = "a source of joint positions is missing",
+                Remedy = "Check that the adapter of each plant runs and is connected.",
+            },
+        ];
     }
 
     IEnumerable<Condition> Of((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) said)
@@ -52,30 +84,72 @@ sealed class Conditions(
         var (kind, name) = isAdapter ? ("adapter", StatusObjects.AdapterName(said.Name)) : ("headset", said.Name);
         if (said.Ago > Silence)
         {
-            yield return new(kind, name, isAdapter ? "does not report" : "is lost", "", isAdapter ? Level.Error : Level.Warning);
+            yield return isAdapter ? SilentAdapter(name, said.Ago) : LostHeadset(name, said.Ago);
             yield break;
         }
 
         string Value(string key) => said.Values.FirstOrDefault(pair => pair.Key == key).Value;
         if (isAdapter && Value("state") is { } state && state != "connected")
-            yield return new(kind, name, "is not connected", Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error);
+            yield return new(kind, name, "is not connected", Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error)
+            {
+                Headline = $"adapter {name} is not connected to its plant",
+            };
         if (!isAdapter && Value("pose") is { } pose && !CurrentPoses.Contains(pose))
-            yield return new(kind, name, "shows no current pose", ReasonOf(pose, Value("missing_joints")), Level.Warning);
+            yield return new(kind, name, "shows no current pose", ReasonOf(pose, Value("missing_joints")), Level.Warning)
+            {
+                Remedy = RemedyOf(pose),
+            };
     }
+
+    Condition SilentAdapter(string name, TimeSpan ago) =>
+        new("adapter", name, "does not report", "its reports stopped", Level.Error, Since: options.Time.GetUtcNow() - ago)
+        {
+            Remedy = "Check that the adapter runs and reaches the gateway.",
+        };
+
+    Condition LostHeadset(string name, TimeSpan ago) =>
+        new("headset", name, "is lost", "its reports stopped and it did not close its connection", Level.Warning, Since: options.Time.GetUtcNow() - ago)
+        {
+            Remedy = "Check its power and its network.",
+        };
+
+    static string RemedyOf(string pose) => pose switch
+    {
+        "incomplete" => "Check the sources of these joints.",
+        "unsynchronised" => "Check the network between the headset and the gateway.",
+        "held" => "Check that samples reach the headset in time.",
+        _ => "See the status panel of the headset.",
+    };
 
     static string ReasonOf(string pose, string missing) =>
         string.IsNullOrEmpty(missing) ? $"the pose is {pose}" : $"the pose is {pose}; missing joints: {missing}";
 
     IEnumerable<Condition> OfRefusals() => refusals.Read().Select(
-        one => new Condition("source", $"{one.Source} of joint {one.Joint}", "is refused", $"the source {one.Owner} already publishes this joint", Level.Warning));
+        one => new Condition("source", $"{one.Source} of joint {one.Joint}", "is refused", $"the source {one.Owner} already publishes this joint", Level.Warning)
+        {
+            Headline = $"source {one.Source} is refused for joint {one.Joint}",
+            Remedy = "Stop one of the two sources.",
+        });
 
-    IEnumerable<Condition> OfLimits() => limits.Joints.Select(joint => new Condition(
-        "limit", joint, "is exceeded", "the position is outside the limits of the robot description; check the description, and rad and m", Level.Warning));
+    IEnumerable<Condition> OfLimits() => limits.Beyond.Select(Of);
+
+    static Condition Of(JointBeyondLimits found)
+    {
+        var (joint, allowed) = (found.Joint, found.Joint.Limits);
+        var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "degrees");
+        return new Condition("limit", joint.Name, "is exceeded", string.Create(
+            CultureInfo.InvariantCulture, $"its position was {found.Position:0.###} {unit}; allowed are {allowed.Lower:0.###} to {allowed.Upper:0.###} {unit}"), Level.Warning)
+        {
+            Headline = $"joint {joint.Name} is outside the limits of the robot description",
+            Remedy = $"Check that the description is of this robot and that the source sends {unit}, not {other}.",
+        };
+    }
 
     IEnumerable<Condition> OfRecording()
     {
         var status = recorder.Status;
-        if (status.Problem != null) yield return new("recording", status.File, "stopped", status.Problem, Level.Warning);
+        if (status.Problem != null)
+            yield return new("recording", status.File, "stopped", status.Problem, Level.Warning) { Remedy = "Correct this, then switch the recording on again." };
     }
 
     IEnumerable<Condition> OfCertificate()
@@ -86,6 +160,12 @@ sealed class Conditions(
         const string Cure = "renew the file with the same key; the gateway takes it without a restart";
         yield return left > TimeSpan.Zero
             ? new("certificate", "of the gateway", "is about to expire", $"it expires on {day}; {Cure}", Level.Warning)
-            : new("certificate", "of the gateway", "has expired", $"headsets refuse it since {day}; {Cure}", Level.Error, true);
+            {
+                Headline = "the gateway's certificate is about to expire",
+            }
+            : new("certificate", "of the gateway", "has expired", $"headsets refuse it since {day}; {Cure}", Level.Error, true)
+            {
+                Headline = "the gateway's certificate has expired",
+            };
     }
 }

@@ -53,6 +53,17 @@ sealed class EventList(TimeProvider time, Action<string> log)
         lock (_lock) return [.. Enumerable.Reverse(_events).Where((one, i) => i < newest || one.Until == null)];
     }
 
+    /// <summary>Adds to conditions of the present when their events began. One whose event has not begun begins now.</summary>
+    public IReadOnlyList<Condition> Date(IReadOnlyList<Condition> present)
+    {
+        lock (_lock)
+        {
+            var now = time.GetUtcNow();
+            var begins = _events.Where(known => known.Until == null).ToDictionary(known => known.Condition.Key, known => known.Since);
+            return [.. present.Select(one => one with { Since = begins.TryGetValue(one.Key, out var since) ? since : one.Since ?? now })];
+        }
+    }
+
     string Begin(Condition condition, DateTimeOffset since, DateTimeOffset? until)
     {
         // One that lasts is more important than an older one that is over.
@@ -63,5 +74,5 @@ sealed class EventList(TimeProvider time, Action<string> log)
 
     static string EndLine(StatusEvent ended) => string.Create(
         CultureInfo.InvariantCulture,
-        $"event {ended.Id}: over after {(ended.Until.Value - ended.Since).TotalSeconds:0.0} s: {ended.Condition.Kind} {ended.Condition.Which} {ended.Condition.What}");
+        $"event {ended.Id}: over after {(ended.Until.Value - ended.Since).TotalSeconds:0.0} s: {ended.Condition.Headline}");
 }

@@ -7,5 +7,5 @@ sealed record StatusEvent(long Id, Condition Condition, DateTimeOffset Since, Da
 {
     public EventView View => new(
         Id, Condition.Kind, Condition.Which, Condition.What, Condition.Reason, Condition.Level.ToString().ToLowerInvariant(), UtcText.Of(Since),
-        Until is { } end ? UtcText.Of(end) : null);
+        Until is { } end ? UtcText.Of(end) : null, Condition.Text);
 }

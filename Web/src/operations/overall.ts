@@ -47,7 +47,7 @@ export class Overall {
   }
 }
 
-/** What happened, in one sentence. */
-export function eventWords({ kind, which, what, reason }: StatusEvent): string {
-  return `${kind} ${which} ${what}${reason ? `: ${reason}` : ''}`;
+/** What is wrong, where, why and what to do. An older gateway sends only the parts. */
+export function eventWords({ kind, which, what, reason, text }: StatusEvent): string {
+  return text ?? `${kind} ${which} ${what}${reason ? `: ${reason}` : ''}`;
 }

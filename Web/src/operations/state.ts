@@ -43,6 +43,8 @@ export interface StatusEvent {
   level: Level;
   since_utc: string;
   until_utc?: string | null;
+  /** All of it in plain words. */
+  text?: string | null;
 }
 
 export interface StoredRecording {

@@ -5,6 +5,7 @@ using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
@@ -118,10 +119,10 @@ public class FaultStatusTests
         lock (_log) Assert.That(_log.Count(line => line.Contains("joint a (gateway) is stale")), Is.EqualTo(2), string.Join('\n', _log));
     }
 
-    [TestCase("refused", "is refused")]
-    [TestCase("missing", "is missing")]
-    [TestCase("fault", "is in fault")]
-    public async Task Joint_AdapterReportsAFault_IsNamedWithReasonAndSince(string word, string what)
+    [TestCase("refused", "is refused", "Check what its source sends.")]
+    [TestCase("missing", "is missing", "Check that the plant offers the joint's value and that the plant's configuration names it correctly.")]
+    [TestCase("fault", "is in fault", "Check the plant and its connection.")]
+    public async Task Joint_AdapterReportsAFault_IsNamedWithReasonSinceAndRemedy(string word, string what, string remedy)
     {
         await StartAsync(options => options with { ExpectsSources = true });
         Publish("a", "b");
@@ -130,7 +131,7 @@ public class FaultStatusTests
 
         Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[]
         {
-            "waiting", $"joint a (press) {what}: the node ns=2;s=Axis1 is gone",
+            "waiting", $"joint a (press) {what}: the node ns=2;s=Axis1 is gone (since 2026-11-20 11:58:30 UTC). {remedy}",
         }));
         var joints = (await StateAsync()).GetProperty("joints");
         Assert.That(joints.GetArrayLength(), Is.EqualTo(2));
@@ -209,7 +210,10 @@ public class FaultStatusTests
     {
         await StartAsync(clock: new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
 
-        Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[] { "waiting", "clock own is not served: its state is converging" }));
+        Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[]
+        {
+            "waiting", "the gateway's own control clock is not served to headsets: its state is converging (since 2026-11-20 12:00:00 UTC)",
+        }));
         await BeginsAsync("clock", "own");
     }
 
@@ -252,10 +256,10 @@ public class FaultStatusTests
         _time.Advance(certificate.NotAfter.ToUniversalTime() - TimeSpan.FromDays(3) - _time.GetUtcNow());
         await StartAsync(options => options with { Certificate = certificate });
 
-        await Soon.BecomesAsync(() => Logged("certificate of the gateway is about to expire"), "it is in the log");
+        await Soon.BecomesAsync(() => Logged("the gateway's certificate is about to expire"), "it is in the log");
         Assert.That(Logged("has expired"), Is.False);
         _time.Advance(TimeSpan.FromDays(4));
-        await Soon.BecomesAsync(() => Logged("certificate of the gateway has expired"), "it is in the log");
+        await Soon.BecomesAsync(() => Logged("the gateway's certificate has expired"), "it is in the log");
     }
 
     bool Logged(string part)
@@ -309,7 +313,41 @@ public class FaultStatusTests
             () => StateAsync().Result.GetProperty("joints").EnumerateArray().All(joint => joint.GetProperty("state").GetString() == "refused"), "both are refused");
         var lines = await ReadyAsync(HttpStatusCode.ServiceUnavailable);
         Assert.That(lines, Has.Length.EqualTo(3));
-        Assert.That(lines[1], Is.EqualTo($"joint a (rosbridge) is refused: the gateway drops the samples: {reason}"));
+        Assert.That(lines[1], Does.StartWith($"joint a (rosbridge) is refused: the gateway drops the samples: {reason} (since "));
+    }
+
+    [Test]
+    public async Task Ready_NoSourceYet_ContainsBeginAndRemedy()
+    {
+        await StartAsync(options => options with { ExpectsSources = true });
+        await BeginsAsync("source", "of joint positions");
+        _time.Advance(TimeSpan.FromSeconds(75));
+
+        Assert.That((await ReadyAsync(HttpStatusCode.ServiceUnavailable))[1], Is.EqualTo(
+            "a source of joint positions is missing: no adapter has reported a joint and no sample has arrived (since 2026-11-20 12:00:00 UTC). "
+                + "Check that the adapter of each plant runs and is connected."));
+    }
+
+    [Test]
+    public async Task Joint_OutsideItsLimits_IsNamedWithPositionLimitsAndUnit()
+    {
+        await StartAsync();
+        using var description = _gateway.Hub.OpenSource();
+        description.TryDescribe(RobotFiles.LoadText("youbot"));
+
+        await Soon.BecomesAsync(
+            () =>
+            {
+                _source.TryPublish(Gateways.State(200, "arm_joint_3"));
+                return EventAsync("limit", "arm_joint_3").Result.ValueKind == JsonValueKind.Object;
+            },
+            "the joint is outside its limits");
+
+        var one = await EventAsync("limit", "arm_joint_3");
+        Assert.That(one.GetProperty("what").GetString(), Is.EqualTo("is exceeded"));
+        Assert.That(one.GetProperty("text").GetString(), Does.Match(
+            "^joint arm_joint_3 is outside the limits of the robot description: its position was 200 rad; allowed are [-0-9.]+ to [-0-9.]+ rad[.] "
+                + "Check that the description is of this robot and that the source sends rad, not degrees[.]$"));
     }
 
     [Test]

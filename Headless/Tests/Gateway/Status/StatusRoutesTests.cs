@@ -314,7 +314,7 @@ public class StatusRoutesTests
         var (status, text, _) = await GetAsync(gateway, "/readyz");
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
-        Assert.That(text, Does.StartWith("waiting\nclock own is not served"));
+        Assert.That(text, Does.StartWith("waiting\nthe gateway's own control clock is not served"));
         Assert.That((await GetAsync(gateway, "/healthz")).Status, Is.EqualTo(HttpStatusCode.OK), "it lives all the same");
     }
 

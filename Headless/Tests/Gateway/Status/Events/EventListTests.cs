@@ -71,6 +71,29 @@ public class EventListTests
     }
 
     [Test]
+    public void Date_ConditionWithAndWithoutAnEvent_BeganWithItsEventOrNow()
+    {
+        var began = _time.GetUtcNow();
+        _events.Update([Joint("a")]);
+        _time.Advance(TimeSpan.FromSeconds(5));
+
+        var dated = _events.Date([Joint("a"), Joint("b")]);
+
+        Assert.That(dated.Select(one => one.Since), Is.EqualTo(new DateTimeOffset?[] { began, began + TimeSpan.FromSeconds(5) }));
+    }
+
+    [TestCase("", "", "joint a is refused", "joint a is refused (since 2026-11-20 12:00:00 UTC)")]
+    [TestCase("NaN", "", "joint a is refused: NaN", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC)")]
+    [TestCase("", "Repair it.", "joint a is refused. Repair it.", "joint a is refused (since 2026-11-20 12:00:00 UTC). Repair it.")]
+    [TestCase("NaN.", "Repair it.", "joint a is refused: NaN. Repair it.", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC). Repair it.")]
+    public void Text_ReasonAndRemedy_ReadAsSentences(string reason, string remedy, string text, string withSince)
+    {
+        var condition = Joint("a", reason, new DateTimeOffset(2026, 11, 20, 12, 0, 0, TimeSpan.Zero)) with { Remedy = remedy };
+
+        Assert.That((condition.Text, condition.TextWithSince), Is.EqualTo((text, withSince)));
+    }
+
+    [Test]
     public void Note_SomethingThatDoesNotLast_IsOverAtOnce()
     {
         _events.Note(new Condition("recording", "x.jsonl", "was deleted", "", Level.Warning));
