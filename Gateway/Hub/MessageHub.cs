@@ -35,6 +35,9 @@ public sealed class MessageHub
     /// <summary>A sample of a source was dropped: the source and the reason.</summary>
     internal event Action<HubSource, string> SampleDropped;
 
+    /// <summary>A client closed its connection in order: its name.</summary>
+    internal event Action<string> Left;
+
     /// <summary>Somebody who publishes; a joint belongs to the first source that publishes it, until that one is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
@@ -101,6 +104,8 @@ public sealed class MessageHub
             return null;
         }
     }
+
+    internal void ReportLeft(string name) => Left?.Invoke(name);
 
     internal void ReportDropped(HubSource source, string reason) => SampleDropped?.Invoke(source, reason);
 

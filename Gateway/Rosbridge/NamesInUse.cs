@@ -21,9 +21,9 @@ sealed class NamesInUse(TimeProvider time)
     }
 
     /// <summary>Gives a name back; nothing where another client has it by now.</summary>
-    public void Release(string name, object holder)
+    /// <returns>Whether this client had it.</returns>
+    public bool Release(string name, object holder)
     {
-        lock (_held)
-            if (_held.TryGetValue(name, out var held) && held.Holder == holder) _held.Remove(name);
+        lock (_held) return _held.TryGetValue(name, out var held) && held.Holder == holder && _held.Remove(name);
     }
 }

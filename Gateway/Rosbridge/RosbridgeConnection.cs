@@ -66,6 +66,7 @@ sealed class RosbridgeConnection : IDisposable
         // The client answers with its own close, which ends the receiving; or it does not, and time is up.
         await using (_serverStops.UnsafeRegister(_ => End(Closure.Stopped), null))
             why = await ReceiveAsync(session);
+        if (Ended == null && HasPeerLeft) session.Leave();
         session.Dispose();
         if (Ended == null && why != Closure.Silence)
             await SayGoodbyeAsync(why);
@@ -82,6 +83,10 @@ sealed class RosbridgeConnection : IDisposable
 
     // What this side decided, if it did.
     Closure? Ended => Volatile.Read(ref _ended) is var ended && ended != NotEnded ? (Closure)ended : null;
+
+    // A close with another code reports a fault of the peer.
+    bool HasPeerLeft => _socket.CloseStatus
+        is WebSocketCloseStatus.NormalClosure or WebSocketCloseStatus.EndpointUnavailable or WebSocketCloseStatus.Empty;
 
     async Task<Closure> ReceiveAsync(RosbridgeSession session)
     {

@@ -48,6 +48,12 @@ sealed class RosbridgeSession : IDisposable
         _offers = new PlantTimeOffers(plant, reply);
     }
 
+    /// <summary>Ends what the client reported of itself, because it closed the connection in order. Call it before <see cref="Dispose"/>.</summary>
+    public void Leave()
+    {
+        if (_name != null && _names.Release(_name, this)) _hub.ReportLeft(_name);
+    }
+
     public void Handle(in Received received)
     {
         _receivedAt = received.Count;

@@ -33,6 +33,13 @@ sealed class DiagnosticsBoard(TimeProvider time)
         }
     }
 
+    /// <summary>Removes a headset that has left. An adapter that is gone stays a fault.</summary>
+    public void Remove(string name)
+    {
+        if (StatusObjects.IsAdapter(name)) return;
+        lock (_lock) _said.Remove(name);
+    }
+
     /// <summary>In the order of their names.</summary>
     public IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values)> Read()
     {

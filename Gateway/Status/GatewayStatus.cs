@@ -55,6 +55,7 @@ sealed class GatewayStatus : IDisposable
         Events = events;
         _conditions = new Conditions(options, clock, _said, _refusals, limits, recorder);
         hub.JointRefused += Refuse;
+        hub.Left += _said.Remove;
         hub.SampleDropped += _joints.Refuse;
         _started = options.Time.GetUtcNow();
         _subscriptions = [.. Enumerable.Range(0, Topics.Length).Select(topic => hub.Subscribe(Topics[topic], message => Watch(topic, message)))];
@@ -75,6 +76,7 @@ sealed class GatewayStatus : IDisposable
     {
         _watch.Dispose();
         _hub.JointRefused -= Refuse;
+        _hub.Left -= _said.Remove;
         _hub.SampleDropped -= _joints.Refuse;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }

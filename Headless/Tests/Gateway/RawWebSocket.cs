@@ -9,6 +9,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 sealed class RawWebSocket : IDisposable
 {
     public const int Text = 1;
+    public const int Close = 8;
     public const int Ping = 9;
     public const int Pong = 10;
 
@@ -61,6 +62,14 @@ sealed class RawWebSocket : IDisposable
     /// <summary>A whole message or control frame, masked with zeros: its bytes are as they are (RFC 6455, 5.2).</summary>
     public Task SendFrameAsync(int opcode, params byte[] payload) =>
         SendAsync([(byte)(0x80 | opcode), (byte)(0x80 | payload.Length), 0, 0, 0, 0, .. payload]);
+
+    /// <summary>A whole message of 126 to 65535 bytes, masked with zeros as well.</summary>
+    public Task SendTextAsync(string text)
+    {
+        var payload = Encoding.UTF8.GetBytes(text);
+        Assert.That(payload, Has.Length.InRange(126, 65535));
+        return SendAsync([0x80 | Text, 0x80 | 126, (byte)(payload.Length >> 8), (byte)payload.Length, 0, 0, 0, 0, .. payload]);
+    }
 
     public async Task<(int Opcode, byte[] Payload)> ReceiveFrameAsync()
     {

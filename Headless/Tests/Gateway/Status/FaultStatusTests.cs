@@ -316,6 +316,30 @@ public class FaultStatusTests
         Assert.That(lines[1], Does.StartWith($"joint a (rosbridge) is refused: the gateway drops the samples: {reason} (since "));
     }
 
+    // RFC 6455, 7.4.1: a normal end, a client that goes away, a close without a code, and a fault of the client.
+    [TestCase("03E8", "ok")]
+    [TestCase("03E9", "ok")]
+    [TestCase("", "ok")]
+    [TestCase("03F3", "warning")]
+    [TestCase(null, "warning")]
+    public async Task Headset_ConnectionEnds_IsLostUnlessItClosedInOrder(string close, string level)
+    {
+        await StartAsync();
+        using var client = await RawWebSocket.OpenAsync(_gateway);
+        await client.SendTextAsync(RosbridgeWriter.PublishDiagnostics(
+            RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, "goggles", [KeyValuePair.Create("pose", "current")]), RosTimeForm.Sec));
+        await Soon.BecomesAsync(() => StateAsync().Result.GetProperty("headsets").GetArrayLength() == 1, "it is known");
+
+        if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
+        client.EndSending();
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the connection is over");
+        _time.Advance(TimeSpan.FromSeconds(4));
+
+        var state = await StateAsync();
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level), state.GetRawText());
+        Assert.That(state.GetProperty("headsets").GetArrayLength(), Is.EqualTo(level == "ok" ? 0 : 1));
+    }
+
     [Test]
     public async Task Ready_NoSourceYet_ContainsBeginAndRemedy()
     {
