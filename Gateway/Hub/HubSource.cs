@@ -23,6 +23,12 @@ public sealed class HubSource : IDisposable
     /// <summary>Shown to users: the adapter's name where it is an adapter.</summary>
     internal string Name { get; set; } = Own;
 
+    /// <summary>Remote address and port of a client; null for a source of this process.</summary>
+    internal string Address { get; set; }
+
+    /// <summary>Name for messages; with the address where the client has not named itself.</summary>
+    internal string Title => Name == Unnamed && Address != null ? $"{Name} {Address}" : Name;
+
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
     /// <param name="receivedAt">When its last byte was read, a count of <see cref="Stopwatch"/>; null for now.</param>
     /// <returns>That joint, or null when the message went out.</returns>

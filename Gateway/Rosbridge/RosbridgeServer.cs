@@ -1,3 +1,4 @@
+using System.Net;
 using Microsoft.AspNetCore.Http.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core.Features;
 using Nowpose.Gateway.Clock;
@@ -83,12 +84,21 @@ sealed class RosbridgeServer(
         SendBuffer.Limit(context);
         using var connection = new RosbridgeConnection(socket, receiver, reader, Drops, _stop.Token);
         using var session = new RosbridgeSession(
-            hub, clock, plant, _names, role, Drops, options.QueueLength, connection.Reply, connection.Start);
+            hub, clock, plant, _names, role, Drops, options.QueueLength, connection.Reply, connection.Start)
+        {
+            Address = AddressOf(context.Connection),
+        };
         using var watched = access.Watch(
             door.TokenHashOf(context), role, () => connection.End(Closure.Token), door.LoginOf(context));
         var why = await connection.RunAsync(session);
         if (why == Closure.MalformedFrame)
             await upgrade.DrainAsync(ProtocolLimits.GoodbyeTimeout);
         return why;
+    }
+
+    static string AddressOf(ConnectionInfo connection)
+    {
+        if (connection.RemoteIpAddress is not { } address) return null;
+        return new IPEndPoint(address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address, connection.RemotePort).ToString();
     }
 }

@@ -48,6 +48,12 @@ sealed class RosbridgeSession : IDisposable
         _offers = new PlantTimeOffers(plant, reply);
     }
 
+    /// <summary>Address of the client, for messages about a client without a name.</summary>
+    public string Address
+    {
+        set => _source.Address = value;
+    }
+
     /// <summary>Ends what the client reported of itself, because it closed the connection in order. Call it before <see cref="Dispose"/>.</summary>
     public void Leave()
     {

@@ -17,7 +17,7 @@ sealed class RecentRefusals(TimeProvider time)
     {
         lock (_lock)
         {
-            if (_refusals.Count < MaxRefusals || _refusals.ContainsKey((source, joint))) _refusals[(source, joint)] = (time.GetTimestamp(), owner.Name);
+            if (_refusals.Count < MaxRefusals || _refusals.ContainsKey((source, joint))) _refusals[(source, joint)] = (time.GetTimestamp(), owner.Title);
         }
     }
 
@@ -27,7 +27,7 @@ sealed class RecentRefusals(TimeProvider time)
         {
             foreach (var (key, refusal) in _refusals)
                 if (time.GetElapsedTime(refusal.At) > Span) _refusals.Remove(key);
-            return [.. _refusals.Select(one => (one.Key.Source.Name, one.Key.Joint, one.Value.Owner))];
+            return [.. _refusals.Select(one => (one.Key.Source.Title, one.Key.Joint, one.Value.Owner))];
         }
     }
 }

@@ -36,7 +36,7 @@ sealed class JointBoard(TimeProvider time)
     {
         lock (_lock)
             if (_joints.TryGetValue(name, out var joint))
-                joint.Rows.Find(row => row.Source == source.Name)?.Refuse($"the source {owner.Name} already publishes this joint; each joint has one source");
+                joint.Rows.Find(row => row.Source == source.Name)?.Refuse($"the source {owner.Title} already publishes this joint; each joint has one source");
     }
 
     /// <summary>A sample that was dropped for its content; it counts for all joints that the source publishes.</summary>

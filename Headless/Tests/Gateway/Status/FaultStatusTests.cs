@@ -341,6 +341,23 @@ public class FaultStatusTests
     }
 
     [Test]
+    public async Task Source_SecondWithoutAName_IsRefusedWithBothAddresses()
+    {
+        await StartAsync();
+        using var first = await RawRosbridgeClient.ConnectAsync(_gateway);
+        using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await first.SendAsync(Gateways.StateText(1));
+        await first.RoundTripAsync();
+        await second.SendAsync(Gateways.StateText(1));
+        await second.ExpectErrorAsync("another source");
+
+        Assert.That(
+            (await StateAsync()).GetProperty("status").GetProperty("text").GetString(),
+            Does.Match("^source rosbridge 127[.]0[.]0[.]1:([0-9]+) is refused for joint a: "
+                + "the source rosbridge 127[.]0[.]0[.]1:(?!\\1 )[0-9]+ already publishes this joint [(]since .*[)][.] Stop one of the two sources[.]$"));
+    }
+
+    [Test]
     public async Task Ready_NoSourceYet_ContainsBeginAndRemedy()
     {
         await StartAsync(options => options with { ExpectsSources = true });
