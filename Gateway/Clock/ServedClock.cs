@@ -68,7 +68,7 @@ public sealed class ServedClock : IControlClock
         var ahead = OffsetToControl(model, now);
         return new PlantClockStatus(
             clock.Name, clock.IsConnected, clock == _plant.Control, model.State, ahead, ahead == null ? null : (-model.Skew - Skew) * 1e6,
-            clock.RoundTripTime, model.ErrorBound, clock.Resolution, clock.Exchanges, clock.Failures, clock.LastFailure);
+            clock.RoundTripTime, model.IsKnown ? model.EstimatedError : null, model.ErrorBound, clock.Resolution, clock.Exchanges, clock.Failures, clock.LastFailure);
     }
 
     TimeSpan? OffsetToControl(in ClockModel model, HeadsetTime now)

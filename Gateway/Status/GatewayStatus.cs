@@ -149,7 +149,7 @@ sealed class GatewayStatus : IDisposable
             _clock.Source, _clock.State.Word(), _clock.IsSynchronised, isKnown ? Rounded(_clock.ErrorBound.TotalMicroseconds) : null,
             isKnown ? Rounded(_clock.Skew * 1e6) : null, Measured(control?.RoundTripTime)?.TotalMilliseconds,
             Measured(control == null ? _clock.Resolution : control.Resolution)?.TotalMicroseconds, control?.Model.Steps,
-            control?.Model is { State: ClockState.Coarse } coarse ? Rounded(coarse.EstimatedError.TotalMicroseconds) : null,
+            control?.Model is { IsKnown: true } known ? Rounded(known.EstimatedError.TotalMicroseconds) : null,
             _clock.Stamps.Warning);
     }
 
@@ -158,7 +158,8 @@ sealed class GatewayStatus : IDisposable
         clock.OffsetToControl is { } ahead ? Rounded(ahead.TotalMilliseconds) : null, clock.DriftPpm is { } drift ? Rounded(drift) : null,
         Measured(clock.RoundTripTime)?.TotalMilliseconds,
         clock.State == ClockState.Unsynchronised ? null : Rounded(clock.ErrorBound.TotalMicroseconds),
-        Measured(clock.Resolution)?.TotalMicroseconds, clock.Exchanges, clock.Failures, clock.LastFailure);
+        Measured(clock.Resolution)?.TotalMicroseconds, clock.Exchanges, clock.Failures, clock.LastFailure,
+        clock.EstimatedError is { } error ? Rounded(error.TotalMicroseconds) : null);
 
     // Zero is what it is before the first.
     static TimeSpan? Measured(TimeSpan? length) => length > TimeSpan.Zero ? length : null;

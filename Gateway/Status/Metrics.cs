@@ -52,6 +52,7 @@ static class Metrics
         Add("nowpose_plant_clock_offset_seconds", Gauge, "This clock less the control clock.", clock => clock.OffsetToControlMs * Milli);
         Add("nowpose_plant_clock_drift_ratio", Gauge, "Rate of this clock against the control clock, less one.", clock => clock.DriftPpm * Micro);
         Add("nowpose_plant_clock_round_trip_seconds", Gauge, "Time of an exchange.", clock => clock.RttMs * Milli);
+        Add("nowpose_plant_clock_estimated_error_seconds", Gauge, "Estimated error of the estimate.", clock => clock.EstimatedErrorUs * Micro);
         Add("nowpose_plant_clock_error_bound_seconds", Gauge, "How wrong the estimate may be.", clock => clock.ErrorBoundUs * Micro);
         Add("nowpose_plant_clock_exchanges_total", Counter, "Exchanges that were answered.", clock => clock.Exchanges);
         Add("nowpose_plant_clock_failures_total", Counter, "Exchanges that were not.", clock => clock.Failures);

@@ -29,7 +29,7 @@ sealed record JointView(string Name, string Source, string State, string SinceUt
 /// <param name="State">unsynchronised, converging, coarse, synchronised or holdover.</param>
 /// <param name="IsServed">Whether headsets are told that they may trust it.</param>
 /// <param name="ErrorBoundUs">Null while nothing is known of it; likewise what follows.</param>
-/// <param name="EstimatedErrorUs">The ± of a plant's clock that is known coarsely; null otherwise.</param>
+/// <param name="EstimatedErrorUs">The ± of a plant's clock; null while it is not known, and for the gateway's own.</param>
 /// <param name="SkewPpm">Its rate over that of the gateway's counter, less one.</param>
 /// <param name="Warning">How the stamps of sources contradict it, and what to do; null while they do not.</param>
 sealed record ClockStatus(
@@ -38,9 +38,10 @@ sealed record ClockStatus(
 
 /// <param name="OffsetToControlMs">This clock less the control clock; null while one of them is not known.</param>
 /// <param name="RttMs">Null before the first exchange: 0 would be the best there is. Likewise what follows.</param>
+/// <param name="EstimatedErrorUs">The ±; null while the clock is not known.</param>
 sealed record PlantClockView(
     string Name, bool Connected, bool IsControlClock, string State, double? OffsetToControlMs, double? DriftPpm, double? RttMs, double? ErrorBoundUs,
-    double? ResolutionUs, long Exchanges, long Failures, string LastFailure);
+    double? ResolutionUs, long Exchanges, long Failures, string LastFailure, double? EstimatedErrorUs = null);
 
 /// <param name="Joints">That are published together, or in sets that have joints in common.</param>
 /// <param name="RateHz">Messages a second.</param>

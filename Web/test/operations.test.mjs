@@ -107,11 +107,12 @@ describe('what it shows', () => {
   it('says how the plants and their clocks do', async () => {
     const page = await open();
 
-    assert.match(await page.textContent('#clock'), /synchronised, of press, within 120/);
+    assert.match(await page.textContent('#clock'), /synchronised, of press, ±\u00a035.*, within 120/);
     assert.deepEqual((await cells(page, 'belt')).slice(0, 2), ['ads', 'refused']);
     assert.equal(await noteOf(page, 'belt'), 'the router does not know this machine');
     assert.deepEqual((await cells(page, 'press_ads')).slice(0, 4), ['compared with it', 'synchronised', '12.5', '4.20']);
-    assert.equal((await cells(page, 'press_ads'))[7], '2');
+    assert.deepEqual((await cells(page, 'press_ads')).slice(5, 7), ['25', '90'], 'its ± beside its bound');
+    assert.equal((await cells(page, 'press_ads'))[8], '2');
     assert.equal(await noteOf(page, 'press_ads'), 'last failure: no answer within 2 s');
     assert.equal(await page.textContent('#drops'), 'NotFinite 2');
   });
@@ -146,13 +147,13 @@ describe('what it shows', () => {
   }
 
   it('shows no number for what is not known', async () => {
-    Object.assign(gateway.state.clock, { state: 'unsynchronised', error_bound_us: null });
+    Object.assign(gateway.state.clock, { state: 'unsynchronised', estimated_error_us: null, error_bound_us: null });
     Object.assign(gateway.state.plant_clocks[1], {
-      state: 'unsynchronised', offset_to_control_ms: null, drift_ppm: null, rtt_ms: null, error_bound_us: null, resolution_us: null,
+      state: 'unsynchronised', offset_to_control_ms: null, drift_ppm: null, rtt_ms: null, estimated_error_us: null, error_bound_us: null, resolution_us: null,
     });
     const page = await open();
 
-    assert.deepEqual((await cells(page, 'press_ads')).slice(1, 7), ['unsynchronised', '–', '–', '–', '–', '–']);
+    assert.deepEqual((await cells(page, 'press_ads')).slice(1, 8), ['unsynchronised', '–', '–', '–', '–', '–', '–']);
     assert.equal(await page.textContent('#clock'), 'unsynchronised, of press');
     gateway.state.clock = { source: 'own', state: 'synchronised', error_bound_us: 0 };
     await page.waitForFunction(() => document.querySelector('#clock').textContent === 'synchronised, the gateway’s own');
@@ -359,11 +360,13 @@ describe('faults', () => {
 
   it('do not include a coarse clock, which is shown with its ±', async () => {
     Object.assign(gateway.state.headsets[0], { state: 'coarse', pose: 'coarse', error_bound_us: 9000, estimated_error_us: 3000 });
-    Object.assign(gateway.state.clock, { state: 'coarse', error_bound_us: 4000 });
+    Object.assign(gateway.state.clock, { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
+    Object.assign(gateway.state.plant_clocks[0], { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
     const page = await open();
 
     assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill('coarse, ±\u00a03\u00a0ms'));
     assert.equal(await page.textContent('#clock'), 'coarse, ±\u00a04\u00a0ms, of press');
+    assert.equal((await page.locator('[aria-label="Clocks of the plant"] tr:has(th:text-is("press")) td').allInnerTexts())[1], 'coarse, ±\u00a04\u00a0ms');
     assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
   });
 

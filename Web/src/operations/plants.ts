@@ -45,10 +45,11 @@ export class Plants {
   ], s => s.joints.join(', '), 'No joint positions arrive.', undefined, 'Joints', limitWords);
   private readonly clocks = new LiveTable<PlantClock>('Clocks of the plant', [
     { label: 'Use', cell: c => (c.is_control_clock ? 'control clock' : 'compared with it') },
-    { label: 'State', cell: c => (c.connected ? stateWords(c.state, null, c.error_bound_us) : 'not connected') },
+    { label: 'State', cell: c => (c.connected ? stateWords(c.state, c.estimated_error_us, c.error_bound_us) : 'not connected') },
     { label: 'Ahead of the control clock (ms)', isNumber: true, cell: c => format(c.offset_to_control_ms) },
     { label: 'Drift against it (ppm)', isNumber: true, cell: c => format(c.drift_ppm) },
     { label: 'RTT (ms)', isNumber: true, cell: c => format(c.rtt_ms) },
+    { label: '± (µs)', isNumber: true, cell: c => format(c.estimated_error_us) },
     { label: 'Within (µs)', isNumber: true, cell: c => format(c.error_bound_us) },
     { label: 'Steps of (µs)', isNumber: true, cell: c => format(c.resolution_us) },
     { label: 'Failures', isNumber: true, cell: c => format(c.failures) },
@@ -84,7 +85,9 @@ function limitWords({ beyond_limits: joints }: Source): string {
 export function clockWords({ clock }: State): string {
   if (!clock) return 'not known';
   const source = clock.source === 'own' ? 'the gateway’s own' : `of ${clock.source}`;
-  // Its own is not compared with any other.
-  const bound = clock.error_bound_us && clock.state !== 'coarse' ? `, within ${format(clock.error_bound_us, 'µs')}` : '';
-  return `${stateWords(clock.state, clock.estimated_error_us, clock.error_bound_us)}, ${source}${bound}`;
+  // Its own is not compared with any other, and the state of a coarse one has its ±.
+  const isFine = clock.state !== 'coarse';
+  const error = clock.estimated_error_us && isFine ? `, ±\u00a0${format(clock.estimated_error_us, 'µs')}` : '';
+  const bound = clock.error_bound_us && isFine ? `, within ${format(clock.error_bound_us, 'µs')}` : '';
+  return `${stateWords(clock.state, clock.estimated_error_us, clock.error_bound_us)}, ${source}${error}${bound}`;
 }

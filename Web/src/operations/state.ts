@@ -72,6 +72,7 @@ export interface PlantClock {
   offset_to_control_ms?: number | null;
   drift_ppm?: number | null;
   rtt_ms?: number | null;
+  estimated_error_us?: number | null;
   error_bound_us?: number | null;
   resolution_us?: number | null;
   exchanges?: number;

@@ -21,6 +21,7 @@ const TERMS: Record<string, string> = {
   Source: 'The adapter that reads the joint; gateway is the gateway’s own robot, rosbridge another client',
   'Ahead of the control clock (ms)': 'This clock minus the control clock',
   'Drift against it (ppm)': 'Difference of the two clocks’ rates in parts per million (1 ppm = 1 µs per second)',
+  '± (µs)': 'Estimated error of the estimate of this clock, both ways, in microseconds; nearly all errors are smaller',
   'Within (µs)': 'Largest possible error of the estimate of this clock, in microseconds',
   'Steps of (µs)': 'Resolution: the step in which this clock advances',
   'Sampling (ms)': 'Interval at which the control system takes samples, in milliseconds',

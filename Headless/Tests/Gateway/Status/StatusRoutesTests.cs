@@ -194,11 +194,26 @@ public class StatusRoutesTests
         foreach (var clock in new[] { state.GetProperty("clock"), state.GetProperty("plant_clocks")[0] })
         {
             Assert.That(clock.GetProperty("state").GetString(), Is.EqualTo("unsynchronised"));
-            foreach (var number in new[] { "error_bound_us", "rtt_ms", "resolution_us", "skew_ppm", "drift_ppm", "offset_to_control_ms" })
+            foreach (var number in new[] { "error_bound_us", "estimated_error_us", "rtt_ms", "resolution_us", "skew_ppm", "drift_ppm", "offset_to_control_ms" })
                 Assert.That(clock.TryGetProperty(number, out _), Is.False, $"{number}: {clock}");
         }
 
-        Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Not.Match(@"(?m)^nowpose_\w*clock_(error_bound|round_trip)"));
+        Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Not.Match(@"(?m)^nowpose_\w*clock_(error_bound|estimated_error|round_trip)"));
+    }
+
+    [Test]
+    public async Task State_ClockThatIsKnown_ContainsItsEstimatedErrorBesideItsBound()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "press", new StopwatchControlClock(Gateways.Start));
+        await Soon.BecomesAsync(() => gateway.Clock.Source == "press" && gateway.Clock.State == ClockState.Synchronised, "the clock is known");
+
+        var state = await StateAsync(gateway);
+
+        foreach (var clock in new[] { state.GetProperty("clock"), state.GetProperty("plant_clocks")[0] })
+            Assert.That(
+                clock.GetProperty("estimated_error_us").GetDouble(), Is.GreaterThan(0).And.LessThanOrEqualTo(clock.GetProperty("error_bound_us").GetDouble()));
+        Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Match(@"(?m)^nowpose_plant_clock_estimated_error_seconds\{clock=""press""[^}]*\} \S+"));
     }
 
     [Test]
