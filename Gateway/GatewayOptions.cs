@@ -58,6 +58,9 @@ public sealed record GatewayOptions
     /// </summary>
     public TimeProvider Time { get; init; } = TimeProvider.System;
 
+    /// <summary>Clock and counter of the system, which the stamps of sources are compared with.</summary>
+    internal TimeProvider SystemClock { get; init; } = TimeProvider.System;
+
     /// <summary>Allows plain connections from other machines: on a network that is trusted.</summary>
     public bool AllowInsecureLan { get; init; }
 

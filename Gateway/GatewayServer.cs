@@ -47,7 +47,7 @@ public sealed class GatewayServer : IAsyncDisposable
         _log = new QuietLog(log, options.Time);
         Hub = new MessageHub();
         PlantClocks = new PlantClocks(options.ControlClock, new StopwatchHeadsetClock());
-        Clock = new ServedClock(clock, PlantClocks);
+        Clock = new ServedClock(clock, PlantClocks, options.SystemClock);
         _comparison = new ClockComparison(Clock, Log);
         _access = new AccessWatch(options, Log);
         WebSocketConnections = new ConnectionCounters();

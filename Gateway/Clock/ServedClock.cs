@@ -13,12 +13,13 @@ public sealed class ServedClock : IControlClock
     readonly IControlClock _own;
     readonly PlantClocks _plant;
 
-    internal ServedClock(IControlClock own, PlantClocks plant)
+    /// <param name="system">Clock and counter of the system, for the comparison with stamps; null for those of this machine.</param>
+    internal ServedClock(IControlClock own, PlantClocks plant, TimeProvider system = null)
     {
         _own = own;
         _plant = plant;
-        var system = new SystemControlClock();
-        Stamps = new StampWatch(() => Now, () => _plant.Control == null ? _own : null, () => system.Now, TimeProvider.System);
+        var systemClock = new SystemControlClock(system);
+        Stamps = new StampWatch(() => Now, () => _plant.Control == null ? _own : null, () => systemClock.Now, system ?? TimeProvider.System);
     }
 
     /// <summary>Compares the stamps of sources with this clock.</summary>

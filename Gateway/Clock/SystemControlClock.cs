@@ -2,9 +2,12 @@ namespace Nowpose.Gateway.Clock;
 
 /// <summary>The system clock (CLOCK_REALTIME) as the control clock: Unix time, with every correction that is made to it.</summary>
 /// <remarks>For cells whose sources stamp with a system time that NTP or PTP keeps. Headsets see a correction as a step of the control clock.</remarks>
-public sealed class SystemControlClock : IControlClock
+/// <param name="system">The system clock; null for that of this machine.</param>
+public sealed class SystemControlClock(TimeProvider system = null) : IControlClock
 {
-    public ControlTime Now => new(DateTime.UtcNow - DateTime.UnixEpoch);
+    readonly TimeProvider _system = system ?? TimeProvider.System;
+
+    public ControlTime Now => new(_system.GetUtcNow().UtcDateTime - DateTime.UnixEpoch);
 
     public TimeSpan Resolution => new(1);
 }

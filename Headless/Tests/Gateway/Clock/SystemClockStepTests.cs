@@ -1,0 +1,192 @@
+using System.Net;
+using System.Text.Json;
+using NUnit.Framework;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Gateway.Clock;
+
+/// <summary>Over real sockets: the system clock is stepped while a source publishes samples that are stamped with system time.</summary>
+[Parallelizable]
+public class SystemClockStepTests
+{
+    static readonly TimeSpan Acquisition = TimeSpan.FromMilliseconds(70);
+
+    /// <summary>The time that the gateway looks back, as documented.</summary>
+    static readonly TimeSpan Window = TimeSpan.FromSeconds(5);
+
+    readonly List<string> _log = [];
+    CorrectedTime _system;
+    GatewayServer _gateway;
+    RawRosbridgeClient _source;
+
+    async Task StartAsync(IControlClock own)
+    {
+        _gateway = await GatewayServer.StartAsync(Gateways.Options() with { SystemClock = _system }, own, Log).Bounded();
+        _source = await RawRosbridgeClient.ConnectAsync(_gateway);
+        await _source.SubscribeAsync(RosTopics.JointStates);
+    }
+
+    [SetUp]
+    public void SetUp()
+    {
+        _system = new CorrectedTime();
+        _log.Clear();
+    }
+
+    [TearDown]
+    public async Task Close()
+    {
+        _source?.Dispose();
+        if (_gateway != null) await _gateway.DisposeAsync();
+        (_source, _gateway) = (null, null);
+    }
+
+    void Log(string line)
+    {
+        lock (_log) _log.Add(line);
+    }
+
+    bool IsLogged(string part)
+    {
+        lock (_log) return _log.Exists(line => line.Contains(part, StringComparison.Ordinal));
+    }
+
+    ControlTime SystemTime => new(_system.GetUtcNow().UtcDateTime - DateTime.UnixEpoch);
+
+    // The source is subscribed, too: it receives the sample, or a status that says why not.
+    async Task<RosbridgeMessage> PublishAsync(TimeSpan sourceAhead = default)
+    {
+        var state = new JointStateMessage(SystemTime + sourceAhead - Acquisition, ["a"], [0.5]);
+        await _source.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
+        return await _source.ReceiveAsync();
+    }
+
+    async Task ExpectAcceptedAsync(int samples)
+    {
+        for (var i = 0; i < samples; i++)
+        {
+            var message = await PublishAsync();
+            Assert.That(message.Op, Is.EqualTo(RosbridgeOp.Publish), message.Text);
+        }
+    }
+
+    async Task<(HttpStatusCode Status, string Text)> GetAsync(string path)
+    {
+        using var http = new HttpClient();
+        using var response = await http.GetAsync(new Uri($"http://127.0.0.1:{_gateway.WebSocketEndPoint.Port}{path}")).Bounded();
+        return (response.StatusCode, await response.Content.ReadAsStringAsync().Bounded());
+    }
+
+    async Task<JsonElement> StateAsync() => JsonDocument.Parse((await GetAsync("/operations/state")).Text).RootElement;
+
+    async Task<string> BecomesNotReadyAsync(TimeSpan sourceAhead = default)
+    {
+        var ready = default((HttpStatusCode Status, string Text));
+        await Soon.BecomesAsync(
+            () =>
+            {
+                PublishAsync(sourceAhead).GetAwaiter().GetResult();
+                ready = GetAsync("/readyz").GetAwaiter().GetResult();
+                return ready.Status == HttpStatusCode.ServiceUnavailable && ready.Text.Contains("contradict", StringComparison.Ordinal);
+            },
+            () => ready.Text);
+        return ready.Text;
+    }
+
+    async Task BecomesReadyAsync()
+    {
+        var ready = default((HttpStatusCode Status, string Text));
+        await Soon.BecomesAsync(
+            () =>
+            {
+                PublishAsync().GetAwaiter().GetResult();
+                ready = GetAsync("/readyz").GetAwaiter().GetResult();
+                return ready.Status == HttpStatusCode.OK;
+            },
+            () => ready.Text);
+    }
+
+    [TestCase(3600.0)]
+    [TestCase(-3600.0)]
+    [TestCase(2.5)]
+    [TestCase(-2.5)]
+    public async Task Step_SystemClockServed_IsFollowedByHeadsetsAndNoSampleIsRefused(double seconds)
+    {
+        await StartAsync(new SystemControlClock(_system));
+        using var headset = await RawSyncClient.ConnectAsync(_gateway);
+        await ExpectAcceptedAsync(20);
+
+        _system.Correct(TimeSpan.FromSeconds(seconds));
+
+        await ExpectAcceptedAsync(20);
+        var before = SystemTime;
+        var reply = (await headset.ExchangeAsync(SyncFrame.Request(1, 42))).Value;
+        Assert.That(ControlTime.FromNanoseconds(reply.T2Ns), Is.InRange(before, SystemTime), "a headset sees the step");
+        Assert.That(_gateway.Drops.Total, Is.Zero);
+        Assert.That((await GetAsync("/readyz")).Text, Is.EqualTo("ready\n"));
+        Assert.That((await StateAsync()).GetProperty("clock").TryGetProperty("warning", out _), Is.False);
+    }
+
+    [Test]
+    public async Task Step_SystemClockServedAndSourceFollowsLater_IsNamedMeanwhile()
+    {
+        await StartAsync(new SystemControlClock(_system));
+        await ExpectAcceptedAsync(5);
+
+        _system.Correct(TimeSpan.FromSeconds(-30));
+        var refused = await PublishAsync(TimeSpan.FromSeconds(30));
+        var reason = await BecomesNotReadyAsync(TimeSpan.FromSeconds(30));
+
+        Assert.That(refused.Text, Does.Contain(nameof(DropReason.StampInFuture)));
+        Assert.That(reason, Does.Match("in the future of the control clock, by 29[.][0-9] s").And.Contain("Set the clock of the source"));
+        Assert.That(IsLogged("clock: "), Is.True, string.Join('\n', _log));
+        Assert.That((await StateAsync()).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("in the future"));
+
+        await ExpectAcceptedAsync(1);
+        _system.Skip(Window);
+        await BecomesReadyAsync();
+        Assert.That(IsLogged("stamps and control clock agree again"), Is.True);
+    }
+
+    [TestCase(3600.0)]
+    [TestCase(-3600.0)]
+    [TestCase(2.5)]
+    public async Task Step_MonotonicClockServed_IsNamedWithTheRemedyUntilItIsUndone(double seconds)
+    {
+        await StartAsync(new StopwatchControlClock(SystemTime));
+        await ExpectAcceptedAsync(5);
+
+        _system.Correct(TimeSpan.FromSeconds(seconds));
+        var reason = await BecomesNotReadyAsync();
+
+        Assert.That(reason, Does.StartWith("waiting\nthe gateway's own control clock and the stamps of samples contradict each other: ")
+            .And.Contain("fit the system clock").And.Contain("--own-clock system").And.Contain("(since "));
+        var state = await StateAsync();
+        Assert.That(state.GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("fit the system clock"));
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+        Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("contradict each other"));
+        Assert.That(IsLogged("fit the system clock"), Is.True, string.Join('\n', _log));
+        Assert.That(_gateway.Drops[DropReason.StampInFuture], seconds > 0 ? Is.Positive : Is.Zero);
+
+        _system.Correct(TimeSpan.FromSeconds(-seconds));
+        await ExpectAcceptedAsync(1);
+        _system.Skip(Window);
+        await BecomesReadyAsync();
+    }
+
+    /// <summary>The system's clock and counter. A test corrects the clock and advances the counter.</summary>
+    sealed class CorrectedTime : TimeProvider
+    {
+        long _correction, _skipped;
+
+        public override long TimestampFrequency => TimeSpan.TicksPerSecond;
+        public override DateTimeOffset GetUtcNow() => System.GetUtcNow() + new TimeSpan(Interlocked.Read(ref _correction));
+        public override long GetTimestamp() => System.GetElapsedTime(0).Ticks + Interlocked.Read(ref _skipped);
+
+        public void Correct(TimeSpan by) => Interlocked.Add(ref _correction, by.Ticks);
+
+        public void Skip(TimeSpan by) => Interlocked.Add(ref _skipped, by.Ticks);
+    }
+}
