@@ -42,10 +42,9 @@ public sealed class HubMessage
         source);
 
     /// <summary>The joints that are not live, for headsets.</summary>
-    /// <param name="level">0 for none, 1 where all of them are at rest, 2 otherwise.</param>
-    public static HubMessage JointStatus(DiagnosticsMessage message, int level) => new(
+    public static HubMessage JointStatus(DiagnosticsMessage message) => new(
         RosTopics.JointStatus, message, Stopwatch.GetTimestamp(),
-        form => RosbridgeWriter.PublishDiagnostics(RosTopics.JointStatus, message, form, "joints", level));
+        form => RosbridgeWriter.PublishDiagnostics(RosTopics.JointStatus, message, form));
 
     /// <summary>What a headset shows; no sample of the robot.</summary>
     public static HubMessage Displayed(JointStateMessage message) => new(

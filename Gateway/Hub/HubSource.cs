@@ -68,7 +68,7 @@ public sealed class HubSource : IDisposable
     public void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message, this));
 
     /// <summary>Publishes the joints that are not live; the newest message is kept for later subscribers.</summary>
-    internal void PublishJointStatus(DiagnosticsMessage message, int level) => _hub.PublishNewest(this, HubMessage.JointStatus(message, level));
+    internal void PublishJointStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.JointStatus(message));
 
     /// <summary>Reports a sample that was dropped for its content.</summary>
     internal void ReportDropped(string reason) => _hub.ReportDropped(this, reason);

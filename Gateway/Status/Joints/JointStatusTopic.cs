@@ -32,8 +32,9 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
         var now = (Control: clock.Now, Utc: time.GetUtcNow());
         var longest = Math.Min(MaxReasonLength, MaxReasonsLength / Math.Max(1, troubled.Count));
         var values = troubled.ConvertAll(row => KeyValuePair.Create(row.Name, ValueOf(row, now.Control - (now.Utc - row.Since), longest)));
+        // 0 for none, 1 where all of them are at rest, 2 otherwise.
         var level = troubled.Count == 0 ? 0 : troubled.TrueForAll(row => row.IsGood) ? 1 : 2;
-        _source.PublishJointStatus(new DiagnosticsMessage(now.Control, "gateway", values), level);
+        _source.PublishJointStatus(new DiagnosticsMessage(now.Control, "gateway", values, level, "joints"));
     }
 
     public void Dispose() => _source.Dispose();

@@ -185,13 +185,14 @@ public class RosbridgeTopicTests
         using var headset = await RawRosbridgeClient.ConnectAsync(gateway);
         using var page = await RawRosbridgeClient.ConnectAsync(gateway);
         await page.SubscribeAsync(RosTopics.Diagnostics);
-        var sent = new DiagnosticsMessage(default, "h1", [new("rtt_ms", "3.5")]);
+        var sent = new DiagnosticsMessage(default, "h1", [new("rtt_ms", "3.5")], 2, "h", "no pose");
 
         await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, sent, RosTimeForm.Sec));
 
         var received = (await page.ReceiveAsync()).Diagnostics;
         Assert.That(received.HardwareId, Is.EqualTo("h1"));
         Assert.That(received.Values, Is.EqualTo(sent.Values));
+        Assert.That((received.Level, received.Name, received.Message), Is.EqualTo((2, "h", "no pose")));
         var another = new DiagnosticsMessage(default, "h2", []);
         await headset.SendAsync(RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, another, RosTimeForm.Sec));
         await headset.ExpectErrorAsync("role");

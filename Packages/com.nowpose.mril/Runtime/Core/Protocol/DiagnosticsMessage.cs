@@ -2,20 +2,35 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>diagnostic_msgs/DiagnosticArray with the one status of one headset.</summary>
+    /// <summary>diagnostic_msgs/DiagnosticArray with one status: of a headset, of an adapter, or of the joints.</summary>
     public sealed class DiagnosticsMessage
     {
-        public DiagnosticsMessage(ControlTime stamp, string hardwareId, IReadOnlyList<KeyValuePair<string, string>> values)
+        /// <param name="level">0 ok, 1 warning, 2 error, 3 stale.</param>
+        public DiagnosticsMessage(
+            ControlTime stamp, string hardwareId, IReadOnlyList<KeyValuePair<string, string>> values, int level = 0, string name = "nowpose",
+            string message = "")
         {
             Stamp = stamp;
             HardwareId = hardwareId;
             Values = values;
+            Level = level;
+            Name = name;
+            Message = message;
         }
 
         /// <summary>When it was written; the epoch (zero) while the headset is unsynchronised. Never used as t_k.</summary>
         public ControlTime Stamp { get; }
 
-        /// <summary>The headset's name.</summary>
+        /// <summary>0 ok, 1 warning, 2 error, 3 stale, as in DiagnosticStatus.</summary>
+        public int Level { get; }
+
+        /// <summary>Name of the status. May be empty.</summary>
+        public string Name { get; }
+
+        /// <summary>The status in one line; may be empty.</summary>
+        public string Message { get; }
+
+        /// <summary>Name of the headset or adapter.</summary>
         public string HardwareId { get; }
 
         /// <summary>Keys with their values as text, units in the key (offset_ns, rtt_ms).</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace Nowpose.Protocol
@@ -6,8 +7,9 @@ namespace Nowpose.Protocol
     static class DiagnosticsReader
     {
         static readonly string[] ArrayFields = { "status", "header" };
-        static readonly string[] StatusFields = { "hardware_id", "values" };
+        static readonly string[] StatusFields = { "hardware_id", "values", "level", "name", "message" };
         static readonly string[] PairFields = { "key", "value" };
+        const int MaxLevel = 3;
 
         public static bool Read(JsonCursor cursor, RosbridgeMessage into)
         {
@@ -20,27 +22,51 @@ namespace Nowpose.Protocol
         {
             message = null;
             var stamp = default(ControlTime);
-            var hardware = default(string);
-            var values = new List<KeyValuePair<string, string>>();
+            var status = default(Status);
             var count = 0;
             var isRead = cursor.Object(ArrayFields, 1, field => field == 0
-                ? cursor.Elements(() => (++count == 1 || cursor.Fail(DropReason.LengthMismatch)) && ReadStatus(cursor, out hardware, values))
+                ? cursor.Elements(() => (++count == 1 || cursor.Fail(DropReason.LengthMismatch)) && ReadStatus(cursor, out status))
                 : RosTime.ReadOptionalHeader(cursor, out stamp));
             if (!isRead || count == 0)
                 return isRead && cursor.Fail(DropReason.LengthMismatch);
-            message = new DiagnosticsMessage(stamp, hardware, values);
+            message = new DiagnosticsMessage(stamp, status.HardwareId, status.Values, status.Level, status.Name, status.Message);
             return true;
         }
 
-        static bool ReadStatus(JsonCursor cursor, out string hardware, List<KeyValuePair<string, string>> values)
+        sealed class Status
         {
-            var name = default(string);
-            var isRead = cursor.Object(StatusFields, 0b11, field => field == 0
-                ? cursor.Name(out name)
-                : cursor.Elements(() => ReadPair(cursor, values)));
-            hardware = name;
+            public string HardwareId, Name = "", Message = "";
+            public int Level;
+            public readonly List<KeyValuePair<string, string>> Values = new List<KeyValuePair<string, string>>();
+        }
+
+        static bool ReadStatus(JsonCursor cursor, out Status status)
+        {
+            var read = status = new Status();
+            return cursor.Object(StatusFields, 0b11, field =>
+            {
+                switch (field)
+                {
+                    case 0: return cursor.Name(out read.HardwareId);
+                    case 1: return cursor.Elements(() => ReadPair(cursor, read.Values));
+                    case 2: return ReadLevel(cursor, out read.Level);
+                    case 3: return ReadText(cursor, ref read.Name);
+                    default: return ReadText(cursor, ref read.Message);
+                }
+            });
+        }
+
+        // ROS writes a byte as a number or as a text, depending on its version.
+        static bool ReadLevel(JsonCursor cursor, out int level)
+        {
+            level = 0;
+            if (!cursor.IsInteger) return cursor.Skip();
+            var isRead = cursor.Integer(out var value);
+            level = (int)Math.Min(Math.Max(value, 0), MaxLevel);
             return isRead;
         }
+
+        static bool ReadText(JsonCursor cursor, ref string text) => cursor.IsText ? cursor.Text(out text) : cursor.Skip();
 
         static bool ReadPair(JsonCursor cursor, List<KeyValuePair<string, string>> into)
         {

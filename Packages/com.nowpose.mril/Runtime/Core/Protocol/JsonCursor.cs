@@ -27,6 +27,7 @@ namespace Nowpose.Protocol
         public DropReason Fault { get; private set; }
 
         public bool IsText => _reader.TokenType == JsonToken.String;
+        public bool IsInteger => _reader.TokenType == JsonToken.Integer;
         public bool IsNull => _reader.TokenType == JsonToken.Null;
 
         public void Dispose() => ((IDisposable)_reader).Dispose();

@@ -33,13 +33,13 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         }
 
-        public static void Write(JsonWriter json, DiagnosticsMessage message, RosTimeForm form, string name = "nowpose", int level = 0)
+        public static void Write(JsonWriter json, DiagnosticsMessage message, RosTimeForm form)
         {
             json.WriteStartObject();
             Header(json, message.Stamp, form);
             json.WritePropertyName("status");
             json.WriteStartArray();
-            Status(json, message, name, level);
+            Status(json, message);
             json.WriteEndArray();
             json.WriteEndObject();
         }
@@ -69,13 +69,13 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         }
 
-        static void Status(JsonWriter json, DiagnosticsMessage message, string name, int level)
+        static void Status(JsonWriter json, DiagnosticsMessage message)
         {
             json.WriteStartObject();
             json.WritePropertyName("level");
-            json.WriteValue(level);
-            Text(json, "name", name);
-            Text(json, "message", "");
+            json.WriteValue(message.Level);
+            Text(json, "name", message.Name);
+            Text(json, "message", message.Message);
             Text(json, "hardware_id", message.HardwareId);
             json.WritePropertyName("values");
             json.WriteStartArray();

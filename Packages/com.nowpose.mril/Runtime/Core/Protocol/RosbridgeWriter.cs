@@ -44,10 +44,8 @@ namespace Nowpose.Protocol
             json.WriteEndObject();
         });
 
-        /// <param name="name">Of the status.</param>
-        /// <param name="level">0 ok, 1 warning, 2 error.</param>
-        public static string PublishDiagnostics(string topic, DiagnosticsMessage message, RosTimeForm form, string name = "nowpose", int level = 0) =>
-            Publish(topic, json => RosMessageWriter.Write(json, message, form, name, level));
+        public static string PublishDiagnostics(string topic, DiagnosticsMessage message, RosTimeForm form) =>
+            Publish(topic, json => RosMessageWriter.Write(json, message, form));
 
         public static string CallService(string service, string id = null) => Write("call_service", id, null, json =>
         {

@@ -55,14 +55,26 @@ namespace Nowpose.Session
             AddErrors(statistics, (key, value) => { if (value.HasValue) Add(key, Fine(value.Value)); });
             Add("samples", statistics.Samples.ToString(CultureInfo.InvariantCulture));
             Add("dropped", statistics.Dropped.ToString(CultureInfo.InvariantCulture));
-            return new DiagnosticsMessage(now, headsetName, values);
+            var (level, message) = Status(statistics);
+            return new DiagnosticsMessage(now, headsetName, values, level, message: message);
         }
+
+        static (int Level, string Message) Status(SessionStatistics statistics)
+        {
+            if (statistics.Pose == PoseState.Current) return (0, "");
+            var missing = MissingJoints(statistics);
+            var pose = "the pose is " + PoseStateName.Of(statistics.Pose, statistics.Clock.State);
+            return missing.Length == 0 ? (1, pose) : (2, pose + "; missing joints: " + missing);
+        }
+
+        static string MissingJoints(SessionStatistics statistics) =>
+            string.Join(",", statistics.JointStatuses.Where(each => each.IsMissing).Select(each => each.Joint));
 
         static void AddPose(SessionStatistics statistics, Action<string, string> add)
         {
             add("pose", PoseStateName.Of(statistics.Pose, statistics.Clock.State));
             if (statistics.CurrentShare.HasValue) add("current_share", Number(statistics.CurrentShare.Value));
-            add("missing_joints", string.Join(",", statistics.JointStatuses.Where(each => each.IsMissing).Select(each => each.Joint)));
+            add("missing_joints", MissingJoints(statistics));
             foreach (var joint in statistics.JointStatuses) add("joint_status/" + joint.Joint, joint.Description);
         }
 

@@ -127,13 +127,31 @@ namespace Nowpose.Tests
         public void Diagnostics_ReadBack_IsTheSame()
         {
             var values = new[] { Pair("state", "synchronised"), Pair("rtt_ms", "3.5") };
-            var sent = new DiagnosticsMessage(default, "headset 1", values);
+            var sent = new DiagnosticsMessage(default, "headset 1", values, 2, "plant/cell", "a fault: gone");
 
             var read = Read(RosbridgeWriter.PublishDiagnostics("/nowpose/diagnostics", sent, RosTimeForm.Sec)).Diagnostics;
 
             Assert.That(read.HardwareId, Is.EqualTo("headset 1"));
             Assert.That(read.Values, Is.EqualTo(values));
             Assert.That(read.Stamp, Is.EqualTo(default(ControlTime)));
+            Assert.That(read.Level, Is.EqualTo(2));
+            Assert.That(read.Name, Is.EqualTo("plant/cell"));
+            Assert.That(read.Message, Is.EqualTo("a fault: gone"));
+        }
+
+        [TestCase("", 0)]
+        [TestCase("\"level\":1,", 1)]
+        [TestCase("\"level\":255,", 3)]
+        [TestCase("\"level\":-1,", 0)]
+        [TestCase("\"level\":\"AA==\",\"name\":null,\"message\":7,", 0)]
+        public void Diagnostics_AnyLevel_IsReadWhereItIsANumber(string level, int expected)
+        {
+            var text = "{\"op\":\"publish\",\"topic\":\"/nowpose/diagnostics\",\"msg\":{\"status\":[{" + level + "\"hardware_id\":\"h\",\"values\":[]}]}}";
+
+            var read = Read(text).Diagnostics;
+
+            Assert.That(read.Level, Is.EqualTo(expected));
+            Assert.That(read.Name + read.Message, Is.Empty);
         }
 
         [Test]

@@ -109,6 +109,8 @@ namespace Nowpose.Tests
                 "state", "pose", "missing_joints", "joint_status/shoulder", "joint_status/elbow", "l_visu_ms", "samples", "dropped",
             }));
             Assert.That(before.Values[0].Value, Is.EqualTo("unsynchronised"));
+            Assert.That(before.Level, Is.EqualTo(2));
+            Assert.That(before.Message, Does.EndWith("missing joints: shoulder,elbow"));
             Assert.That(after.Stamp, Is.EqualTo(ControlTime.FromSeconds(101.002)));
             var values = after.Values.ToDictionary(v => v.Key, v => v.Value);
             Assert.That(values["state"], Is.EqualTo("converging"));
