@@ -5,7 +5,7 @@ import type { NotificationReader } from './notificationReader';
 import type { NodeValue, ReadOnlySession } from './readOnlySession';
 
 /** A node is read when nothing has come of it for this long. */
-const SILENT_MS = 100;
+const SILENT_MS = 60;
 
 /** Reads differ from the last notification for this long, and for this multiple of what a change takes to arrive: the server no longer notifies. */
 const DIFFERENT_MS = 400, DELAYS = 2;

@@ -2,7 +2,7 @@ import { isClockStopped, type PlantClock } from '../clock/plantClock';
 import type { Nanoseconds } from '../times';
 
 /** Time between two looks while values arrive, and while none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
-const LOOK_MS = 500, QUIET_LOOK_MS = 90, QUIET_MS = 80;
+const LOOK_MS = 500, QUIET_LOOK_MS = 60, QUIET_MS = 50;
 
 const SILENCE_MS = 5000, MISSED = 3;
 

@@ -40,7 +40,7 @@ const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
 
 /** Silence of a joint that stands, at least; and time between two samples that repeat it. Headsets predict for some 300 ms. */
-const SILENCE: Nanoseconds = 100n * NS_PER_MS, REPETITION: Nanoseconds = 80n * NS_PER_MS;
+const SILENCE: Nanoseconds = 60n * NS_PER_MS, REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
 /** After this silence it is known whether the other joints stopped too, as they do in an emergency stop. */
 const OTHERS_KNOWN: Nanoseconds = 500n * NS_PER_MS;
