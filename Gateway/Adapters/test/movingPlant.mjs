@@ -1,14 +1,29 @@
 // node movingPlant.mjs opcua|ads: a youBot that moves behind a control system whose clock is minutes off and runs too fast. Tells where
 // it is, and what its clock showed at a count of this machine's monotonic counter, so that a test knows where the robot truly was.
+// Takes lines: "step MS" steps its clock. With opcua also "delete", "stop" (in mid-motion), "bad", "nan" or "repair" and the name of a
+// variable, and "rest MS", answered by "done COMMAND", the number of the command and the Unix time in s at which it took effect.
 // Ends with its input.
+import { createInterface } from 'node:readline';
+
 const AHEAD_MS = 754_321.5, PPM = 85;
 
 const kinds = {
   async opcua() {
     const { ControlClock, YoubotServer } = await import('./opcua/server.mjs');
+    const { Faults } = await import('./opcua/faults.mjs'), { Pace } = await import('./opcua/pace.mjs');
     const clock = new ControlClock({ offsetMs: AHEAD_MS, ppm: PPM });
-    const server = await new YoubotServer({ clock, security: ['sign_and_encrypt'] }).start();
-    return { endpoint: server.endpoint, thumbprint: server.own.thumbprint, now: () => clock.now, step: ms => clock.step(ms) };
+    const server = await new YoubotServer({ clock, security: ['sign_and_encrypt'] }).start(), faults = new Faults(server), pace = new Pace();
+    server.keepsStamps = true;
+    server.motion = time => pace.at(time);
+    return {
+      endpoint: server.endpoint, thumbprint: server.own.thumbprint, now: () => clock.now, step: ms => clock.step(ms),
+      delete: name => faults.delete(name), stop: name => faults.stop(name), bad: name => faults.bad(name), nan: name => faults.nan(name),
+      repair: name => faults.repair(name),
+      rest: async ms => {
+        const end = pace.rest(clock.now, BigInt(ms) * 1_000_000n);
+        while (clock.now < end) await new Promise(resolve => setTimeout(resolve, 10));
+      },
+    };
   },
   async ads() {
     const { AdsServer, runtimePort } = await import('./ads/server.mjs');
@@ -39,10 +54,20 @@ console.log(`thumbprint ${plant.thumbprint}`);
 tellClock();
 console.log('state serving');
 
-process.stdin.on('data', text => {
-  const step = /step (-?\d+)/.exec(String(text));
-  if (step === null) return;
-  plant.step(Number(step[1]));
-  tellClock();
-});
-process.stdin.on('close', () => process.exit(0)).on('error', () => process.exit(0));
+const COMMANDS = ['delete', 'stop', 'bad', 'nan', 'repair', 'rest'];
+let done = 0;
+
+async function obey(line) {
+  const [command, argument] = line.split(' ');
+  if (command === 'step') {
+    plant.step(Number(argument));
+    return tellClock();
+  }
+  if (!COMMANDS.includes(command)) throw new Error(`unknown command: ${line}`);
+  await plant[command](argument);
+  console.log(`done ${command} ${++done} ${Date.now() / 1000}`);
+}
+
+const lines = createInterface({ input: process.stdin });
+lines.on('line', line => void obey(line));
+lines.on('close', () => process.exit(0)).on('error', () => process.exit(0));

@@ -1,6 +1,7 @@
 // A real OPC UA server, node-opcua's, that moves a youBot. Where the robot truly is, is a function of the control system's time, which has
 // an offset and a rate of its own.
 import { createServer } from 'node:net';
+import { isDeepStrictEqual } from 'node:util';
 import {
   AttributeIds, DataType, DataValue, MessageSecurityMode, SecurityPolicy, setWarningLogger, StatusCodes, Variant, VariantArrayType,
 } from 'node-opcua-client';
@@ -48,7 +49,7 @@ function dateTime(ns) {
 
 const positions = t => [...arm.map((_, joint) => angle(joint, t)), opening(t), opening(t)];
 
-/** Name, type and value at a time of the control system. */
+/** Name, type and value: of a time of the motion, and of the time of the control system. */
 const VARIABLES = [
   ...arm.map((name, joint) => [name, DataType.Double, t => angle(joint, t)]),
   ['gripper_mm', DataType.Float, t => opening(t) * 1000],
@@ -57,10 +58,10 @@ const VARIABLES = [
   ['positions', DataType.Double, t => Float64Array.from(positions(t)), VariantArrayType.Array],
   ['name', DataType.String, () => 'youBot'],
   ['not_a_number', DataType.Double, () => NaN],
-  ['time_date', DataType.DateTime, t => dateTime(t)],
-  ['time_ns', DataType.Int64, t => halves(t)],
-  ['time_s', DataType.Double, t => Number(t) / 1e9],
-  ['time_real', DataType.Float, t => Number(t) / 1e9],
+  ['time_date', DataType.DateTime, (_, t) => dateTime(t)],
+  ['time_ns', DataType.Int64, (_, t) => halves(t)],
+  ['time_s', DataType.Double, (_, t) => Number(t) / 1e9],
+  ['time_real', DataType.Float, (_, t) => Number(t) / 1e9],
 ];
 
 export class YoubotServer {
@@ -69,6 +70,10 @@ export class YoubotServer {
   /** Changes how a value leaves: gets what would be sent and returns what is. */
   spoil = (name, sent) => sent;
   isStopped = false;
+  /** Time of the motion for a time of the control system: a robot that rests stays at one time of its motion. */
+  motion = t => t;
+  /** Whether a value that does not change keeps its stamp, so that nothing is sent of it. */
+  keepsStamps = false;
   #server = null;
   #frozen = new Map();
   #device = null;
@@ -149,7 +154,7 @@ export class YoubotServer {
     // Its own clock, not this machine's. The library lets nobody bind a part of ServerStatus.
     const currentTime = space.findNode('i=2258'), read = currentTime.readAttribute;
     currentTime.readAttribute = (context, attribute, ...rest) => attribute === AttributeIds.Value
-      ? this.#value('CurrentTime', DataType.DateTime, dateTime, VariantArrayType.Scalar, this.clockStep)
+      ? this.#value('CurrentTime', DataType.DateTime, (_, t) => dateTime(t), VariantArrayType.Scalar, this.clockStep)
       : read.call(currentTime, context, attribute, ...rest);
   }
 
@@ -166,10 +171,12 @@ export class YoubotServer {
     if (this.isStopped && this.#frozen.has(name)) return this.#frozen.get(name);
     const { date, picoseconds } = dated(t);
     const sent = {
-      value: new Variant({ dataType, arrayType, value: value(t) }), statusCode: StatusCodes.Good,
+      value: new Variant({ dataType, arrayType, value: value(this.motion(t), t) }), statusCode: StatusCodes.Good,
       sourceTimestamp: date, sourcePicoseconds: picoseconds, serverTimestamp: date, serverPicoseconds: picoseconds,
     };
-    const result = new DataValue(this.spoil(name, sent));
+    const result = new DataValue(this.spoil(name, sent)), last = this.#frozen.get(name);
+    const isSame = last !== undefined && last.statusCode === result.statusCode && isDeepStrictEqual(last.value, result.value);
+    if (this.keepsStamps && isSame) return last;
     this.#frozen.set(name, result);
     return result;
   }

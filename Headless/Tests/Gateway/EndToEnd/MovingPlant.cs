@@ -15,6 +15,7 @@ sealed class MovingPlant : IDisposable
 
     readonly PeerProcess _program;
     readonly string _kind;
+    int _commands;
 
     MovingPlant(PeerProcess program, string kind)
     {
@@ -74,6 +75,16 @@ sealed class MovingPlant : IDisposable
                 ? Middle[joint] + 0.4 * Math.Sin(2 * Math.PI * (0.2 + 0.05 * joint) * seconds)
                 : 0.005 + 0.004 * Math.Sin(2 * Math.PI * 0.3 * seconds);
         }
+    }
+
+    /// <summary>Gives the OPC UA server a command: delete, stop, bad, nan or repair with the name of a node, or rest with a time in ms.</summary>
+    /// <returns>When it had taken effect.</returns>
+    public async Task<DateTimeOffset> CommandAsync(string command, string argument)
+    {
+        var key = $"done {command} {++_commands}";
+        _program.Send($"{command} {argument}");
+        await _program.PrintsAsync(key + " ");
+        return DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(double.Parse(_program.ValueOf(key), CultureInfo.InvariantCulture));
     }
 
     public void Step(int milliseconds) => _program.Send($"step {milliseconds}");

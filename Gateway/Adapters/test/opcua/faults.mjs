@@ -1,0 +1,54 @@
+// Faults of single variables of a YoubotServer, and their repair.
+import { StatusCodes } from 'node-opcua-client';
+
+/** Speed in rad/s at which a writer stops: no axis brakes from it between two samples. */
+const FAST = 0.4;
+
+const withValue = (sent, value) => ({ ...sent, value: Object.assign(sent.value.clone(), { value }) });
+
+/** A writer that stops once the joint is fast. Calls `done` then. */
+function stopped(done) {
+  let before = null, last = null;
+  return sent => {
+    if (last !== null) return last;
+    const seconds = before === null ? 0 : (sent.sourceTimestamp - before.sourceTimestamp) / 1000;
+    const isFast = seconds > 0 && Math.abs(sent.value.value - before.value.value) > FAST * seconds;
+    if (seconds > 0 || before === null) before = sent;
+    if (!isFast) return sent;
+    done();
+    return last = sent;
+  };
+}
+
+export class Faults {
+  #server;
+  #writers = new Map();
+  #removed = new Set();
+
+  constructor(server) {
+    this.#server = server;
+    server.spoil = (name, sent) => this.#writers.get(name)?.(sent) ?? sent;
+  }
+
+  delete(name) {
+    this.#server.remove(name);
+    this.#removed.add(name);
+  }
+
+  stop(name) {
+    return new Promise(resolve => this.#writers.set(name, stopped(resolve)));
+  }
+
+  bad(name) {
+    this.#writers.set(name, sent => ({ ...sent, statusCode: StatusCodes.BadSensorFailure }));
+  }
+
+  nan(name) {
+    this.#writers.set(name, sent => withValue(sent, NaN));
+  }
+
+  repair(name) {
+    this.#writers.delete(name);
+    if (this.#removed.delete(name)) this.#server.restore(name);
+  }
+}

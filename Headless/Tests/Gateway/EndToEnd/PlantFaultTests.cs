@@ -1,0 +1,162 @@
+using System.Globalization;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using static Nowpose.Headless.Tests.Gateway.EndToEnd.ShownStatus;
+
+namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
+
+/// <summary>
+/// Runs an OPC UA server, the gateway with its adapter, and a headset as processes, and reads how they show a joint whose data stops, and a
+/// robot that rests.
+/// </summary>
+public class PlantFaultTests
+{
+    const string Joint = "arm_joint_3";
+
+    /// <summary>2 s are promised; the rest is for a machine that is busy.</summary>
+    static readonly TimeSpan Limit = TimeSpan.FromSeconds(4);
+
+    TemporaryFolder _folder;
+    MovingPlant _plant;
+    PeerProcess _gateway;
+    HttpClient _http;
+    HeardDiagnostics _diagnostics;
+
+    [OneTimeSetUp]
+    public async Task Start()
+    {
+        _folder = new TemporaryFolder();
+        _plant = await MovingPlant.StartAsync("opcua");
+        _gateway = new PeerProcess("Nowpose.Gateway.dll", "serve", "--plant", _plant.Configure(_folder.Path), "--sync-port", "0", "--ws-port", "0");
+        await _gateway.PrintsAsync("state serving");
+        _http = new HttpClient { BaseAddress = new Uri(_gateway.ValueOf("websocket").Replace("ws://", "http://")) };
+        _diagnostics = await HeardDiagnostics.StartAsync(new Uri(_gateway.ValueOf("websocket")));
+    }
+
+    [OneTimeTearDown]
+    public void Stop()
+    {
+        _diagnostics?.Dispose();
+        _http?.Dispose();
+        _gateway?.Dispose();
+        _plant?.Dispose();
+        _folder?.Dispose();
+    }
+
+    [TearDown]
+    public Task Repair() => _plant.CommandAsync("repair", Joint);
+
+    [TestCase("delete", "fault", "BadNodeId(Unknown|Invalid)")]
+    [TestCase("stop", "fault", "ended in mid-motion")]
+    [TestCase("bad", "refused", "BadSensorFailure")]
+    [TestCase("nan", "refused", "NaN")]
+    public async Task Joint_FaultAtTheServer_IsNamedEverywhereUntilItsRepair(string fault, string state, string reason)
+    {
+        using var before = StartHeadset();
+        await GoodEverywhereAsync(DateTimeOffset.UtcNow);
+
+        var lastEvent = LastEvent(await ReadAsync());
+        var begun = await _plant.CommandAsync(fault, Joint);
+        var named = await EverywhereAsync(begun, (status, place) => status.Blames(place, Joint, state, reason), $"{Joint} {state}");
+        var during = await ReadAsync();
+        await before.PrintsAsync("the pose is held");
+        var seen = await ResultOfAsync(before);
+        using var after = StartHeadset();
+        var status = default(ShownStatus);
+        await Soon.BecomesAsync(() => (status = ReadAsync().GetAwaiter().GetResult()).IsHeadsetWithout(Joint), () => $"a headset without {Joint}; {status}");
+        var repaired = await _plant.CommandAsync("repair", Joint);
+        var good = await GoodEverywhereAsync(repaired);
+        var end = await ReadAsync();
+        var recovered = await ResultOfAsync(after);
+
+        TestContext.Out.WriteLine($"{fault}: named after {Words(named)}; good again after {Words(good)}");
+        Assert.That(named.Values, Is.All.LessThan(Limit));
+        Assert.That(good.Values, Is.All.LessThan(Limit));
+        var others = during.Joints.Where(joint => Text(joint, "name") != Joint).ToList();
+        Assert.That(others, Has.Count.EqualTo(6).And.All.Matches<JsonElement>(
+            joint => Text(joint, "state") == "live" && joint.GetProperty("age_s").GetDouble() < 1), "the other joints go on");
+        Assert.That(Text(seen.GetProperty("pose"), "state"), Is.EqualTo("held"), "it has shown this joint before");
+        Assert.That(Names(seen, "missing_joints"), Is.EqualTo(new[] { Joint }), seen.ToString());
+        Assert.That(Text(seen.GetProperty("joints")[0], "state"), Is.EqualTo(state));
+        Assert.That(Text(seen.GetProperty("joints")[0], "reason"), Does.Match(reason));
+        var outage = seen.GetProperty("outages").EnumerateArray().Last();
+        Assert.That(Names(outage, "joints"), Is.EqualTo(new[] { Joint }));
+        Assert.That(Text(outage, "reason"), Does.Match(reason));
+        Assert.That(Names(recovered, "missing_joints"), Is.Empty);
+        Assert.That(Text(recovered.GetProperty("pose"), "state"), Is.AnyOf("current", "coarse"));
+        var events = end.Events.Where(one => one.GetProperty("id").GetInt64() > lastEvent && Text(one, "kind") != "headset").ToList();
+        Assert.That(events.Select(one => Text(one, "which")), Is.All.EqualTo($"{Joint} (plc)"));
+        Assert.That(events, Is.Not.Empty);
+        Assert.That(
+            events.Select(one => DateTimeOffset.Parse(Text(one, "until_utc"), CultureInfo.InvariantCulture)), Is.All.LessThan(repaired + Limit));
+    }
+
+    [Test]
+    public async Task Robot_RestsAndMovesOn_IsGoodEverywhereAllTheTime()
+    {
+        using var headset = StartHeadset();
+        await GoodEverywhereAsync(DateTimeOffset.UtcNow);
+        var states = new HashSet<string>();
+        var shown = await ReadAsync();
+        var lastEvent = LastEvent(shown);
+
+        for (var rest = _plant.CommandAsync("rest", "3000"); !rest.IsCompletedSuccessfully || shown.Joints.Any(joint => Text(joint, "state") != "live"); await Task.Delay(50))
+        {
+            if (rest.IsFaulted) await rest;
+            shown = await ReadAsync();
+            states.UnionWith(shown.Joints.Select(joint => Text(joint, "state")));
+            Assert.That(Places.Where(place => !shown.IsGood(place)), Is.Empty, shown.ToString());
+        }
+
+        var result = await ResultOfAsync(headset);
+        TestContext.Out.WriteLine($"rest: pose current for {result.GetProperty("pose").GetProperty("current_share")} of the frames, {result.GetProperty("frames")} frames");
+        Assert.That(states, Is.EquivalentTo(new[] { "live", "rest" }));
+        Assert.That(LastEvent(shown), Is.EqualTo(lastEvent), shown.ToString());
+        Assert.That(Names(result, "missing_joints"), Is.Empty);
+        Assert.That(result.GetProperty("pose").GetProperty("current_share").GetDouble(), Is.GreaterThanOrEqualTo(0.95));
+    }
+
+    Task<ShownStatus> ReadAsync() => ShownStatus.ReadAsync(_http, _diagnostics);
+
+    PeerProcess StartHeadset()
+    {
+        _diagnostics.Forget("headless");
+        return new PeerProcess(
+            "Nowpose.Cli.dll", "headset", "--sync-port", _gateway.ValueOf("sync").Split(':')[1],
+            "--ws-port", _http.BaseAddress.Port.ToString(CultureInfo.InvariantCulture), "--seconds", "600", "--json");
+    }
+
+    static async Task<JsonElement> ResultOfAsync(PeerProcess headset)
+    {
+        Assert.That(await headset.InterruptAsync(), Is.EqualTo(130), headset.All);
+        return JsonDocument.Parse(string.Join('\n', headset.Lines.Where(line => Regex.IsMatch(line, "^[ {}]")))).RootElement;
+    }
+
+    static IEnumerable<string> Names(JsonElement result, string key) => result.GetProperty(key).EnumerateArray().Select(joint => joint.GetString());
+
+    Task<Dictionary<string, TimeSpan>> GoodEverywhereAsync(DateTimeOffset since) => EverywhereAsync(since, (status, place) => status.IsGood(place), "all good");
+
+    /// <summary>Waits until all places show something at once.</summary>
+    /// <returns>How long after <paramref name="since"/> each place showed it first.</returns>
+    async Task<Dictionary<string, TimeSpan>> EverywhereAsync(DateTimeOffset since, Func<ShownStatus, string, bool> shows, string what)
+    {
+        var first = new Dictionary<string, TimeSpan>();
+        var status = default(ShownStatus);
+        await Soon.BecomesAsync(
+            () =>
+            {
+                status = ReadAsync().GetAwaiter().GetResult();
+                var showing = Places.Where(place => shows(status, place)).ToList();
+                foreach (var place in showing) first.TryAdd(place, DateTimeOffset.UtcNow - since);
+                return showing.Count == Places.Count;
+            },
+            () => $"{what}; only {string.Join(", ", first.Keys)}; {status}\n{_gateway.All}");
+        return first;
+    }
+
+    static long LastEvent(ShownStatus status) => status.Events.Max(one => one.GetProperty("id").GetInt64());
+
+    static string Words(Dictionary<string, TimeSpan> times) =>
+        string.Join(", ", times.Select(pair => string.Create(CultureInfo.InvariantCulture, $"{pair.Key} {pair.Value.TotalSeconds:0.00} s")));
+}

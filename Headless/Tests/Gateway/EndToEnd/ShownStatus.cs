@@ -1,0 +1,64 @@
+using System.Net;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+
+namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
+
+/// <summary>Answers of a gateway at one moment, in each place where people and programs look.</summary>
+/// <param name="Adapter">The DiagnosticStatus that the adapter sent last; null before the first. Likewise <paramref name="Headset"/>.</param>
+sealed record ShownStatus(JsonElement State, HttpStatusCode ReadyCode, string Ready, string Metrics, JsonElement? Adapter, JsonElement? Headset)
+{
+    public static readonly IReadOnlyList<string> Places = ["page", "readyz", "metrics", "diagnostics", "headset"];
+
+    static readonly string[] GoodJoints = ["live", "rest"], GoodPoses = ["current", "coarse"], GoodClocks = ["coarse", "synchronised"];
+
+    public static async Task<ShownStatus> ReadAsync(HttpClient http, HeardDiagnostics diagnostics)
+    {
+        using var ready = await http.GetAsync("readyz");
+        return new ShownStatus(
+            JsonDocument.Parse(await http.GetStringAsync("operations/state")).RootElement, ready.StatusCode, await ready.Content.ReadAsStringAsync(),
+            await http.GetStringAsync("metrics"), diagnostics.NewestOf("plant/plc"), diagnostics.NewestOf("headless"));
+    }
+
+    public IEnumerable<JsonElement> Joints => State.GetProperty("joints").EnumerateArray();
+    public IEnumerable<JsonElement> Events => State.GetProperty("events").EnumerateArray();
+
+    public static string Text(JsonElement element, string key) => element.TryGetProperty(key, out var value) ? value.ToString() : "";
+
+    /// <summary>Whether the headset, whose clock is known, has no current pose because of this joint alone.</summary>
+    public bool IsHeadsetWithout(string joint) => Headset is { } headset && Text(headset, "level") == "2"
+        && GoodClocks.Contains(ValueOf(headset, "state")) && !GoodPoses.Contains(ValueOf(headset, "pose")) && ValueOf(headset, "missing_joints") == joint;
+
+    /// <summary>Whether a place names this joint with its state, and with the reason where there is room for one.</summary>
+    /// <param name="reason">Regular expression.</param>
+    public bool Blames(string place, string joint, string state, string reason) => place switch
+    {
+        "page" => Text(State.GetProperty("status"), "level") == "error"
+            && Joints.Any(row => Text(row, "name") == joint && Text(row, "state") == state && Regex.IsMatch(Text(row, "reason"), reason)),
+        "readyz" => ReadyCode == HttpStatusCode.ServiceUnavailable && Regex.IsMatch(Ready, $"(?m)^joint {joint} .*{reason}"),
+        "metrics" => Metrics.Contains("nowpose_ready 0\n") && Metrics.Contains($"nowpose_joint_state{{joint=\"{joint}\",source=\"plc\",state=\"{state}\"}} 1\n"),
+        "diagnostics" => Adapter is { } adapter && Text(adapter, "level") == "2" && Regex.IsMatch(Text(adapter, "message"), $"^{joint} {state}: .*{reason}")
+            && Regex.IsMatch(ValueOf(adapter, "joint/" + joint), $"^{state} .*{reason}"),
+        "headset" => IsHeadsetWithout(joint),
+        _ => throw new ArgumentOutOfRangeException(nameof(place)),
+    };
+
+    public bool IsGood(string place) => place switch
+    {
+        "page" => Text(State.GetProperty("status"), "level") == "ok" && Joints.Any() && Joints.All(row => GoodJoints.Contains(Text(row, "state"))),
+        "readyz" => ReadyCode == HttpStatusCode.OK,
+        "metrics" => Metrics.Contains("nowpose_ready 1\n") && !Regex.IsMatch(Metrics, "nowpose_joint_state{.*,state=\"(missing|refused|fault|stale)\"} 1"),
+        "diagnostics" => Adapter is { } adapter && Text(adapter, "level") == "0"
+            && Values(adapter).Where(pair => Text(pair, "key").StartsWith("joint/", StringComparison.Ordinal)).All(pair => GoodJoints.Contains(Text(pair, "value").Split(' ')[0])),
+        "headset" => Headset is { } headset && Text(headset, "level") == "0" && GoodPoses.Contains(ValueOf(headset, "pose"))
+            && ValueOf(headset, "missing_joints").Length == 0,
+        _ => throw new ArgumentOutOfRangeException(nameof(place)),
+    };
+
+    public override string ToString() => $"{Ready}{State}\n{Adapter}\n{Headset}";
+
+    static IEnumerable<JsonElement> Values(JsonElement status) => status.GetProperty("values").EnumerateArray();
+
+    static string ValueOf(JsonElement status, string key) =>
+        Values(status).Where(pair => Text(pair, "key") == key).Select(pair => Text(pair, "value")).FirstOrDefault("");
+}
