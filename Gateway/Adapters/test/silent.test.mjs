@@ -139,7 +139,10 @@ describe('silent symbols', () => {
         if (cell.values[joint] === null) throw new Error('gone');
         return cell.values[joint];
       },
-      confirm: joints => cell.confirmed.push([...joints]),
+      confirm: (joints, agoMs) => {
+        cell.confirmed.push([...joints]);
+        cell.agoMs = agoMs;
+      },
       lose: (joint, error) => cell.lost.push([joint, error.message]),
       renew: async joint => void cell.renewed.push(joint),
     }, () => cell.now);
@@ -157,6 +160,33 @@ describe('silent symbols', () => {
     await cell.look();
 
     assert.deepEqual([cell.confirmed, cell.lost, cell.renewed], [[[0, 1]], [], []]);
+  });
+
+  it('Symbols_ReadSlowly_AreConfirmedAsOfTheBeginOfTheReads', async () => {
+    const cell = plc(), { actions } = cell.symbols, { read } = actions;
+    actions.read = joint => {
+      cell.now += 40;
+      return read(joint);
+    };
+
+    await cell.look();
+
+    assert.equal(cell.agoMs, 80);
+  });
+
+  it('Symbol_ThatHasChangedButIsNotNotifiedYet_IsNotSubscribedToAgain', async () => {
+    const cell = plc();
+    cell.now += 100;
+    cell.values[0] = 7;
+
+    await cell.symbols.look();
+    cell.now += 90;
+    await cell.symbols.look();
+    const { renewed } = cell;
+    cell.symbols.heard(0, 7);
+    await cell.look();
+
+    assert.deepEqual([renewed, cell.confirmed], [[], [[1], [1], [0, 1]]]);
   });
 
   it('Symbol_GoneThenBack_IsLostThenSubscribedToAgain', async () => {

@@ -22,6 +22,9 @@ const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexO
 /** What a value takes beyond the intervals, and the limit for a joint that the PLC does not confirm. */
 const SLACK_MS = 100, UNCONFIRMED_MS = 1500;
 
+/** A change may be stamped this long before a read shows it, besides the time between two samples. */
+const STAMP_LAG_MS = 50;
+
 interface Watched {
   symbol: AdsSymbol;
   /** Its place among the joints; null for the time. */
@@ -120,9 +123,10 @@ export class AdsSession {
         const symbol = joints[joint]!, { indexGroup, indexOffset, size } = symbol;
         return numberOf(symbol, await this.#client.readRaw(indexGroup, indexOffset, size));
       },
-      confirm: confirmed => {
+      confirm: (confirmed, agoMs) => {
         const { now } = clock, others = joints.flatMap((_, joint) => confirmed.has(joint) ? [] : [joint]);
-        if (now !== null && this.#isRunning) output.hold(now - ofMilliseconds(delayMs), ofMilliseconds(3 * samplingMs), new Set(others));
+        if (now === null || !this.#isRunning) return;
+        output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
       },
       lose: (joint, error) => { if (this.#isRunning) output.lose(joint, `${this.settings.joints[joint].symbol} cannot be read: ${this.#reasonOf(error)}`); },
       renew: async (joint, value) => {

@@ -1,26 +1,28 @@
 import { pause } from '../backoff';
 
-const LOOK_MS = 500;
+/** Time between two looks while values arrive, and while none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
+const LOOK_MS = 500, QUIET_LOOK_MS = 90, QUIET_MS = 50;
 
-/** A symbol is read when nothing has come of it for this long, and for this multiple of what a value takes to arrive. */
-const SILENT_MS = 400, DELAYS = 2;
+/** A symbol is read when nothing has come of it for this long, where rest is silent. */
+const SILENT_MS = 60;
 
-/** A value that should have been sent, in this many reads in a row: the PLC no longer notifies. */
-const MISSED_READS = 2;
+/** A value is late after this time and after this multiple of the time that it takes to arrive: then the PLC no longer notifies. */
+const LATE_MS = 400, DELAYS = 2;
 
 interface SymbolState {
   heardAt: number;
   value: number | null;
   isLost: boolean;
-  missed: number;
+  /** When the first of the reads was made that all found a value that should have been sent; null: the last one did not. */
+  missedSince: number | null;
 }
 
 /** What is done with the results of a read, by the joint's place in the configuration. */
 export interface ReadActions {
   /** @throws Error The PLC does not have the symbol any more, or does not answer. */
   read(joint: number): Promise<number>;
-  /** The joint still had this value when it was asked for. */
-  confirm(joints: ReadonlySet<number>): void;
+  /** These joints still had the value of their last notification when they were read. The reads began `agoMs` milliseconds ago. */
+  confirm(joints: ReadonlySet<number>, agoMs: number): void;
   lose(joint: number, error: unknown): void;
   /** Subscribes again: the symbol is back with this value, or its notifications are missing. */
   renew(joint: number, value: number): Promise<void>;
@@ -29,32 +31,40 @@ export interface ReadActions {
 /** Reads the symbols that a PLC is silent about: it is silent about a value at rest and about a symbol that is gone. */
 export class SilentSymbols {
   readonly #symbols: (SymbolState | null)[];
+  #newest = -Infinity;
 
   /** @param watched Whether each joint is subscribed to. @param delayMs What a value takes to arrive at most. @param isOnChange Rest is silent. */
   constructor(
     watched: boolean[], readonly delayMs: number, readonly isOnChange: boolean, readonly actions: ReadActions,
     readonly now: () => number = () => performance.now(),
   ) {
-    this.#symbols = watched.map(isWatched => isWatched ? { heardAt: now(), value: null, isLost: false, missed: 0 } : null);
+    this.#symbols = watched.map(isWatched => isWatched ? { heardAt: now(), value: null, isLost: false, missedSince: null } : null);
   }
 
   heard(joint: number, value: number): void {
-    this.#symbols[joint] = { heardAt: this.now(), value, isLost: false, missed: 0 };
+    this.#newest = this.now();
+    this.#symbols[joint] = { heardAt: this.#newest, value, isLost: false, missedSince: null };
   }
 
   async run(stop: AbortSignal): Promise<void> {
+    let looked = this.now();
     while (!stop.aborted) {
-      await pause(LOOK_MS, stop);
-      if (!stop.aborted) await this.look();
+      await pause(QUIET_LOOK_MS, stop);
+      const isQuiet = this.isOnChange && this.now() - this.#newest >= QUIET_MS;
+      if (stop.aborted || !isQuiet && this.now() - looked < LOOK_MS) continue;
+      looked = this.now();
+      await this.look();
     }
   }
 
   async look(): Promise<void> {
-    const began = this.now(), silence = Math.max(SILENT_MS, DELAYS * this.delayMs), unchanged = new Set<number>();
+    const began = this.now(), silence = this.isOnChange ? SILENT_MS : this.#lateMs, unchanged = new Set<number>();
     const silent = this.#symbols.flatMap((symbol, joint) => symbol !== null && began - symbol.heardAt >= silence ? [joint] : []);
     await Promise.all(silent.map(async joint => { if (await this.#isUnchanged(joint, began)) unchanged.add(joint); }));
-    if (unchanged.size > 0) this.actions.confirm(unchanged);
+    if (unchanged.size > 0) this.actions.confirm(unchanged, this.now() - began);
   }
+
+  get #lateMs(): number { return Math.max(LATE_MS, DELAYS * this.delayMs); }
 
   async #isUnchanged(joint: number, began: number): Promise<boolean> {
     let value: number;
@@ -67,8 +77,8 @@ export class SilentSymbols {
     }
     const symbol = this.#symbols[joint]!, isSame = Object.is(value, symbol.value);
     if (symbol.heardAt >= began) return false;
-    symbol.missed = this.isOnChange && isSame ? 0 : symbol.missed + 1;
-    if (symbol.isLost || symbol.missed >= MISSED_READS) {
+    symbol.missedSince = this.isOnChange && isSame ? null : symbol.missedSince ?? began;
+    if (symbol.isLost || symbol.missedSince !== null && began - symbol.missedSince >= this.#lateMs) {
       this.heard(joint, value);
       await this.actions.renew(joint, value).catch(error => this.actions.lose(joint, error));
       return false;

@@ -174,9 +174,13 @@ describe('ads', { concurrency: 4 }, () => {
 
     await jointIs(bridge, 'one', 'rest');
     const count = bridge.jointStates.length;
-    await until(() => bridge.jointStates.length > count + 2, 'joints at rest to be repeated');
+    await until(() => bridge.jointStates.length > count + 20, 'joints at rest to be repeated');
 
-    assert.ok(bridge.jointStates.slice(count).every(s => s.position.every(position => position === 1.5)));
+    const repeated = bridge.jointStates.slice(count), stamps = repeated.filter(s => s.name.includes('one')).map(s => nanoseconds(s.header.stamp));
+    const gaps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 1e6).sort((a, b) => a - b);
+    assert.ok(repeated.every(s => s.position.every(position => position === 1.5)));
+    // Of a busy machine some are longer. A headset shows a sample for 300 ms.
+    assert.ok(gaps[gaps.length >> 1] < 200, `${gaps}`);
     await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
   });
 
