@@ -104,6 +104,20 @@ describe('silence', () => {
     assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s²/);
   });
 
+  it('Motion_CutBelowTheFloorBeforeAnyDeceleration_IsRestWithDoubtAlsoWhileAnotherJointGoesOn', () => {
+    const cell = plant();
+    for (; cell.time.ms < 3000; cell.time.ms += 50) {
+      // 0.4 rad/s from 0.5 s on: to stop there within 50 ms needs up to 8 rad/s².
+      const s = cell.time.ms / 1000, position = s < 0.5 ? 0.4 * s * s : 0.4 * (s - 0.25);
+      if (s < 1) cell.value(0, position);
+      cell.value(1, position);
+      cell.output.hold(cell.clock.now - 50n * MS, 30n * MS);
+    }
+
+    assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['rest', 'live']);
+    assert.match(cell.status.values()['joint/a'], /the stop itself was not observed/);
+  });
+
   it('Motion_OfAllJointsCutBelowTheFloor_IsRestWithDoubt', () => {
     const cell = swing([0, 1]);
 
