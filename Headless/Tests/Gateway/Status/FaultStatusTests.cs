@@ -7,6 +7,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
+using Nowpose.Network;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
@@ -232,6 +233,28 @@ public class FaultStatusTests
         _time.Advance(TimeSpan.FromSeconds(4));
 
         await Soon.BecomesAsync(() => EventAsync("headset", "goggles").Result.GetProperty("what").GetString() == "is lost", "it is lost");
+    }
+
+    [Test]
+    public async Task Headset_LinkIsDisposedOfWhileItReceives_IsNotLost()
+    {
+        await StartAsync();
+        var settings = new ConnectionSettings("127.0.0.1", webSocketPort: _gateway.WebSocketEndPoint.Port);
+        using var link = new ClientWebSocketLink(settings, new StopwatchHeadsetClock());
+        await link.OpenAsync(CancellationToken.None).Bounded();
+        await link.SendAsync(
+            RosbridgeWriter.PublishDiagnostics(
+                RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, "goggles", [KeyValuePair.Create("pose", "current")]), RosTimeForm.Sec),
+            CancellationToken.None).Bounded();
+        await Soon.BecomesAsync(() => StateAsync().Result.GetProperty("headsets").GetArrayLength() == 1, "it is known");
+        using var stop = new CancellationTokenSource();
+        var receiving = link.ReceiveAsync(stop.Token);
+
+        await stop.CancelAsync();
+        Assert.That(async () => await receiving.Bounded(), Throws.InstanceOf<OperationCanceledException>());
+        link.Dispose();
+
+        await Soon.BecomesAsync(() => StateAsync().Result.GetProperty("headsets").GetArrayLength() == 0, "it has left");
     }
 
     [Test]

@@ -27,25 +27,32 @@ namespace Nowpose.Network
 
         public async Task<ReceivedText> ReceiveAsync(CancellationToken cancel)
         {
-            var received = await _reader.ReceiveAsync(cancel).ConfigureAwait(false);
-            if (received.IsClosed) await AnswerCloseAsync().ConfigureAwait(false);
+            // A WebSocket whose receiving is cancelled is aborted, and could not be closed in order any more.
+            var received = await _reader.ReceiveAsync(CancellationToken.None).OrCancelled(cancel).ConfigureAwait(false);
+            // With the code that came, or with none where none came (RFC 6455, 5.5.1).
+            if (received.IsClosed) await CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure).ConfigureAwait(false);
             return received;
         }
 
+        /// <summary>Closes in order, so that the server does not take the connection for a lost one; in the background and within a second.</summary>
         public void Dispose()
         {
-            _socket?.Dispose();
+            if (_socket != null) _ = CloseAsync(_socket);
             GC.SuppressFinalize(this);
         }
 
-        // With the code that came, or with none where none came (RFC 6455, 5.5.1); the server may be gone without waiting for it.
-        async Task AnswerCloseAsync()
+        async Task CloseAsync(WebSocket socket)
+        {
+            if (socket.State == WebSocketState.Open) await CloseOutputAsync(WebSocketCloseStatus.NormalClosure).ConfigureAwait(false);
+            socket.Dispose();
+        }
+
+        async Task CloseOutputAsync(WebSocketCloseStatus status)
         {
             using (var patience = new CancellationTokenSource(ProtocolLimits.GoodbyeTimeout))
             {
                 try
                 {
-                    var status = _socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure;
                     await _socket.CloseOutputAsync(status, null, patience.Token).ConfigureAwait(false);
                 }
                 catch (Exception)
