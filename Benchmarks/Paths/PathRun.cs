@@ -3,7 +3,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks.Paths;
 
-/// <summary>What an estimator makes of a path change, in virtual time: exchanges over TCP on a lossy link, against the true clock.</summary>
+/// <summary>Errors of a clock estimator while a path changes, in virtual time: exchanges over TCP on a lossy link, against the true clock.</summary>
 /// <param name="ErrorMs">Greatest error from 5 s after the change on.</param>
 /// <param name="SkewPpm">Greatest distance of the skew from its value before, in the same time.</param>
 /// <param name="Within">Share of that time in which the error is within the stated ±.</param>

@@ -37,10 +37,10 @@ namespace Nowpose.Sync
         /// Lengths of the windows in which every bound must be late, more where these are less than the least duration. A quiet direction
         /// shows a change in the first, a noisy one needs the last.
         /// </summary>
-        static readonly int[] Windows = { 30, 60, 150, LongestWindow };
+        static readonly int[] Windows = { 30, 60, 150, MaxWindow };
 
         /// <summary>15 s at 20 exchanges a second.</summary>
-        const int LongestWindow = 300;
+        const int MaxWindow = 300;
 
         /// <summary>
         /// The oldest of so many parts of a window does not tell how large a change is: it may hold a late exchange from before.
@@ -64,9 +64,9 @@ namespace Nowpose.Sync
 
         readonly int _sign;
         readonly BoundsHistory _history;
-        readonly double[] _tightness = new double[LongestWindow + MaxEarlier];
+        readonly double[] _tightness = new double[MaxWindow + MaxEarlier];
         readonly double[] _shorter = new double[ShorterWindow];
-        readonly double[] _lateness = new double[LongestWindow + MaxEarlier];
+        readonly double[] _lateness = new double[MaxWindow + MaxEarlier];
         double _excess, _excessError, _referenceError;
         int _sinceChange, _looks;
 
@@ -132,7 +132,7 @@ namespace Nowpose.Sync
             foreach (var least in Windows)
             {
                 var window = least;
-                while (window < Math.Min(LongestWindow, count) && Duration(window) < MinDuration) window++;
+                while (window < Math.Min(MaxWindow, count) && Duration(window) < MinDuration) window++;
                 if (count < window + MinEarlier) return false;
                 var duration = Duration(window);
                 if (duration < MinDuration) continue;
