@@ -16,10 +16,10 @@ sealed class SendWindow
     internal const int FirstBytes = 256;
 
     /// <summary>
-    /// For a client whose last pongs all took less than <see cref="Quick"/>: fewer pings, and at 4 kB/s still read within two thirds of a
-    /// second.
+    /// For a client whose last pongs all took less than <see cref="Quick"/>: fewer pings, and still read within a second by one that suddenly
+    /// reads no more than 2 kB/s.
     /// </summary>
-    internal const int QuickBytes = 2560;
+    internal const int QuickBytes = 1536;
 
     // A slow client may read its first messages at once.
     const int TrustedPongs = 5;

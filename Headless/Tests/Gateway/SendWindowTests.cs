@@ -63,6 +63,19 @@ public class SendWindowTests
     }
 
     [Test]
+    public void Reader_ThatBecomesSlow_GetsNothingOlderThanASecond(
+        [Values(2000, 3000, 4000)] int bytesPerSecond, [Values(250, 350, 450)] int messageBytes, [Values(1, 40)] int roundTripMs)
+    {
+        var run = new Run(bytesPerSecond: 1e7, messageBytes, intervalMs: 20, roundTripMs);
+        run.Continue(TimeSpan.FromSeconds(20));
+
+        run.BytesPerSecond = bytesPerSecond;
+        run.Continue(TimeSpan.FromSeconds(20));
+
+        Assert.That(run.MaxAge.TotalSeconds, Is.LessThan(1), $"window {run.Window.Size} bytes");
+    }
+
+    [Test]
     public void IsOpen_ClientThatNeverAnswersAPing_OpensAfterTheTimeout()
     {
         var window = new SendWindow();
