@@ -97,7 +97,7 @@ sealed class Conditions(
         if (!isAdapter && Value("pose") is { } pose && !CurrentPoses.Contains(pose))
             yield return new(kind, name, "shows no current pose", ReasonOf(pose, Value("missing_joints")), Level.Warning)
             {
-                Remedy = RemedyOf(pose),
+                Remedy = RemedyOf(pose, Value("missing_joints")),
             };
     }
 
@@ -113,9 +113,8 @@ sealed class Conditions(
             Remedy = "Check its power and its network.",
         };
 
-    static string RemedyOf(string pose) => pose switch
+    static string RemedyOf(string pose, string missing) => !string.IsNullOrEmpty(missing) ? "Check the sources of these joints." : pose switch
     {
-        "incomplete" => "Check the sources of these joints.",
         "unsynchronised" => "Check the network between the headset and the gateway.",
         "held" => "Check that samples reach the headset in time.",
         _ => "See the status panel of the headset.",

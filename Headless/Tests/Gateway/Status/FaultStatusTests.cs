@@ -235,6 +235,19 @@ public class FaultStatusTests
         await Soon.BecomesAsync(() => EventAsync("headset", "goggles").Result.GetProperty("what").GetString() == "is lost", "it is lost");
     }
 
+    [TestCase("held", "a", "the pose is held; missing joints: a. Check the sources of these joints.")]
+    [TestCase("incomplete", "a", "the pose is incomplete; missing joints: a. Check the sources of these joints.")]
+    [TestCase("held", "", "the pose is held. Check that samples reach the headset in time.")]
+    public async Task Headset_PoseNotCurrent_RemedyNamesTheCause(string pose, string missing, string expected)
+    {
+        await StartAsync();
+
+        Report("goggles", ("pose", pose), ("missing_joints", missing));
+
+        await BeginsAsync("headset", "goggles");
+        Assert.That((await EventAsync("headset", "goggles")).GetProperty("text").GetString(), Is.EqualTo($"headset goggles shows no current pose: {expected}"));
+    }
+
     [Test]
     public async Task Headset_LinkIsDisposedOfWhileItReceives_IsNotLost()
     {
