@@ -2,7 +2,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>The topics a client can publish on.</summary>
+/// <summary>The topics of the gateway.</summary>
 static class Publications
 {
     static readonly Dictionary<string, string> Types = new()
@@ -12,6 +12,7 @@ static class Publications
         [RosTopics.RobotDescription] = RosTopics.StringType,
         [RosTopics.Diagnostics] = RosTopics.DiagnosticsType,
         [RosTopics.Displayed] = RosTopics.JointStateType,
+        [RosTopics.JointStatus] = RosTopics.DiagnosticsType,
     };
 
     /// <summary>Every topic with its type.</summary>
@@ -21,6 +22,9 @@ static class Publications
     public static string TypeOf(string topic) => Types[topic];
 
     public static bool IsKnown(string topic) => Types.ContainsKey(topic);
+
+    /// <summary>Whether clients can publish on the topic. The gateway alone publishes the state of joints.</summary>
+    public static bool IsOpen(string topic) => IsKnown(topic) && topic != RosTopics.JointStatus;
 
     /// <summary>Whether a type named for a known topic is the topic's, in either ROS's spelling; none named is.</summary>
     public static bool HasType(string topic, string type) =>

@@ -13,7 +13,7 @@ sealed class RosbridgeSession : IDisposable
     const string Operations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, advertise_service, unadvertise_service, "
         + "service_response, status, set_level";
 
-    static readonly string Topics = string.Join(", ", Publications.All.Select(topic => topic.Key).Append(RosTopics.JointStatus));
+    static readonly string Topics = string.Join(", ", Publications.All.Select(topic => topic.Key));
 
     readonly MessageHub _hub;
     readonly HubSource _source;
@@ -118,7 +118,7 @@ sealed class RosbridgeSession : IDisposable
         if (!HasRoomFor(message))
             return;
         Warn(message);
-        if (!Publications.IsKnown(message.Topic) && message.Topic != RosTopics.JointStatus)
+        if (!Publications.IsKnown(message.Topic))
             Warn(message, $"gets no messages: the gateway never publishes this topic. Its topics: {Topics}");
         Remember(message.Type);
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
@@ -225,7 +225,7 @@ sealed class RosbridgeSession : IDisposable
 
     DropReason Allowance(string topic)
     {
-        if (!Publications.IsKnown(topic))
+        if (!Publications.IsOpen(topic))
             return _role == Role.Source ? DropReason.UnknownTopic : DropReason.NotAllowed;
         return _role == Role.Source || Publications.IsOfItself(topic) ? DropReason.None : DropReason.NotAllowed;
     }
