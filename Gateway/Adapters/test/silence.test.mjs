@@ -48,6 +48,16 @@ describe('silence', () => {
     assert.equal(cell.lines.filter(line => line.includes('a fault')).length, 1);
   });
 
+  for (const [maxDeceleration, limit] of [[undefined, '12.0 rad/s² that is assumed for it; set max_deceleration if it can brake harder'], [20, '20.0 rad/s² of max_deceleration']]) {
+    it(`Motion_CutWith${maxDeceleration === undefined ? 'out' : ''}MaxDeceleration_NamesTheLimitAndWhereItComesFrom`, () => {
+      const cell = plant([{ joint: 'a', maxDeceleration }, { joint: 'b' }]);
+
+      moveAndStop(cell, 1);
+
+      assert.ok(cell.status.values()['joint/a'].endsWith(`, more than the ${limit}`), cell.status.values()['joint/a']);
+    });
+  }
+
   it('Motion_SampledSeldom_IsNeitherRepeatedNorEndedBetweenItsSamples', () => {
     const cell = plant([{ joint: 'a' }]);
     const samples = [];
@@ -101,7 +111,7 @@ describe('silence', () => {
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'live']);
     // 1.5 times the largest deceleration of the swing, 1.2 rad/s², and four times what the last samples show.
-    assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s²/);
+    assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s² that its samples show; set max_deceleration if it can brake harder$/);
   });
 
   it('Motion_CutBelowTheFloorBeforeAnyDeceleration_IsRestWithDoubtAlsoWhileAnotherJointGoesOn', () => {

@@ -43,6 +43,9 @@ interface Point {
   position: number;
 }
 
+/** Where the limit of a deceleration comes from: the configuration, the samples of the joint, or the floor. */
+export type LimitBasis = 'configured' | 'observed' | 'assumed';
+
 /**
  * Decides whether the data of one joint ended while the joint moved. A source that sends changes only is silent when the joint rests, and
  * also when the source has failed.
@@ -118,11 +121,12 @@ export class EndOfData {
    * @param samplingS Seconds between two looks of the source at the joint; 0 when unknown.
    * @param areOthersMoving Whether another joint goes on moving: then it was no emergency stop.
    */
-  verdict(samplingS: number, areOthersMoving = false): { required: number; limit: number } | null {
+  verdict(samplingS: number, areOthersMoving = false): { required: number; limit: number; basis: LimitBasis } | null {
     if (this.#points.length < MIN_SAMPLES) return null;
     const isFloorLeftOut = areOthersMoving && this.#largestSeen > 0, observed = this.#observed();
     const required = this.#required(samplingS), limit = this.configured ?? (isFloorLeftOut ? observed : Math.max(this.floor, observed));
-    return required > limit ? { required, limit } : null;
+    const basis = this.configured !== null ? 'configured' : limit === observed ? 'observed' : 'assumed';
+    return required > limit ? { required, limit, basis } : null;
   }
 
   /** Deceleration that a stop at the last sample needs, when neither the stop nor one as hard was observed; null otherwise. */

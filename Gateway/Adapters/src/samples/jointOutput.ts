@@ -4,7 +4,7 @@ import { JOINT_STATES, jointState } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { shown } from '../configuration/problem';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
-import { EndOfData } from './endOfData';
+import { EndOfData, type LimitBasis } from './endOfData';
 import { grouped, type Sample } from './grouping';
 import { Silence } from './silence';
 import { type Refusal, StampRule } from './stampRule';
@@ -38,6 +38,13 @@ const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 
 /** Deceleration that each joint is capable of: rad/s², and m/s² where its value is a length. A third of a hard emergency stop. */
 const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
+
+/** What a fault says of the limit that was exceeded. */
+const LIMITS: Record<LimitBasis, string> = {
+  configured: 'of max_deceleration',
+  observed: 'that its samples show; set max_deceleration if it can brake harder',
+  assumed: 'that is assumed for it; set max_deceleration if it can brake harder',
+};
 
 /** Silence of a joint that stands, at least; and time between two samples that repeat it. Headsets predict for some 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS, REPETITION: Nanoseconds = 50n * NS_PER_MS;
@@ -153,7 +160,7 @@ export class JointOutput {
     const { joint: name } = this.joints[joint], unit = this.#unitOf(joint);
     this.#standing.forget(joint);
     this.status.joints.fault(name, `its data ended in mid-motion: to stop there needs ${verdict.required.toFixed(1)} ${unit}, `
-      + `more than the ${verdict.limit.toFixed(1)} ${unit} that it is capable of (max_deceleration in plant.yaml)`, this.silence.lastSample(name));
+      + `more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`, this.silence.lastSample(name));
     return true;
   }
 
