@@ -65,7 +65,7 @@ static class Metrics
 
         Add("nowpose_adapter_connected", Gauge, "1 while the adapter is connected with its plant.", adapter => Says(adapter, "state", "connected"));
         Add("nowpose_adapter_samples_total", Counter, "Samples that the adapter published.", adapter => StatusObjects.Number(adapter, "samples"));
-        Add("nowpose_adapter_refused_total", Counter, "Values without a usable stamp.", adapter => StatusObjects.Number(adapter, "refused"));
+        Add("nowpose_adapter_refused_total", Counter, "Values that could not be used: a bad status, no finite number, a wrong stamp, or a deleted node.", adapter => StatusObjects.Number(adapter, "refused"));
         Add("nowpose_adapter_reconnects_total", Counter, "Connections after the first.", adapter => StatusObjects.Number(adapter, "reconnects"));
     }
 
