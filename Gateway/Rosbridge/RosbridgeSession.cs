@@ -111,7 +111,7 @@ sealed class RosbridgeSession : IDisposable
     {
         if (Publications.IsKnown(message.Topic) && !Publications.HasType(message.Topic, message.Type))
         {
-            Drop(message, DropReason.WrongType, rule: $"{message.Topic} has the type {Publications.TypeOf(message.Topic)}, not {Short(message.Type)}");
+            Drop(message, DropReason.WrongType, rule: TypeRule(message));
             return;
         }
 
@@ -130,11 +130,14 @@ sealed class RosbridgeSession : IDisposable
         if (reason == DropReason.None && !Publications.HasType(message.Topic, message.Type))
             reason = DropReason.WrongType;
         if (reason != DropReason.None)
-            Drop(message, reason);
+            Drop(message, reason, rule: reason == DropReason.WrongType ? TypeRule(message) : null);
         else if (HasRoomFor(message))
             _advertised.Add(message.Topic);
         Remember(message.Type);
     }
+
+    static string TypeRule(RosbridgeMessage message) =>
+        $"{message.Topic} has the type {Publications.TypeOf(message.Topic)}, not {Short(message.Type)}";
 
     void Unadvertise(RosbridgeMessage message)
     {
@@ -273,7 +276,7 @@ sealed class RosbridgeSession : IDisposable
     }
 
     static string Subject(RosbridgeMessage message) =>
-        message == null ? "" : $"{Short(message.OpName)} {Short(message.Topic ?? message.Service)} ";
+        string.Concat(new[] { message?.OpName, message?.Topic ?? message?.Service }.Where(part => !string.IsNullOrEmpty(part)).Select(part => $"{Short(part)} "));
 
     // What is sent back is never longer than a name may be.
     static string Short(string text) =>

@@ -41,7 +41,9 @@ public class RosapiTests
     [TestCase("""{"op":"subscribe","topic":"joint_states"}""", "error", "begins with a slash: /joint_states")]
     [TestCase("""{"op":"advertise","topic":"joint_states","type":"sensor_msgs/JointState"}""", "error", "begins with a slash")]
     [TestCase("""{"op":"publish","topic":"joint_states","msg":{}}""", "error", "begins with a slash")]
-    [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", "error", "another type")]
+    [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", "error",
+        "advertise /joint_states dropped: /joint_states has the type sensor_msgs/JointState, not std_msgs/String")]
+    [TestCase("""{"op":"subscribe"}""", "error", "subscribe dropped: a field is missing or empty")]
     public async Task Request_ForWhatIsNotSupported_GetsAStatusWithItsId(string request, string level, string part)
     {
         await using var gateway = await Gateways.StartAsync();
