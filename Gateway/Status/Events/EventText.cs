@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Status.Events;
 /// <summary>Writes events as CSV (RFC 4180) for spreadsheets.</summary>
 static class EventText
 {
-    const string Header = "id,kind,which,what,reason,level,since_utc,until_utc";
+    const string Header = "id,kind,which,what,reason,level,since_utc,until_utc,text";
 
     // A spreadsheet takes text that begins so for a formula; names come from clients.
     static readonly char[] FormulaStarts = ['=', '+', '-', '@', '\t', '\r'];
@@ -16,7 +16,7 @@ static class EventText
         foreach (var one in events)
         {
             text.Append(one.Id);
-            foreach (var field in new[] { one.Kind, one.Which, one.What, one.Reason, one.Level, one.SinceUtc, one.UntilUtc ?? "" })
+            foreach (var field in new[] { one.Kind, one.Which, one.What, one.Reason, one.Level, one.SinceUtc, one.UntilUtc ?? "", one.Text ?? "" })
                 text.Append(',').Append(Quoted(field));
             text.Append("\r\n");
         }

@@ -324,7 +324,7 @@ public class FaultStatusTests
         Assert.That(JsonDocument.Parse(json).RootElement[0].GetProperty("which").GetString(), Is.EqualTo("a (gateway)"));
         Assert.That(headers.ContentDisposition.DispositionType, Is.EqualTo("attachment"));
         var (_, csv, type) = await GetAsync("/operations/events?format=csv");
-        Assert.That(csv.Split("\r\n")[1], Does.StartWith("1,\"joint\",\"a (gateway)\",\"is stale\","));
+        Assert.That(csv.Split("\r\n")[1], Does.StartWith("1,\"joint\",\"a (gateway)\",\"is stale\",").And.EndsWith(". Check that its source runs and reaches the gateway.\""));
         Assert.That(type.ContentType.MediaType, Is.EqualTo("text/csv"));
         Assert.That((await GetAsync("/operations/events?format=xml")).Status, Is.EqualTo(HttpStatusCode.BadRequest));
     }

@@ -123,11 +123,11 @@ public class EventListTests
     [Test]
     public void Csv_FieldsWithCommasQuotesAndFormulas_StayInTheirFields()
     {
-        var text = EventText.Csv([new EventView(7, "joint", "=HYPERLINK(\"x\")", "is refused", "a, \"b\"\nc", "error", "2026-11-20T12:00:00.000Z", null)]);
+        var text = EventText.Csv([new EventView(7, "joint", "=HYPERLINK(\"x\")", "is refused", "a, \"b\"\nc", "error", "2026-11-20T12:00:00.000Z", null, "Stop \"it\".")]);
 
         var lines = text.Split("\r\n");
-        Assert.That(lines[0], Is.EqualTo("id,kind,which,what,reason,level,since_utc,until_utc"));
+        Assert.That(lines[0], Is.EqualTo("id,kind,which,what,reason,level,since_utc,until_utc,text"));
         Assert.That(lines[1], Is.EqualTo(
-            "7,\"joint\",\"'=HYPERLINK(\"\"x\"\")\",\"is refused\",\"a, \"\"b\"\"\nc\",\"error\",\"2026-11-20T12:00:00.000Z\",\"\""));
+            "7,\"joint\",\"'=HYPERLINK(\"\"x\"\")\",\"is refused\",\"a, \"\"b\"\"\nc\",\"error\",\"2026-11-20T12:00:00.000Z\",\"\",\"Stop \"\"it\"\".\""));
     }
 }
