@@ -108,7 +108,7 @@ sealed class Conditions(
         };
 
     Condition LostHeadset(string name, TimeSpan ago) =>
-        new("headset", name, "is lost", "its reports stopped and it did not close its connection", Level.Warning, Since: options.Time.GetUtcNow() - ago)
+        new("headset", name, "is lost", "its reports stopped and it did not close its connection in order", Level.Warning, Since: options.Time.GetUtcNow() - ago)
         {
             Remedy = "Check its power and its network.",
         };

@@ -374,6 +374,7 @@ public class FaultStatusTests
         var state = await StateAsync();
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level), state.GetRawText());
         Assert.That(state.GetProperty("headsets").GetArrayLength(), Is.EqualTo(level == "ok" ? 0 : 1));
+        if (level != "ok") Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("it did not close its connection in order"));
     }
 
     [Test]
