@@ -44,6 +44,9 @@ sealed class RecordedFile
     /// <summary>Whether the file was deleted: nothing of it can be read any more.</summary>
     public bool IsDeleted { get; private set; }
 
+    /// <inheritdoc cref="RecordingStatus.IsDeletedWhileWritten"/>
+    public bool IsDeletedWhileWritten => _deletion != null;
+
     public RecordingState State => _writer.State;
 
     /// <summary>Why the recording ended by itself; null otherwise.</summary>

@@ -86,7 +86,10 @@ public sealed class Recorder : IAsyncDisposable
                 var isDeleted = _file.IsDeleted && _file.Problem == null;
                 return new RecordingStatus(
                     CanRecord, IsOn, System.IO.Path.GetFileName(_file.Path), _linesBefore + _retired.Sum(file => file.Records) + _file.Records,
-                    _file.Bytes, _lostBefore + _retired.Sum(file => file.Lost) + _file.Lost, _file.Problem, isDeleted);
+                    _file.Bytes, _lostBefore + _retired.Sum(file => file.Lost) + _file.Lost, _file.Problem, isDeleted)
+                {
+                    IsDeletedWhileWritten = _file.IsDeletedWhileWritten,
+                };
             }
         }
     }

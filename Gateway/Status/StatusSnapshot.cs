@@ -1,4 +1,5 @@
 using System.Text.Json.Nodes;
+using System.Text.Json.Serialization;
 using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Status;
@@ -65,4 +66,8 @@ sealed record ConnectionStatus(int Open, long Accepted, IReadOnlyDictionary<stri
 sealed record RecordingStatus(bool Can, bool On, string File, long Lines, long Bytes, long Lost, string Problem, bool Deleted = false)
 {
     public static readonly RecordingStatus None = new(false, false, null, 0, 0, 0, null);
+
+    /// <summary>Whether the problem is that the file was deleted while it was written.</summary>
+    [JsonIgnore]
+    public bool IsDeletedWhileWritten { get; init; }
 }

@@ -148,7 +148,10 @@ sealed class Conditions(
     {
         var status = recorder.Status;
         if (status.Problem != null)
-            yield return new("recording", status.File, "stopped", status.Problem, Level.Warning) { Remedy = "Correct this, then switch the recording on again." };
+            yield return new("recording", status.File, "stopped", status.Problem, Level.Warning)
+            {
+                Remedy = status.IsDeletedWhileWritten ? "Switch the recording on again to write a new file." : "Correct this, then switch the recording on again.",
+            };
     }
 
     IEnumerable<Condition> OfCertificate()
