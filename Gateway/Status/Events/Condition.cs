@@ -24,6 +24,9 @@ sealed record Condition(
     /// <summary>Advice as a sentence; empty where the reason contains it.</summary>
     public string Remedy { get; init; } = "";
 
+    /// <summary>Whether it is normal for a short time after the start of the gateway.</summary>
+    public bool IsNormalAtStart { get; init; }
+
     /// <summary>Two conditions of the same key are the same event.</summary>
     public (string, string, string) Key => (Kind, Which, What);
 

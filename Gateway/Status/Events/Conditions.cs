@@ -39,6 +39,7 @@ sealed class Conditions(
                 JointDataState.Fault => "Check the plant and its connection.",
                 _ => "",
             },
+            IsNormalAtStart = row.State == JointDataState.Missing,
         };
 
     string ClockName => clock.Source == PlantClocks.Own ? "the gateway's own control clock" : $"the control clock {clock.Source}";
@@ -50,6 +51,8 @@ sealed class Conditions(
             {
                 Headline = $"{ClockName} is not served to headsets",
                 Remedy = clock.Source == PlantClocks.Own ? "" : "Check the adapter that reads this clock.",
+                // A clock that was synchronised before is in holdover.
+                IsNormalAtStart = clock.State is ClockState.Unsynchronised or ClockState.Converging,
             };
         var stamps = clock.Stamps;
         if (stamps.Warning is not { } warning) yield break;
@@ -74,6 +77,7 @@ sealed class Conditions(
             {
                 Headline = "a source of joint positions is missing",
                 Remedy = "Check that the adapter of each plant runs and is connected.",
+                IsNormalAtStart = true,
             },
         ];
     }
@@ -93,6 +97,8 @@ sealed class Conditions(
             yield return new(kind, name, "is not connected", Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error)
             {
                 Headline = $"adapter {name} is not connected to its plant",
+                // An adapter that has published samples was connected before.
+                IsNormalAtStart = Value("samples") is null or "0",
             };
         if (!isAdapter && Value("pose") is { } pose && !CurrentPoses.Contains(pose))
             yield return new(kind, name, "shows no current pose", ReasonOf(pose, Value("missing_joints")), Level.Warning)

@@ -7,6 +7,12 @@ sealed class EventList(TimeProvider time, Action<string> log)
 {
     internal const int MaxEvents = 500;
 
+    /// <summary>Time from the start in which a condition that is normal then begins no event.</summary>
+    internal static readonly TimeSpan StartGrace = TimeSpan.FromSeconds(3);
+
+    readonly long _started = time.GetTimestamp();
+    // Conditions without an event because of the grace, with their begin.
+    readonly Dictionary<(string, string, string), DateTimeOffset> _pending = [];
     readonly Lock _lock = new();
     // The oldest first.
     readonly List<StatusEvent> _events = [];
@@ -28,7 +34,12 @@ sealed class EventList(TimeProvider time, Action<string> log)
                 else lines.Add(EndLine(_events[i] = known with { Until = now }));
             }
 
-            foreach (var condition in byKey.Values) lines.Add(Begin(condition, condition.Since ?? now, null));
+            foreach (var key in _pending.Keys.Where(key => !byKey.ContainsKey(key)).ToList()) _pending.Remove(key);
+            foreach (var condition in byKey.Values)
+            {
+                if (condition.IsNormalAtStart && time.GetElapsedTime(_started) < StartGrace) _pending.TryAdd(condition.Key, condition.Since ?? now);
+                else lines.Add(Begin(condition, _pending.Remove(condition.Key, out var since) ? since : condition.Since ?? now, null));
+            }
         }
 
         lines.ForEach(log);
@@ -60,6 +71,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
         {
             var now = time.GetUtcNow();
             var begins = _events.Where(known => known.Until == null).ToDictionary(known => known.Condition.Key, known => known.Since);
+            foreach (var (key, since) in _pending) begins.TryAdd(key, since);
             return [.. present.Select(one => one with { Since = begins.TryGetValue(one.Key, out var since) ? since : one.Since ?? now })];
         }
     }

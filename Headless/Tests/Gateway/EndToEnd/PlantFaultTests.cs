@@ -155,7 +155,7 @@ public class PlantFaultTests
         return first;
     }
 
-    static long LastEvent(ShownStatus status) => status.Events.Max(one => one.GetProperty("id").GetInt64());
+    static long LastEvent(ShownStatus status) => status.Events.Select(one => one.GetProperty("id").GetInt64()).DefaultIfEmpty().Max();
 
     static string Words(Dictionary<string, TimeSpan> times) =>
         string.Join(", ", times.Select(pair => string.Create(CultureInfo.InvariantCulture, $"{pair.Key} {pair.Value.TotalSeconds:0.00} s")));

@@ -7,6 +7,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
+using Nowpose.Gateway.Status.Events;
 using Nowpose.Network;
 using Nowpose.Protocol;
 
@@ -196,6 +197,7 @@ public class FaultStatusTests
     public async Task Adapter_NotConnectedThenSilent_IsAnEventEach()
     {
         await StartAsync();
+        _time.Advance(EventList.StartGrace);
         Report("adapter/press", ("state", "refused"), ("reason", "the certificate is not trusted"));
         await BeginsAsync("adapter", "press");
         Assert.That((await EventAsync("adapter", "press")).GetProperty("reason").GetString(), Is.EqualTo("refused: the certificate is not trusted"));
@@ -207,6 +209,31 @@ public class FaultStatusTests
     }
 
     [Test]
+    public async Task Start_PlantConnectsWithinTheGrace_BeginsNoEvent()
+    {
+        await StartAsync(options => options with { ExpectsSources = true }, new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
+        Report("adapter/press", ("state", "connecting"), ("samples", "0"), ("joint/a", $"missing {Since()} no value yet"));
+        Report("adapter/lathe", ("state", "waiting"), ("samples", "7"));
+        await BeginsAsync("adapter", "lathe");
+
+        Assert.That(
+            (await StateAsync()).GetProperty("events").EnumerateArray().Select(one => one.GetProperty("which").GetString()), Is.EqualTo(new[] { "lathe" }),
+            "an adapter that has published samples was connected before");
+        Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Has.Length.EqualTo(3), "the clock and the joint");
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+
+        Report("adapter/press", ("state", "connected"), ("samples", "1"), ("joint/a", $"live {Since()} "));
+        Publish("a");
+        _time.Advance(EventList.StartGrace);
+        await BeginsAsync("clock", "own");
+
+        Assert.That(
+            (await StateAsync()).GetProperty("events").EnumerateArray().Select(one => one.GetProperty("kind").GetString()), Does.Not.Contain("source"));
+        Assert.That(Logged("is missing"), Is.False);
+        Assert.That(Logged("adapter press is not connected"), Is.False);
+    }
+
+    [Test]
     public async Task Clock_NotServed_IsAnEventAndAReason()
     {
         await StartAsync(clock: new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });
@@ -215,6 +242,7 @@ public class FaultStatusTests
         {
             "waiting", "the gateway's own control clock is not served to headsets: its state is converging (since 2026-11-20 12:00:00 UTC)",
         }));
+        _time.Advance(EventList.StartGrace);
         await BeginsAsync("clock", "own");
     }
 
@@ -398,8 +426,12 @@ public class FaultStatusTests
     public async Task Ready_NoSourceYet_ContainsBeginAndRemedy()
     {
         await StartAsync(options => options with { ExpectsSources = true });
-        await BeginsAsync("source", "of joint positions");
+        // The first look publishes the state of joints when it is complete.
+        var looked = new TaskCompletionSource();
+        using var listening = _gateway.Hub.Subscribe(RosTopics.JointStatus, _ => looked.TrySetResult());
+        await looked.Task.Bounded();
         _time.Advance(TimeSpan.FromSeconds(75));
+        await BeginsAsync("source", "of joint positions");
 
         Assert.That((await ReadyAsync(HttpStatusCode.ServiceUnavailable))[1], Is.EqualTo(
             "a source of joint positions is missing: no adapter has reported a joint and no sample has arrived (since 2026-11-20 12:00:00 UTC). "
@@ -437,6 +469,7 @@ public class FaultStatusTests
             if (((DiagnosticsMessage)message.Content).Values.Count > 0) throw new InvalidOperationException("no status today");
         });
 
+        _time.Advance(EventList.StartGrace);
         Report("adapter/press", ("state", "refused"), ("joint/a", $"missing {Since()} "));
 
         await Soon.BecomesAsync(() => Logged("status: the state could not be updated (InvalidOperationException: no status today)"), "it is in the log");

@@ -82,6 +82,49 @@ public class EventListTests
         Assert.That(dated.Select(one => one.Since), Is.EqualTo(new DateTimeOffset?[] { began, began + TimeSpan.FromSeconds(5) }));
     }
 
+    [Test]
+    public void Update_NormalAtStartAndOverWithinTheGrace_IsNoEvent()
+    {
+        _events.Update([Joint("a") with { IsNormalAtStart = true }, Joint("b")]);
+        _time.Advance(EventList.StartGrace - TimeSpan.FromSeconds(0.1));
+        _events.Update([Joint("a") with { IsNormalAtStart = true }, Joint("b")]);
+        _events.Update([Joint("b")]);
+        _time.Advance(TimeSpan.FromSeconds(10));
+        _events.Update([Joint("b")]);
+
+        Assert.That(_events.Read().Select(one => one.Condition.Which), Is.EqualTo(new[] { "b" }));
+        Assert.That(_log, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Update_NormalAtStartAndLongerThanTheGrace_IsAnEventFromItsBegin()
+    {
+        _time.Advance(TimeSpan.FromSeconds(1));
+        var began = _time.GetUtcNow();
+        var condition = Joint("a") with { IsNormalAtStart = true };
+        _events.Update([condition]);
+        _time.Advance(TimeSpan.FromSeconds(1));
+        Assert.That(_events.Read(), Is.Empty);
+        Assert.That(_events.Date([condition]).Single().Since, Is.EqualTo(began), "what lasts is dated without an event, too");
+
+        _time.Advance(TimeSpan.FromSeconds(1));
+        _events.Update([condition]);
+        _events.Update([condition]);
+
+        Assert.That(_events.Read().Single().Since, Is.EqualTo(began));
+        Assert.That(_log, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Update_NormalAtStartButLater_IsAnEventAtOnce()
+    {
+        _time.Advance(EventList.StartGrace);
+
+        _events.Update([Joint("a") with { IsNormalAtStart = true }]);
+
+        Assert.That(_events.Read(), Has.Count.EqualTo(1));
+    }
+
     [TestCase("", "", "joint a is refused", "joint a is refused (since 2026-11-20 12:00:00 UTC)")]
     [TestCase("NaN", "", "joint a is refused: NaN", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC)")]
     [TestCase("", "Repair it.", "joint a is refused. Repair it.", "joint a is refused (since 2026-11-20 12:00:00 UTC). Repair it.")]
