@@ -26,10 +26,11 @@ sealed record HeadsetResult(
     /// <param name="CurrentShare">Of the frames since the first current one.</param>
     /// <param name="LongestNotCurrentS">The longest time without a current pose after the first one.</param>
     /// <param name="CurrentShareOfRun">Of all frames, but for those of the first 3 s before the first current one.</param>
+    /// <param name="NotCurrentS">Total time without a current pose after the first one. Frames in it are not scored.</param>
     public sealed record PoseResult(
-        string State, double? CurrentAfterS, double? CurrentShare, double LongestNotCurrentS, double? CurrentShareOfRun);
+        string State, double? CurrentAfterS, double? CurrentShare, double LongestNotCurrentS, double? CurrentShareOfRun, double NotCurrentS);
 
-    /// <summary>As the samples that came later tell; not the errors that these cannot see, of clock offset and L_visu.</summary>
+    /// <summary>Of the current frames, as the samples that came later tell; not the errors that these cannot see, of clock offset and L_visu.</summary>
     public sealed record ErrorResult(double HoldRms, double HoldP95, double Rms, double P95, double? Reduction, double? ReductionUncertainty)
     {
         public static ErrorResult Of(DisplayedError? error) => error is not { } of
@@ -44,7 +45,7 @@ sealed record HeadsetResult(
             new(joint.Joint, JointDataStates.Of(joint.State), joint.Age?.TotalSeconds, joint.Reason);
     }
 
-    /// <summary>A part of the run between two outages, which are times of more than 1 s without a current pose.</summary>
+    /// <summary>A part of the run between two of its outages.</summary>
     /// <param name="FromS">First current frame, since the start.</param>
     /// <param name="ToS">Last current frame, since the start.</param>
     /// <param name="CurrentShare">Of the frames between the two.</param>

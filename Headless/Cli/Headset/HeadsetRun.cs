@@ -63,11 +63,12 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     void Count(TimeSpan time, DisplayFrame frame, CompensationSession session)
     {
         _poses.Add(time, frame.State);
-        _stretches.Add(time, frame.State, frame.DisplayTime);
         _outages.Add(time, frame.State == PoseState.Current, () => Describe(session));
+        _stretches.Add(time, frame.State, frame.DisplayTime, _outages.IsOutage);
         _wasTimeTrusted |= frame.IsTimeTrusted;
         if (_wasCurrent || frame.State != PoseState.Current) return;
         _wasCurrent = true;
+        // For the statistics in a recording.
         session.RestartErrorRun();
     }
 
@@ -118,7 +119,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             new HeadsetResult.LatencyResult(
                 statistics.ApplicationLatency?.TotalMilliseconds, statistics.ApplicationLatency95?.TotalMilliseconds,
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),
-            pose, HeadsetResult.ErrorResult.Of(statistics.ToolErrorOfRun),
+            pose, _stretches.Total,
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
             [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result());
         WhyFailed = HeadsetVerdict.FailureOf(pose, statistics, _wasTimeTrusted);

@@ -30,6 +30,7 @@ static class HeadsetTable
         foreach (var outage in result.Outages)
             Row($"outage from {Text(outage.FromS, "0.0", "")} to {Text(outage.ToS ?? result.Seconds, "0.0", " s")}", outage.Pose + (outage.Reason.Length == 0 ? "" : ": " + outage.Reason));
         AddErrors(Row, "", result.ToolErrorMm);
+        if (pose.NotCurrentS > 0) Row("tool, not scored", $"frames that were not current: {Text(pose.NotCurrentS, "0.00", " s")}");
         // One stretch is the whole run.
         for (var i = 0; i < result.Stretches.Count && result.Stretches.Count > 1; i++) AddStretch(Row, i + 1, result.Stretches[i]);
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");

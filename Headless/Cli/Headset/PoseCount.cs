@@ -9,7 +9,7 @@ sealed class PoseCount
     static readonly TimeSpan StartAllowance = TimeSpan.FromSeconds(3);
 
     TimeSpan? _first, _lost;
-    TimeSpan _longest;
+    TimeSpan _longest, _notCurrent, _previous;
     int _frames, _framesOfRun, _current;
 
     /// <param name="time">Since the start; increasing.</param>
@@ -18,6 +18,14 @@ sealed class PoseCount
         if (state == PoseState.Current) _first ??= time;
         if (_first != null || time >= StartAllowance) _framesOfRun++;
         if (_first == null) return;
+        if (_lost is { } lost)
+        {
+            // A frame stays in view until the next one.
+            _notCurrent += time - _previous;
+            if (time - lost > _longest) _longest = time - lost;
+        }
+
+        _previous = time;
         _frames++;
         if (state == PoseState.Current)
         {
@@ -27,12 +35,11 @@ sealed class PoseCount
         }
 
         _lost ??= time;
-        if (time - _lost.Value > _longest) _longest = time - _lost.Value;
     }
 
     /// <param name="state">State of the last frame, as diagnostics name it.</param>
     public HeadsetResult.PoseResult Result(string state) => new(
-        state, _first?.TotalSeconds, Share(_frames), _longest.TotalSeconds, Share(_framesOfRun));
+        state, _first?.TotalSeconds, Share(_frames), _longest.TotalSeconds, Share(_framesOfRun), _notCurrent.TotalSeconds);
 
     double? Share(int frames) => frames == 0 ? null : (double)_current / frames;
 }

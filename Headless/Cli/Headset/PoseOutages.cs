@@ -18,6 +18,9 @@ sealed class PoseOutages(Action<string> say)
     bool _wasCurrent;
     HeadsetResult.OutageResult _now;
 
+    /// <summary>Whether the last frame belongs to an outage: the pose has not been current for longer than the minimum.</summary>
+    public bool IsOutage => _now != null;
+
     /// <param name="time">Start of the frame since the start of the run; increasing.</param>
     /// <param name="describe">Pose state, joints without data, and why; called a few times per second while the pose is not current.</param>
     public void Add(TimeSpan time, bool isCurrent, Func<(string Pose, IReadOnlyList<string> Joints, string Reason)> describe)

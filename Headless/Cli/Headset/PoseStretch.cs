@@ -6,23 +6,16 @@ namespace Nowpose.Cli.Headset;
 sealed class PoseStretch(TimeSpan from, ControlTime displayTime)
 {
     readonly ErrorRun _errors = new();
-    readonly List<ErrorSample> _pending = [];
     int _frames, _notCurrent, _current;
-    ControlTime _lastDisplayTime;
-
-    /// <summary>Start of the last frame with a current pose, since the start of the run.</summary>
-    public TimeSpan To { get; private set; }
+    TimeSpan _to;
 
     /// <param name="time">Since the start of the run.</param>
-    public void AddCurrent(TimeSpan time, ControlTime displayTime)
+    public void AddCurrent(TimeSpan time)
     {
-        To = time;
-        _lastDisplayTime = displayTime;
+        _to = time;
         _current++;
         _frames += 1 + _notCurrent;
         _notCurrent = 0;
-        foreach (var error in _pending) _errors.Add(error);
-        _pending.Clear();
     }
 
     /// <summary>Counts only when the pose becomes current again before the stretch ends.</summary>
@@ -31,13 +24,9 @@ sealed class PoseStretch(TimeSpan from, ControlTime displayTime)
     /// <summary>Whether a frame was shown after this stretch began.</summary>
     public bool HasBegunBy(ControlTime at) => displayTime <= at;
 
-    /// <summary>Takes the error of a frame. One after the last current frame counts only when the pose becomes current again, as above.</summary>
-    public void AddError(ControlTime at, in ErrorSample error)
-    {
-        if (at <= _lastDisplayTime) _errors.Add(error);
-        else if (at - _lastDisplayTime <= PoseStretches.MaxGap) _pending.Add(error);
-    }
+    /// <summary>Adds the error of a current frame, m.</summary>
+    public void AddError(in ErrorSample error) => _errors.Add(error);
 
     public HeadsetResult.StretchResult Result() => new(
-        from.TotalSeconds, To.TotalSeconds, (double)_current / _frames, HeadsetResult.ErrorResult.Of(_errors.Read()?.Times(1000)));
+        from.TotalSeconds, _to.TotalSeconds, (double)_current / _frames, HeadsetResult.ErrorResult.Of(_errors.Read()?.Times(1000)));
 }

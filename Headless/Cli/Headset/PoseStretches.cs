@@ -2,32 +2,44 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Splits a run at its outages, so that what was measured before and after one is reported apart.</summary>
+/// <summary>Scores the current frames of a run: in total, and before and after each outage apart.</summary>
 sealed class PoseStretches
 {
-    /// <summary>A pose that is not current for longer is an outage.</summary>
-    public static readonly TimeSpan MaxGap = TimeSpan.FromSeconds(1);
-
     readonly List<PoseStretch> _stretches = [];
+    readonly ErrorRun _errors = new();
+    bool _isWithin;
+
+    /// <summary>The errors of all current frames; null while unknown.</summary>
+    public HeadsetResult.ErrorResult Total => HeadsetResult.ErrorResult.Of(_errors.Read()?.Times(1000));
 
     /// <param name="time">Since the start; increasing.</param>
-    public void Add(TimeSpan time, PoseState state, ControlTime? displayTime)
+    /// <param name="isOutage">As <see cref="PoseOutages.IsOutage"/> says of this frame.</param>
+    public void Add(TimeSpan time, PoseState state, ControlTime? displayTime, bool isOutage)
     {
         if (state == PoseState.Current)
         {
-            if (_stretches.Count == 0 || time - _stretches[^1].To > MaxGap) _stretches.Add(new PoseStretch(time, displayTime.Value));
-            _stretches[^1].AddCurrent(time, displayTime.Value);
+            if (!_isWithin) _stretches.Add(new PoseStretch(time, displayTime.Value));
+            _isWithin = true;
+            _stretches[^1].AddCurrent(time);
+            return;
         }
-        else if (_stretches.Count > 0)
-        {
-            _stretches[^1].AddNotCurrent();
-        }
+
+        _isWithin &= !isOutage;
+        if (_isWithin) _stretches[^1].AddNotCurrent();
     }
 
-    /// <summary>Takes the error of a frame that was shown before, m.</summary>
-    /// <param name="displayTime">The frame's.</param>
-    public void AddError(ControlTime displayTime, ErrorSample error) =>
-        _stretches.FindLast(stretch => stretch.HasBegunBy(displayTime))?.AddError(displayTime, error);
+    /// <summary>Adds the error of a frame that was shown before, m.</summary>
+    /// <param name="displayTime">Display time of the frame.</param>
+    /// <param name="state">
+    /// State of the frame. Only current frames are scored: the samples after an outage also judge the last frames of the outage, which
+    /// show a pose from before it.
+    /// </param>
+    public void AddError(ControlTime displayTime, PoseState state, ErrorSample error)
+    {
+        if (state != PoseState.Current || _stretches.FindLast(stretch => stretch.HasBegunBy(displayTime)) is not { } stretch) return;
+        stretch.AddError(error);
+        _errors.Add(error);
+    }
 
     public IReadOnlyList<HeadsetResult.StretchResult> Result() => [.. _stretches.Select(stretch => stretch.Result())];
 }

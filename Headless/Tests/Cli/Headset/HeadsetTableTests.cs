@@ -9,7 +9,7 @@ public class HeadsetTableTests
 {
     static HeadsetResult Result(double skewPpm = 12.34) => new(
         20, 1200, "youBot", 400, 0, new HeadsetResult.ClockResult("coarse", 14500, skewPpm, 1.5, 0, 0.4, 1.5, 7, 3120, 9),
-        new HeadsetResult.LatencyResult(80, 90, 40, 120), new HeadsetResult.PoseResult("held", 1.5, 0.7, 4, 0.7),
+        new HeadsetResult.LatencyResult(80, 90, 40, 120), new HeadsetResult.PoseResult("held", 1.5, 0.7, 4, 0.7, 4.6),
         new HeadsetResult.ErrorResult(20, 40, 1, 2, 0.95, 0.01), ["a3"], [new HeadsetResult.JointResult("a3", "fault", 4.2, "node deleted")],
         [
             new HeadsetResult.StretchResult(1.5, 8, 1, new HeadsetResult.ErrorResult(20, 40, 1, 2, 0.95, 0.01)),
@@ -46,5 +46,13 @@ public class HeadsetTableTests
         Assert.That(text, Does.Match(@"outage from 8\.0 to 12\.0 s +held: joint a3: no data: node deleted"));
         Assert.That(text, Does.Match(@"stretch 1: pose +current for 100\.0 % of the frames from 1\.5 to 8\.0 s"));
         Assert.That(text, Does.Match(@"stretch 2: tool, compensated +4\.00 mm RMS, 8\.00 mm P95"));
+    }
+
+    [Test]
+    public void Print_FramesThatWereNotCurrent_AreSaidToBeNotScored()
+    {
+        Assert.That(Printed(Result()), Does.Match(@"tool, not scored +frames that were not current: 4\.60 s"));
+        var pose = Result().Pose with { NotCurrentS = 0 };
+        Assert.That(Printed(Result() with { Pose = pose }), Does.Not.Contain("not scored"));
     }
 }

@@ -10,6 +10,7 @@ public class PoseStretchesTests
     const double FramesPerSecond = 60;
 
     PoseStretches _stretches;
+    PoseOutages _outages;
     int _frame;
 
     // Display times run ahead of the run's time by 1000 s.
@@ -18,16 +19,17 @@ public class PoseStretchesTests
         for (var end = _frame + (int)(seconds * FramesPerSecond); _frame < end; _frame++)
         {
             var time = _frame / FramesPerSecond;
-            _stretches.Add(TimeSpan.FromSeconds(time), state, ControlTime.FromSeconds(1000 + time));
+            _outages.Add(TimeSpan.FromSeconds(time), state == PoseState.Current, () => ("", [], ""));
+            _stretches.Add(TimeSpan.FromSeconds(time), state, ControlTime.FromSeconds(1000 + time), _outages.IsOutage);
             if (errorMm is double mm)
-                _stretches.AddError(ControlTime.FromSeconds(1000 + time), new ErrorSample(mm * mm * 1e-6, 100e-6, 0, 0));
+                _stretches.AddError(ControlTime.FromSeconds(1000 + time), state, new ErrorSample(mm * mm * 1e-6, 100e-6, 0, 0));
         }
     }
 
     [SetUp]
     public void Begin()
     {
-        _stretches = new PoseStretches();
+        (_stretches, _outages) = (new PoseStretches(), new PoseOutages(_ => { }));
         _frame = 0;
         Play(2, PoseState.Unsynchronised);
     }
@@ -39,14 +41,14 @@ public class PoseStretchesTests
     public void Result_ShortGap_IsOneStretchThatCountsIt()
     {
         Play(6, PoseState.Current);
-        Play(0.9, PoseState.Held);
-        Play(2.1, PoseState.Current);
+        Play(0.4, PoseState.Held);
+        Play(1.6, PoseState.Current);
 
         var stretch = _stretches.Result().Single();
 
         Assert.That(stretch.FromS, Is.EqualTo(2).Within(1e-9));
-        Assert.That(stretch.ToS, Is.EqualTo(11).Within(0.02));
-        Assert.That(stretch.CurrentShare, Is.EqualTo(0.9).Within(1e-3));
+        Assert.That(stretch.ToS, Is.EqualTo(10).Within(0.02));
+        Assert.That(stretch.CurrentShare, Is.EqualTo(0.95).Within(1e-3));
         Assert.That(stretch.ToolErrorMm, Is.Null);
     }
 
@@ -68,15 +70,35 @@ public class PoseStretchesTests
         Assert.That(stretches.Select(stretch => stretch.ToolErrorMm.Reduction), Is.EqualTo(new[] { 0.9, 0.6 }).Within(1e-9));
     }
 
-    [Test]
-    public void AddError_OfFramesInAShortGap_CountsToTheStretch()
+    [TestCase(0.45, 1)]
+    [TestCase(0.6, 2)]
+    [TestCase(0.9, 2)]
+    public void Result_GapOfAnyLength_SeparatesStretchesWhereAnOutageIsListed(double seconds, int count)
     {
-        Play(5, PoseState.Current, errorMm: 1);
-        Play(0.9, PoseState.Held, errorMm: 200);
-        Play(5, PoseState.Current, errorMm: 1);
+        Play(5, PoseState.Current);
+        Play(seconds, PoseState.Held);
+        Play(5, PoseState.Current);
 
-        Assert.That(_stretches.Result().Single().ToolErrorMm.Rms, Is.EqualTo(200 * Math.Sqrt(0.9 / 10.9)).Within(1));
+        Assert.That(_outages.Result(), Has.Count.EqualTo(count - 1));
+        Assert.That(_stretches.Result(), Has.Count.EqualTo(count));
     }
+
+    [TestCase(0.4)]
+    [TestCase(3)]
+    public void Total_FramesThatWereNotCurrent_AreNotScored(double seconds)
+    {
+        Play(4, PoseState.Current, errorMm: 1);
+        Play(seconds, PoseState.Held, errorMm: 200);
+        Play(4, PoseState.Current, errorMm: 7);
+
+        Assert.That(_stretches.Total.Rms, Is.EqualTo(5).Within(1e-9), "root of the mean of 1 and 49");
+        Assert.That(_stretches.Total.HoldRms, Is.EqualTo(10).Within(1e-9));
+        Assert.That(_stretches.Total.Reduction, Is.EqualTo(0.5).Within(1e-9));
+        Assert.That(_stretches.Result().Max(stretch => stretch.ToolErrorMm.Rms), Is.LessThan(7.1));
+    }
+
+    [Test]
+    public void Total_PoseNeverCurrent_IsUnknown() => Assert.That(_stretches.Total, Is.Null);
 
     [Test]
     public void AddError_OfAFrameBeforeTheOutage_CountsToTheStretchBefore()
@@ -86,7 +108,7 @@ public class PoseStretchesTests
         Play(1, PoseState.Current);
 
         // Judged only when samples came again.
-        _stretches.AddError(ControlTime.FromSeconds(1006.9), new ErrorSample(1, 1, 0, 0));
+        _stretches.AddError(ControlTime.FromSeconds(1006.9), PoseState.Current, new ErrorSample(1, 1, 0, 0));
 
         Assert.That(_stretches.Result()[0].ToolErrorMm.Rms, Is.GreaterThan(50));
         Assert.That(_stretches.Result()[1].ToolErrorMm, Is.Null);

@@ -143,7 +143,7 @@ namespace Nowpose.Session
         public event Action<DisplayFrame> Ticked;
 
         /// <summary>As of <see cref="HindcastMonitor.ToolJudged"/>; raised within <see cref="Tick"/>.</summary>
-        internal event Action<ControlTime, ErrorSample> ToolJudged
+        internal event Action<ControlTime, PoseState, ErrorSample> ToolJudged
         {
             add => _hindcast.ToolJudged += value;
             remove => _hindcast.ToolJudged -= value;

@@ -47,8 +47,8 @@ namespace Nowpose.Session
             for (var i = 0; i < _ofJoint.Length; i++) _ofJoint[i] = new ErrorRecord();
         }
 
-        /// <summary>A frame shown before was judged: its display time, and the error of its tool in m. Raised within <see cref="Add"/>.</summary>
-        public event Action<ControlTime, ErrorSample> ToolJudged;
+        /// <summary>A frame shown before was judged: its display time, its state, and the error of its tool in m. Raised within <see cref="Add"/>.</summary>
+        public event Action<ControlTime, PoseState, ErrorSample> ToolJudged;
 
         /// <summary>Joints between base and tool that have samples of their own, from the base on.</summary>
         public int JointCount => _joints.Length;
@@ -72,7 +72,7 @@ namespace Nowpose.Session
             if (_now == null || frame.State == PoseState.Incomplete || frame.Range == RangeState.Outside) return;
             foreach (ref readonly var track in _tracks.AsSpan())
                 if (!(track.ToldUntil < _now.Value)) return;
-            var values = _frames.Add(_now.Value, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
+            var values = _frames.Add(_now.Value, frame.State, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
             for (var i = 0; i < _joints.Length; i++)
             {
                 values[i].Displayed = frame.Joints[_joints[i]];
@@ -141,7 +141,7 @@ namespace Nowpose.Session
                 Square(doubted.X - truth.X) + Square(doubted.Y - truth.Y) + Square(doubted.Z - truth.Z),
                 Square(frame.ClockError * _speeds.OfTool(truth)));
             _tool.Add(frame.At, error, isOfRun);
-            ToolJudged?.Invoke(frame.At, error);
+            ToolJudged?.Invoke(frame.At, frame.State, error);
         }
 
         static double Square(double x) => x * x;

@@ -21,17 +21,18 @@ namespace Nowpose.Session
             _joints = new JointValues[Capacity * jointCount];
         }
 
+        /// <param name="state">State of the frame's pose.</param>
         /// <param name="displayed">The tool's pose as displayed.</param>
         /// <param name="held">The tool's pose by the newest samples alone.</param>
         /// <param name="clockError">Bound of the clock's error, s.</param>
         /// <returns>Places for the joints' displayed and held positions.</returns>
-        public Span<JointValues> Add(ControlTime at, in RigidTransform displayed, in RigidTransform held, double clockError)
+        public Span<JointValues> Add(ControlTime at, PoseState state, in RigidTransform displayed, in RigidTransform held, double clockError)
         {
             if (_count == Capacity) RemoveFirst();
             var index = (_first + _count++) % Capacity;
             _frames[index] = new Frame
             {
-                At = at, Missing = _jointCount, ClockError = clockError,
+                At = at, State = state, Missing = _jointCount, ClockError = clockError,
                 X = displayed.X, Y = displayed.Y, Z = displayed.Z, HeldX = held.X, HeldY = held.Y, HeldZ = held.Z,
             };
             return _joints.AsSpan(index * _jointCount, _jointCount);
@@ -79,6 +80,7 @@ namespace Nowpose.Session
         public struct Frame
         {
             public ControlTime At;
+            public PoseState State;
             public int Missing;
             public bool IsLost;
             public double ClockError;
