@@ -23,7 +23,7 @@ public sealed class HubSource : IDisposable
     /// <summary>Shown to users: the adapter's name where it is an adapter.</summary>
     internal string Name { get; set; } = Own;
 
-    /// <summary>Remote address and port of a client; null for a source of this process.</summary>
+    /// <summary>Remote address of a client, without the port; null for a source of this process.</summary>
     internal string Address { get; set; }
 
     /// <summary>Name for messages; with the address where the client has not named itself.</summary>

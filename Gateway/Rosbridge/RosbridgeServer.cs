@@ -99,6 +99,7 @@ sealed class RosbridgeServer(
     static string AddressOf(ConnectionInfo connection)
     {
         if (connection.RemoteIpAddress is not { } address) return null;
-        return new IPEndPoint(address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address, connection.RemotePort).ToString();
+        // Without the port, which is another one for each connection: a client that reconnects is the same source in the list of events.
+        return (address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address).ToString();
     }
 }

@@ -11,13 +11,15 @@ sealed class RecentRefusals(TimeProvider time)
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
     readonly Lock _lock = new();
-    readonly Dictionary<(HubSource Source, string Joint), (long At, string Owner)> _refusals = [];
+    readonly Dictionary<(string Source, string Joint), (long At, string Owner)> _refusals = [];
 
     public void Add(HubSource source, string joint, HubSource owner)
     {
         lock (_lock)
         {
-            if (_refusals.Count < MaxRefusals || _refusals.ContainsKey((source, joint))) _refusals[(source, joint)] = (time.GetTimestamp(), owner.Title);
+            // By the title: a client that reconnects is the same source.
+            var key = (source.Title, joint);
+            if (_refusals.Count < MaxRefusals || _refusals.ContainsKey(key)) _refusals[key] = (time.GetTimestamp(), owner.Title);
         }
     }
 
@@ -27,7 +29,7 @@ sealed class RecentRefusals(TimeProvider time)
         {
             foreach (var (key, refusal) in _refusals)
                 if (time.GetElapsedTime(refusal.At) > Span) _refusals.Remove(key);
-            return [.. _refusals.Select(one => (one.Key.Source.Title, one.Key.Joint, one.Value.Owner))];
+            return [.. _refusals.Select(one => (one.Key.Source, one.Key.Joint, one.Value.Owner))];
         }
     }
 }
