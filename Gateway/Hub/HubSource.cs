@@ -71,7 +71,8 @@ public sealed class HubSource : IDisposable
     internal void PublishJointStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.JointStatus(message));
 
     /// <summary>Reports a sample that was dropped for its content.</summary>
-    internal void ReportDropped(string reason) => _hub.ReportDropped(this, reason);
+    /// <param name="names">The joints that it names, as far as they can be read.</param>
+    internal void ReportDropped(string[] names, string reason) => _hub.ReportDropped(this, names, reason);
 
     /// <summary>Gives back what was claimed on one topic.</summary>
     public void Release(string topic)

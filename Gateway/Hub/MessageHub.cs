@@ -32,8 +32,8 @@ public sealed class MessageHub
     /// <summary>A sample was refused: the source, the joint, and the source that the joint belongs to. Called under the hub's lock.</summary>
     internal event Action<HubSource, string, HubSource> JointRefused;
 
-    /// <summary>A sample of a source was dropped: the source and the reason.</summary>
-    internal event Action<HubSource, string> SampleDropped;
+    /// <summary>A sample was dropped for its content: the source, the joints that it names, and the reason. They belong to no other source.</summary>
+    internal event Action<HubSource, string[], string> SampleDropped;
 
     /// <summary>A client closed its connection in order: its name.</summary>
     internal event Action<string> Left;
@@ -92,11 +92,10 @@ public sealed class MessageHub
     {
         lock (_lock)
         {
-            foreach (var name in names)
+            if (FindTaken(source, topic, names) is { } taken)
             {
-                if (!_owners.TryGetValue((topic, name), out var owner) || owner == source) continue;
-                if (topic == RosTopics.JointStates) JointRefused?.Invoke(source, name, owner);
-                return name;
+                if (topic == RosTopics.JointStates) JointRefused?.Invoke(source, taken, _owners[(topic, taken)]);
+                return taken;
             }
 
             foreach (var name in names)
@@ -107,7 +106,20 @@ public sealed class MessageHub
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
 
-    internal void ReportDropped(HubSource source, string reason) => SampleDropped?.Invoke(source, reason);
+    internal void ReportDropped(HubSource source, string[] names, string reason)
+    {
+        lock (_lock)
+        {
+            // A valid sample would have been refused, too: the joints of the other source are not affected.
+            if (FindTaken(source, RosTopics.JointStates, names) is { } taken)
+            {
+                JointRefused?.Invoke(source, taken, _owners[(RosTopics.JointStates, taken)]);
+                return;
+            }
+        }
+
+        SampleDropped?.Invoke(source, names, reason);
+    }
 
     internal void Release(HubSource source, string topic)
     {
@@ -120,6 +132,10 @@ public sealed class MessageHub
                 _newest.Remove(source);
         }
     }
+
+    // The first name that belongs to another source; null where there is none. Called under the lock.
+    string FindTaken(HubSource source, string topic, string[] names) =>
+        Array.Find(names, name => _owners.TryGetValue((topic, name), out var owner) && owner != source);
 
     void Unsubscribe(string topic, Action<HubMessage> receive)
     {

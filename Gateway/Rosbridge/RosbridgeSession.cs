@@ -272,7 +272,13 @@ sealed class RosbridgeSession : IDisposable
             Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
         // The board knows by itself which joints belong to another source.
         if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.JointStates } && reason != DropReason.JointTaken)
-            _source.ReportDropped($"the gateway drops the samples: {InvalidJointValue.In(_text) ?? rule} ({reason})");
+            ReportDropped(rule, reason);
+    }
+
+    void ReportDropped(string rule, DropReason reason)
+    {
+        var (names, trouble) = InvalidJointState.Read(_text);
+        _source.ReportDropped(names, $"the gateway drops the samples of {_source.Title}: {trouble ?? rule} ({reason})");
     }
 
     static string Subject(RosbridgeMessage message) =>

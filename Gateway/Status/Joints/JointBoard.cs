@@ -20,6 +20,9 @@ sealed class JointBoard(TimeProvider time)
 
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromMinutes(10);
 
+    /// <summary>Maximum number of joints that are only known from refused samples.</summary>
+    internal const int MaxRefusedJoints = 64;
+
     readonly Lock _lock = new();
     readonly Dictionary<string, Joint> _joints = [];
 
@@ -39,12 +42,16 @@ sealed class JointBoard(TimeProvider time)
                 joint.Rows.Find(row => row.Source == source.Name)?.Refuse($"the source {owner.Title} already publishes this joint; each joint has one source");
     }
 
-    /// <summary>A sample that was dropped for its content; it counts for all joints that the source publishes.</summary>
-    public void Refuse(HubSource source, string reason)
+    /// <summary>A sample that was dropped for its content; it counts for all joints that the source publishes or names.</summary>
+    public void Refuse(HubSource source, string[] names, string reason)
     {
         lock (_lock)
+        {
             foreach (var joint in _joints.Values)
-                if (joint.Flow.HasAny && joint.Flow.Source == source) joint.OwnerRow(time).Refuse(reason);
+                if (joint.IsPublishedBy(source)) joint.OwnerRow(time).Refuse(reason);
+            foreach (var name in names)
+                if (FindRefused(name) is { } joint && !joint.IsPublishedBy(source)) joint.RowOf(source.Name, time).Refuse(reason);
+        }
     }
 
     /// <summary>The diagnostics of an adapter, with a key for each joint of its configuration.</summary>
@@ -88,6 +95,12 @@ sealed class JointBoard(TimeProvider time)
         return _joints[name] = new Joint(name, time);
     }
 
+    Joint FindRefused(string name)
+    {
+        if (_joints.TryGetValue(name, out var known)) return known;
+        return _joints.Values.Count(joint => joint.IsOnlyRefused) < MaxRefusedJoints ? Find(name) : null;
+    }
+
     // Names that a source makes up never displace a joint that is configured or live.
     void DropOldest()
     {
@@ -98,7 +111,7 @@ sealed class JointBoard(TimeProvider time)
     void Forget()
     {
         foreach (var (name, joint) in _joints)
-            if (!joint.IsConfigured && (!joint.Flow.HasAny || joint.Flow.Silence > ForgottenAfter)) _joints.Remove(name);
+            if (!joint.IsConfigured && !joint.IsRefused && (!joint.Flow.HasAny || joint.Flow.Silence > ForgottenAfter)) _joints.Remove(name);
     }
 
     sealed class Joint(string name, TimeProvider time)
@@ -107,6 +120,10 @@ sealed class JointBoard(TimeProvider time)
         public SampleFlow Flow { get; } = new(time);
         public List<JointRow> Rows { get; } = [];
         public bool IsConfigured => Rows.Exists(row => row.IsConfigured);
+        public bool IsRefused => Rows.Exists(row => row.IsRefused);
+        public bool IsOnlyRefused => !IsConfigured && !Flow.HasAny;
+
+        public bool IsPublishedBy(HubSource source) => Flow.HasAny && Flow.Source == source;
 
         public JointRow RowOf(string source, TimeProvider time)
         {
@@ -118,7 +135,7 @@ sealed class JointBoard(TimeProvider time)
         public IEnumerable<JointStatus> Judge(TimeProvider time)
         {
             var owner = Flow.HasAny ? OwnerRow(time) : null;
-            Rows.RemoveAll(row => !row.IsConfigured && row != owner);
+            Rows.RemoveAll(row => !row.IsConfigured && !row.IsRefused && row != owner);
             return Rows.Select(row => row.Judge(row == owner ? Flow : null));
         }
 

@@ -17,6 +17,9 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     /// <summary>Whether an adapter has this joint in its configuration.</summary>
     public bool IsConfigured { get; private set; }
 
+    /// <summary>Whether the gateway has just refused a sample of the joint.</summary>
+    public bool IsRefused => _refusal != null && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter;
+
     public void Report(in AdapterJointReport report)
     {
         (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
@@ -42,8 +45,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     (JointDataState State, DateTimeOffset? Since, string Reason) StateOf(SampleFlow flow)
     {
         var isFlowing = flow is { IsFlowing: true };
-        if (_refusal != null && !isFlowing && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter)
-            return (JointDataState.Refused, null, _refusal);
+        if (IsRefused && !isFlowing) return (JointDataState.Refused, null, _refusal);
         var isReportFresh = IsConfigured && time.GetElapsedTime(_reportedAt) < JointBoard.ReportLimit;
         if (isReportFresh && _report.State != JointDataState.Live) return (_report.State, _report.Since, _report.Reason);
         if (isFlowing) return (JointDataState.Live, null, "");

@@ -377,8 +377,49 @@ public class FaultStatusTests
             () => StateAsync().Result.GetProperty("joints").EnumerateArray().All(joint => joint.GetProperty("state").GetString() == "refused"), "both are refused");
         var lines = await ReadyAsync(HttpStatusCode.ServiceUnavailable);
         Assert.That(lines, Has.Length.EqualTo(3));
-        Assert.That(lines[1], Does.StartWith($"joint a (rosbridge) is refused: the gateway drops the samples: {reason} (since "));
+        Assert.That(lines[1], Does.StartWith($"joint a (rosbridge) is refused: the gateway drops the samples of rosbridge 127.0.0.1: {reason} (since "));
     }
+
+    // The stamp of the second lies 30 s ahead of the control clock.
+    [TestCase("NaN", 5000, "position of joint c is NaN (NotFinite)")]
+    [TestCase("1.5", 5030, "the stamp lies in the future of the control clock (StampInFuture)")]
+    public async Task Joints_OfASourceWithoutAValidSample_AreRefusedBesideALiveSource(string position, int seconds, string reason)
+    {
+        await StartAsync();
+        Publish("a");
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway);
+
+        await client.SendAsync(Invalid("c", seconds, position));
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
+
+        var lines = await ReadyAsync(HttpStatusCode.ServiceUnavailable);
+        Assert.That(lines, Has.Length.EqualTo(2));
+        Assert.That(lines[1], Does.StartWith($"joint c (rosbridge) is refused: the gateway drops the samples of rosbridge 127.0.0.1: {reason} (since "));
+        var joints = (await StateAsync()).GetProperty("joints").EnumerateArray();
+        Assert.That(joints.Select(joint => joint.GetProperty("state").GetString()), Is.EqualTo(new[] { "live", "refused" }));
+        await BeginsAsync("joint", "c (rosbridge)");
+    }
+
+    [TestCase("NaN", 5000)]
+    [TestCase("1.5", 5030)]
+    public async Task Joint_OfAnotherSourceInInvalidSamples_StaysLiveAndTheSourceIsNamed(string position, int seconds)
+    {
+        await StartAsync();
+        Publish("a");
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway);
+
+        await client.SendAsync(Invalid("a", seconds, position));
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
+
+        Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+        Assert.That(
+            (await StateAsync()).GetProperty("status").GetProperty("text").GetString(),
+            Does.StartWith("source rosbridge 127.0.0.1 is refused for joint a: the source gateway already publishes this joint"));
+    }
+
+    static string Invalid(string joint, int seconds, string position) =>
+        "{\"op\":\"publish\",\"topic\":\"/joint_states\",\"msg\":{\"header\":{\"stamp\":{\"sec\":" + seconds
+        + ",\"nanosec\":0}},\"name\":[\"" + joint + "\"],\"position\":[" + position + "]}}";
 
     // RFC 6455, 7.4.1: a normal end, a client that goes away, a close without a code, and a fault of the client.
     [TestCase("03E8", "ok")]

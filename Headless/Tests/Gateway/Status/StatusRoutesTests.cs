@@ -72,7 +72,7 @@ public class StatusRoutesTests
                 source.SendAsync(RosbridgeWriter.PublishJointState(
                     RosTopics.JointStates, new JointStateMessage(stamp, ["a"], [0.5]), RosTimeForm.Sec)).GetAwaiter().GetResult();
                 answer = GetAsync(gateway, "/readyz").GetAwaiter().GetResult();
-                return answer.Status == HttpStatusCode.ServiceUnavailable;
+                return answer.Status == HttpStatusCode.ServiceUnavailable && answer.Text.Contains("contradict", StringComparison.Ordinal);
             },
             "not ready");
 

@@ -188,7 +188,7 @@ public class JointBoardTests
         for (var i = 0; i < 40; i++)
         {
             _board.Add(other, ["c"], TimeSpan.Zero);
-            _board.Refuse(_source, "position of joint b is null");
+            _board.Refuse(_source, ["a", "b"], "position of joint b is null");
             _time.Advance(TimeSpan.FromMilliseconds(50));
         }
 
@@ -199,6 +199,48 @@ public class JointBoardTests
         Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Live));
         _time.Advance(TimeSpan.FromSeconds(2));
         Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale), "nothing arrives, and nothing is refused");
+    }
+
+    [Test]
+    public void Read_AllSamplesDroppedFromTheStart_IsRefusedUntilTheSourceStops()
+    {
+        var bad = _hub.OpenSource();
+        bad.Name = "copy";
+        for (var i = 0; i < 10; i++)
+        {
+            Send(0.1, "a");
+            _board.Refuse(bad, ["c"], "position of joint c is NaN");
+        }
+
+        Assert.That((Joint("c").Source, Joint("c").State, Joint("c").Reason), Is.EqualTo(("copy", JointDataState.Refused, "position of joint c is NaN")));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Live));
+
+        Send(2, "a");
+
+        Assert.That(_board.Read().Select(joint => joint.Name), Is.EqualTo(new[] { "a" }));
+    }
+
+    [Test]
+    public void Read_DroppedSamplesThenValidOnes_IsLive()
+    {
+        _board.Refuse(_source, ["c"], "position of joint c is NaN");
+        Assert.That(Joint("c").State, Is.EqualTo(JointDataState.Refused));
+
+        Send(0.5, "c");
+
+        Assert.That(Joint("c").State, Is.EqualTo(JointDataState.Live));
+    }
+
+    [Test]
+    public void Refuse_EverNewNames_StaysBoundedAndKeepsTheOtherJoints()
+    {
+        Report("press", ("configured", "missing", ""));
+        Send(1, "live");
+        for (var i = 0; i < 2000; i++) _board.Refuse(_source, [$"joint {i}"], "position is NaN");
+
+        var names = _board.Read().Select(joint => joint.Name).ToArray();
+        Assert.That(names, Has.Length.EqualTo(JointBoard.MaxRefusedJoints + 2));
+        Assert.That(names, Does.Contain("configured").And.Contain("live"));
     }
 
     [Test]

@@ -4,30 +4,39 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Finds the joint because of which a joint state is invalid.</summary>
-static class InvalidJointValue
+/// <summary>Reads the joints of an invalid joint state, and finds the one that makes it invalid.</summary>
+static class InvalidJointState
 {
     const int MaxValueLength = 32;
 
     // A velocity or an effort may be absent, null or NaN.
     const string Field = "position";
 
-    /// <summary>Describes the first position that is no finite number, such as "position of joint a is null"; null where there is none.</summary>
+    /// <summary>
+    /// Returns the names of the joints, and describes the first position that is no finite number, such as "position of joint a is null"; null
+    /// where there is none.
+    /// </summary>
     /// <param name="text">A whole message.</param>
-    public static string In(string text)
+    public static (string[] Names, string Trouble) Read(string text)
     {
         try
         {
-            if (JObject.Parse(text)["msg"] is not JObject state || state["name"] is not JArray names) return null;
-            return In(names, state[Field] as JArray);
+            if (JObject.Parse(text)["msg"] is not JObject state || state["name"] is not JArray names) return ([], null);
+            return (NamesIn(names), TroubleIn(names, state[Field] as JArray));
         }
         catch (JsonException)
         {
-            return null;
+            return ([], null);
         }
     }
 
-    static string In(JArray names, JArray values)
+    static string[] NamesIn(JArray names) =>
+    [
+        .. names.Where(name => name.Type == JTokenType.String).Select(name => (string)name)
+            .Where(name => name.Length is > 0 and <= ProtocolLimits.NameLength).Distinct().Take(ProtocolLimits.Joints),
+    ];
+
+    static string TroubleIn(JArray names, JArray values)
     {
         for (var i = 0; i < Math.Min(names.Count, values?.Count ?? 0); i++)
         {
