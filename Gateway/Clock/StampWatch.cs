@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Clock;
 
@@ -30,32 +31,45 @@ sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func
     /// <summary>A reading of two clocks that took longer says little about their difference.</summary>
     static readonly TimeSpan MaxReading = TimeSpan.FromMilliseconds(5);
 
+    /// <summary>Sources that are judged at the same time; further ones are not.</summary>
+    const int MaxSources = 64;
+
+    /// <summary>Sources that a warning names.</summary>
+    const int MaxNamed = 5;
+
     readonly Lock _lock = new();
-    readonly Second[] _seconds = new Second[Seconds];
+    readonly Dictionary<HubSource, SourceStamps> _sources = [];
     TimeSpan? _ahead;
     ControlTime _since;
     TimeSpan _correction;
     string _said;
 
-    /// <summary>What is wrong and what to do, for people; null while nothing is.</summary>
-    public string Warning { get; private set; }
+    /// <summary>What is wrong and what to do; null while nothing is wrong.</summary>
+    public StampWarning Found { get; private set; }
 
-    /// <summary>Whether most samples of the last seconds cannot be used with the control clock.</summary>
-    public bool IsContradicted { get; private set; }
+    /// <summary><see cref="Found"/> as text.</summary>
+    public string Warning => Found?.Text;
+
+    /// <summary>Whether most samples of a source in the last seconds cannot be used with the control clock.</summary>
+    public bool IsContradicted => Found is { IsContradiction: true };
+
+    long Now => time.GetTimestamp() / time.TimestampFrequency;
 
     /// <summary>Takes the stamp of a sample.</summary>
     /// <param name="isRefused">Whether it was refused as in the future.</param>
-    public void Add(ControlTime stamp, bool isRefused)
+    public void Add(HubSource source, ControlTime stamp, bool isRefused)
     {
-        var onControl = control() - stamp;
-        var fitsSystem = !IsPlausible(onControl) && IsPlausible(system() - stamp);
+        var age = control() - stamp;
+        var fitsSystem = !IsPlausible(age) && IsPlausible(system() - stamp);
         lock (_lock)
         {
-            ref var second = ref Current();
-            second.Samples++;
-            if (isRefused) second.Refused++;
-            if (fitsSystem) second.OnSystem++;
-            if (isRefused || fitsSystem) second.Age = onControl;
+            if (!_sources.TryGetValue(source, out var stamps))
+            {
+                if (_sources.Count >= MaxSources) return;
+                _sources.Add(source, stamps = new SourceStamps());
+            }
+
+            stamps.Add(Now, age, isRefused, fitsSystem);
         }
     }
 
@@ -63,20 +77,25 @@ sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func
     public void Look(Action<string> log)
     {
         MeasureCorrection();
-        lock (_lock)
-        {
-            Current();
-            var samples = _seconds.Sum(second => second.Samples);
-            var refused = _seconds.Sum(second => second.Refused);
-            var onSystem = _seconds.Sum(second => second.OnSystem);
-            IsContradicted = samples >= MinSamples && 2 * Math.Max(refused, onSystem) > samples;
-            Warning = IsContradicted ? Contradiction(samples, refused, onSystem) : Correction();
-        }
-
+        var contradicting = Read().Where(one => one.Counts.IsContradiction).OrderByDescending(one => one.Counts.Percent).ToArray();
+        Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
         var kind = IsContradicted ? "contradiction" : Warning;
         if (kind == _said) return;
         log(Warning == null ? "clock: stamps and control clock agree again" : "clock: " + Warning);
         _said = kind;
+    }
+
+    // Forgets the sources without recent samples.
+    (string Source, StampCounts Counts)[] Read()
+    {
+        lock (_lock)
+        {
+            var now = Now;
+            var all = _sources.Select(one => (Source: one.Key, Counts: one.Value.Read(now))).ToArray();
+            foreach (var (source, counts) in all)
+                if (counts.Samples == 0) _sources.Remove(source);
+            return [.. all.Where(one => one.Counts.Samples > 0).Select(one => (one.Source.Title, one.Counts))];
+        }
     }
 
     static bool IsPlausible(TimeSpan age) => age >= -MaxAhead && age <= MaxAge;
@@ -98,40 +117,31 @@ sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func
         _correction = ahead - _ahead.Value + ((before - _since) * clock.Skew);
     }
 
-    string Correction() => _correction.Duration() < MinCorrection ? null : Text(
-        $"the system clock was corrected by {_correction.TotalSeconds:+0.0;-0.0} s since the start, and the control clock, the gateway's own, did not ")
-        + $"follow. Stamps that a source takes from the system clock are wrong by that. {Remedy}";
+    StampWarning Correction() => _correction.Duration() < MinCorrection ? null : new StampWarning(
+        Text($"the system clock was corrected by {_correction.TotalSeconds:+0.0;-0.0} s since the start, and the control clock, the gateway's own, did not ")
+            + "follow. Stamps that a source takes from the system clock are wrong by that",
+        Remedy, false);
 
-    string Contradiction(int samples, int refused, int onSystem)
+    // The worst first.
+    StampWarning Contradiction((string Source, StampCounts Counts)[] sources)
     {
-        var age = _seconds.Where(second => second.Age != TimeSpan.Zero).Select(second => second.Age).Last();
-        var where = age < TimeSpan.Zero
-            ? Text($"in the future of the control clock, by {-age.TotalSeconds:0.0} s") : Text($"before the control clock, by {age.TotalSeconds:0.0} s");
-        var share = Text($"{100.0 * Math.Max(refused, onSystem) / samples:0} % of the samples have stamps that lie {where}");
-        return 2 * onSystem > samples && own() != null
-            ? $"{share}, and that fit the system clock. {Remedy}"
-            : $"{share}. Set the clock of the source, or let its adapter offer that clock.";
+        var (source, counts) = sources[0];
+        var where = counts.Age < TimeSpan.Zero
+            ? Text($"in the future of the control clock, by {Length(-counts.Age)}") : Text($"before the control clock, by {Length(counts.Age)}");
+        var fits = counts.FitsSystem && own() != null;
+        var others = sources.Skip(1).Select(one => one.Source).Distinct().Take(MaxNamed).ToArray();
+        var reason = Text($"{counts.Percent:0} % of the samples of the source {source} have stamps that lie {where}")
+            + (fits ? ", and that fit the system clock" : "") + (others.Length == 0 ? "" : $"; the same is true of {string.Join(", ", others)}");
+        return new StampWarning(reason, fits ? Remedy : "Set the clock of the source, or let its adapter offer that clock.", true);
     }
 
-    const string Remedy = "Restart the gateway, or start it with --own-clock system.";
+    // No option of the verb simulate, whose gateway has this clock as well.
+    const string Remedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";
+
+    static string Length(TimeSpan length) =>
+        length < TimeSpan.FromMinutes(10) ? Text($"{length.TotalSeconds:0.0} s")
+        : length < TimeSpan.FromHours(2) ? Text($"{length.TotalMinutes:0.0} minutes")
+        : length < TimeSpan.FromDays(2) ? Text($"{length.TotalHours:0.0} hours") : Text($"{length.TotalDays:0} days");
 
     static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
-
-    // Empties the seconds that went by without a sample.
-    ref Second Current()
-    {
-        var now = time.GetTimestamp() / time.TimestampFrequency;
-        for (var i = 0; i < Seconds; i++)
-            if (_seconds[i].Number <= now - Seconds) _seconds[i] = default;
-        ref var second = ref _seconds[now % Seconds];
-        if (second.Number != now) second = new Second { Number = now };
-        return ref second;
-    }
-
-    struct Second
-    {
-        public long Number;
-        public int Samples, Refused, OnSystem;
-        public TimeSpan Age;
-    }
 }

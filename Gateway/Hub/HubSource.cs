@@ -70,6 +70,9 @@ public sealed class HubSource : IDisposable
     /// <summary>Publishes the joints that are not live; the newest message is kept for later subscribers.</summary>
     internal void PublishJointStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.JointStatus(message));
 
+    /// <summary>Whether none of the joints belongs to another source.</summary>
+    internal bool MayPublish(string[] names) => _hub.IsFree(this, names);
+
     /// <summary>Reports a sample that was dropped for its content.</summary>
     /// <param name="names">The joints that it names, as far as they can be read.</param>
     internal void ReportDropped(string[] names, string reason) => _hub.ReportDropped(this, names, reason);

@@ -104,6 +104,11 @@ public sealed class MessageHub
         }
     }
 
+    internal bool IsFree(HubSource source, string[] names)
+    {
+        lock (_lock) return FindTaken(source, RosTopics.JointStates, names) == null;
+    }
+
     internal void ReportLeft(string name) => Left?.Invoke(name);
 
     internal void ReportDropped(HubSource source, string[] names, string reason)

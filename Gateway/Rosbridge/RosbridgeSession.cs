@@ -157,29 +157,37 @@ sealed class RosbridgeSession : IDisposable
         var reason = Allowance(message.Topic);
         var stamp = Publications.StampOf(message) ?? default;
         if (reason == DropReason.None && stamp != default)
-            reason = Judge(ref stamp, isSample: message.JointState != null);
+            reason = Judge(ref stamp);
         var name = Publications.NameIn(message);
         if (reason == DropReason.None && name != null && !IsOwn(name))
             reason = DropReason.NotAllowed;
         if (reason != DropReason.None)
         {
             Drop(message, reason);
+            if (reason == DropReason.StampInFuture) AddStamp(message, stamp, true);
             return;
         }
 
         var taken = name == null || _names.TryUse(name, this) ? Hand(message, stamp) : $"the name {Short(name)}";
         if (taken != null)
             Drop(message, DropReason.JointTaken, taken);
+        else
+            AddStamp(message, stamp, false);
+    }
+
+    // A source that another one keeps from publishing says nothing about the stamps of this cell.
+    void AddStamp(RosbridgeMessage message, ControlTime stamp, bool isRefused)
+    {
+        if (message.JointState is { } state && stamp != default && _offers.StampClock == null && _source.MayPublish(state.Names))
+            _clock.Stamps.Add(_source, stamp, isRefused);
     }
 
     // What another clock of the plant stamped is put on C1.
-    DropReason Judge(ref ControlTime stamp, bool isSample)
+    DropReason Judge(ref ControlTime stamp)
     {
         if (!_clock.TryMap(_offers.StampClock, stamp, out stamp))
             return DropReason.Unsynchronised;
-        var isInFuture = StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound);
-        if (isSample && _offers.StampClock == null) _clock.Stamps.Add(stamp, isInFuture);
-        return isInFuture ? DropReason.StampInFuture : DropReason.None;
+        return StampRule.IsInFuture(stamp, _clock.Now, _clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
     }
 
     // Returns what belongs to somebody else.

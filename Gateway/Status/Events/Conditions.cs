@@ -55,16 +55,17 @@ sealed class Conditions(
                 IsNormalAtStart = clock.State is ClockState.Unsynchronised or ClockState.Converging,
             };
         var stamps = clock.Stamps;
-        if (stamps.Warning is not { } warning) yield break;
-        // The warning says what to do.
-        yield return stamps.IsContradicted
-            ? new("clock", clock.Source, "contradicts the stamps of samples", warning, Level.Error, true)
+        if (stamps.Found is not { } found) yield break;
+        yield return found.IsContradiction
+            ? new("clock", clock.Source, "contradicts the stamps of samples", found.Reason, Level.Error, true)
             {
                 Headline = $"{ClockName} and the stamps of samples contradict each other",
+                Remedy = found.Remedy,
             }
-            : new("clock", clock.Source, "does not follow the system clock", warning, Level.Warning)
+            : new("clock", clock.Source, "does not follow the system clock", found.Reason, Level.Warning)
             {
                 Headline = $"{ClockName} does not follow the system clock",
+                Remedy = found.Remedy,
             };
     }
 

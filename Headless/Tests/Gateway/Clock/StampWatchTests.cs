@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
@@ -11,6 +12,7 @@ public class StampWatchTests
 
     readonly List<string> _log = [];
     readonly OwnClock _own = new();
+    HubSource[] _sources;
     SteppedTime _time;
     StampWatch _watch;
     TimeSpan _correction;
@@ -23,9 +25,18 @@ public class StampWatchTests
     {
         (_time, _correction, _isOwnServed) = (new SteppedTime(), TimeSpan.Zero, true);
         _own.Time = _time;
+        var hub = new MessageHub();
+        _sources = [.. new[] { "first", "second", "third" }.Select(name => Open(hub, name))];
         _log.Clear();
         _watch = new StampWatch(() => _own.Now, () => _isOwnServed ? _own : null, () => System, _time);
         _watch.Look(_log.Add);
+    }
+
+    static HubSource Open(MessageHub hub, string name)
+    {
+        var source = hub.OpenSource();
+        source.Name = name;
+        return source;
     }
 
     [TestCase(3600.0)]
@@ -79,15 +90,52 @@ public class StampWatchTests
         Run(5, () => _own.Now + TimeSpan.FromSeconds(5));
 
         Assert.That(_watch.IsContradicted, Is.True);
-        Assert.That(_watch.Warning, Does.Contain("100 %").And.Contain("in the future").And.Contain("by 4.9 s").And.Contain("clock of the source"));
+        Assert.That(_watch.Warning, Does.Contain("100 %").And.Contain("in the future").And.Contain("by 4.9 s"));
+        Assert.That(_watch.Found.Reason, Does.Contain("source first"));
+        Assert.That(_watch.Found.Remedy, Is.EqualTo("Set the clock of the source, or let its adapter offer that clock."));
+    }
+
+    [TestCase(755.0, "by 12.6 minutes")]
+    [TestCase(-36_000.0, "by 10.0 hours")]
+    [TestCase(1_795_288_273.0, "by 20779 days")]
+    public void Look_StampsFarFromTheControlClock_SaysHowFarInAReadableUnit(double seconds, string expected)
+    {
+        _isOwnServed = false;
+        _correction = TimeSpan.FromSeconds(seconds);
+        Run(5, () => System);
+
+        Assert.That(_watch.Warning, Does.Contain(expected));
     }
 
     [Test]
-    public void Look_OneSourceOfThreeIsWrong_IsNoContradiction()
+    public void Look_StampsMoveAway_SaysHowFarTheNewestAre()
+    {
+        _isOwnServed = false;
+        for (var seconds = 10; seconds < 20; seconds++)
+        {
+            var ahead = TimeSpan.FromSeconds(seconds);
+            Run(1, () => _own.Now + ahead);
+            if (seconds >= 12) Assert.That(_watch.Warning, Does.Contain($"by {seconds - 1}.9 s"));
+        }
+    }
+
+    [Test]
+    public void Look_OneSourceOfThreeIsWrong_NamesThatSource()
     {
         Run(5, () => System, () => System, () => System + TimeSpan.FromSeconds(5));
 
-        Assert.That(_watch.IsContradicted, Is.False);
+        Assert.That(_watch.IsContradicted, Is.True);
+        Assert.That(_watch.Found.Reason, Does.StartWith("100 % of the samples of the source third have stamps").And.Not.Contain("first"));
+    }
+
+    [Test]
+    public void Look_TwoSourcesOfThreeAreWrong_NamesBoth()
+    {
+        Run(5, () => System, () => _own.Now, () => System);
+        _correction = TimeSpan.FromHours(1);
+        Run(StampWatch.Seconds, () => System, () => _own.Now, () => System);
+
+        Assert.That(_watch.Found.Reason, Does.Contain("source first").And.EndWith("; the same is true of third"));
     }
 
     [Test]
@@ -121,10 +169,10 @@ public class StampWatchTests
         for (var i = 0; i < seconds * 10; i++)
         {
             _time.Advance(Second / 10);
-            foreach (var source in sources)
+            foreach (var (source, name) in sources.Zip(_sources))
             {
                 var stamp = source() - Acquisition;
-                _watch.Add(stamp, stamp > _own.Now + Second);
+                _watch.Add(name, stamp, stamp > _own.Now + Second);
             }
 
             if (i % 10 == 9) _watch.Look(_log.Add);
