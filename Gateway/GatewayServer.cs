@@ -109,6 +109,8 @@ public sealed class GatewayServer : IAsyncDisposable
     /// <summary>For those that belong to it: nobody fills the disk through it.</summary>
     internal Action<string> Log => _log.Write;
 
+    internal EventList Events => _status.Events;
+
     public MessageHub Hub { get; }
 
     /// <summary>Writes what passes the hub into files, when it is switched on.</summary>

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Plants;
 
@@ -15,6 +16,7 @@ sealed class AdapterProcess : IAsyncDisposable
     readonly string _file;
     readonly AdapterAccess _access;
     readonly Action<string> _log;
+    readonly Action<Condition> _note;
     readonly CancellationTokenSource _stop = new();
     readonly Task _running;
     volatile Process _process;
@@ -23,11 +25,13 @@ sealed class AdapterProcess : IAsyncDisposable
     /// <summary>Starts it at once.</summary>
     /// <param name="file">The plant's configuration, checked already.</param>
     /// <param name="log">Takes its lines as well.</param>
-    public AdapterProcess(string file, AdapterAccess access, Action<string> log)
+    /// <param name="note">Takes its unexpected ends.</param>
+    public AdapterProcess(string file, AdapterAccess access, Action<string> log, Action<Condition> note)
     {
         _file = file;
         _access = access;
         _log = log;
+        _note = note;
         _running = Task.Run(RunAsync);
     }
 
@@ -54,6 +58,8 @@ sealed class AdapterProcess : IAsyncDisposable
             if (_stop.IsCancellationRequested) return;
             if (Stopwatch.GetElapsedTime(started) > Steady) pause = FirstPause;
             _log($"{_file}: its adapter ended, {end}; it is started again in {pause.TotalSeconds:0.#} s");
+            // One event for a series of ends: an adapter that cannot start would fill the list.
+            if (pause == FirstPause) _note(Ended(end));
             await Task.Delay(pause, _stop.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
             pause = pause * 2 < LongestPause ? pause * 2 : LongestPause;
         }
@@ -81,6 +87,12 @@ sealed class AdapterProcess : IAsyncDisposable
             return cannotStart.Message;
         }
     }
+
+    Condition Ended(string end) => new("adapter", _file, "ended", $"{end}; the gateway starts it again", Level.Error)
+    {
+        Headline = $"the adapter of {_file} ended",
+        Remedy = "See its lines in the log of the gateway.",
+    };
 
     void Tell(string line)
     {

@@ -47,7 +47,7 @@ sealed class AdapterProcesses : IAsyncDisposable
     public static AdapterProcesses Start(IEnumerable<string> files, GatewayServer gateway)
     {
         var access = AdapterAccess.To(gateway);
-        return new AdapterProcesses([.. files.Select(file => new AdapterProcess(file, access, gateway.Log))]);
+        return new AdapterProcesses([.. files.Select(file => new AdapterProcess(file, access, gateway.Log, gateway.Events.Note))]);
     }
 
     static bool IsAny(IPAddress bind) => bind.Equals(IPAddress.Any) || bind.Equals(IPAddress.IPv6Any);

@@ -3,6 +3,7 @@ using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Status.Events;
 using Nowpose.Headless.Tests.Repository;
 using Nowpose.Protocol;
 
@@ -52,11 +53,11 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Run_AdapterKilled_IsStartedAgainAndSaysSo()
+    public async Task Run_AdapterKilled_IsStartedAgainAndIsAnEvent()
     {
         await using var gateway = await Gateways.StartAsync();
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
-        await using var adapter = new AdapterProcess(Write(Good), AdapterAccess.To(gateway), lines.Enqueue);
+        await using var adapter = new AdapterProcess(Write(Good), AdapterAccess.To(gateway), lines.Enqueue, gateway.Events.Note);
         await Soon.BecomesAsync(() => adapter.ProcessId != null && gateway.WebSocketConnections.Open == 1, "it is connected");
 
         using (var process = Process.GetProcessById(adapter.ProcessId.Value)) process.Kill();
@@ -64,6 +65,22 @@ public class AdapterProcessTests
         var recovery = await Soon.BecomesAsync(() => adapter.Starts == 2 && gateway.WebSocketConnections.Accepted == 2, "it is there again");
         TestContext.Out.WriteLine($"there again after {recovery.TotalSeconds:0.0} s");
         Assert.That(lines, Has.Some.Contains("its adapter ended, status 137; it is started again in 0.5 s"));
+        var noted = gateway.Events.Read().Single(one => one.Condition is { Kind: "adapter", What: "ended" });
+        Assert.That(noted.Until, Is.Not.Null, "it is running again");
+        Assert.That(noted.Condition.Text, Does.Match("^the adapter of .*plant.yaml ended: status 137; the gateway starts it again[.] See its lines in the log of the gateway[.]$"));
+        Assert.That(noted.Condition.Level, Is.EqualTo(Level.Error));
+    }
+
+    [Test]
+    public async Task Run_AdapterCannotStart_IsOneEventForAllTries()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
+
+        await using var adapter = new AdapterProcess(_folder.Path, AdapterAccess.To(gateway), lines.Enqueue, gateway.Events.Note);
+
+        await Soon.BecomesAsync(() => lines.Count(line => line.Contains("its adapter ended", StringComparison.Ordinal)) >= 2, "it ended twice");
+        Assert.That(gateway.Events.Read().Count(one => one.Condition is { Kind: "adapter", What: "ended" }), Is.EqualTo(1));
     }
 
     [Test]
@@ -84,7 +101,7 @@ public class AdapterProcessTests
     public async Task Dispose_RunningAdapter_LeavesNoProcess()
     {
         await using var gateway = await Gateways.StartAsync();
-        var adapter = new AdapterProcess(Write(Good), AdapterAccess.To(gateway), _ => { });
+        var adapter = new AdapterProcess(Write(Good), AdapterAccess.To(gateway), _ => { }, _ => { });
         await Soon.BecomesAsync(() => adapter.ProcessId != null, "it runs");
         using var process = Process.GetProcessById(adapter.ProcessId.Value);
 
