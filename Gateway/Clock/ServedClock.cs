@@ -19,7 +19,7 @@ public sealed class ServedClock : IControlClock
         _own = own;
         _plant = plant;
         var systemClock = new SystemControlClock(system);
-        Stamps = new StampWatch(() => Now, () => _plant.Control == null ? _own : null, () => systemClock.Now, system ?? TimeProvider.System);
+        Stamps = new StampWatch(() => Now, () => ErrorBound, () => _plant.Control == null ? _own : null, () => systemClock.Now, system ?? TimeProvider.System);
     }
 
     /// <summary>Compares the stamps of sources with this clock.</summary>

@@ -10,8 +10,9 @@ namespace Nowpose.Gateway.Clock;
 /// </remarks>
 /// <param name="control">The control clock.</param>
 /// <param name="own">The gateway's own clock; null while another one is the control clock.</param>
+/// <param name="errorBound">How wrong the control clock may be.</param>
 /// <param name="system">The system clock, Unix time.</param>
-sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func<ControlTime> system, TimeProvider time)
+sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Func<IControlClock> own, Func<ControlTime> system, TimeProvider time)
 {
     /// <summary>A correction that a headset would see: at 1 m/s it is 100 mm.</summary>
     internal static readonly TimeSpan MinCorrection = TimeSpan.FromMilliseconds(100);
@@ -53,6 +54,9 @@ sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func
     /// <summary>Whether most samples of a source in the last seconds cannot be used with the control clock.</summary>
     public bool IsContradicted => Found is { IsContradiction: true };
 
+    /// <summary>The sources whose accepted samples lie in the future for long, and by how much.</summary>
+    public IReadOnlyList<(string Source, string By)> Ahead { get; private set; } = [];
+
     long Now => time.GetTimestamp() / time.TimestampFrequency;
 
     /// <summary>Takes the stamp of a sample.</summary>
@@ -61,6 +65,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func
     {
         var age = control() - stamp;
         var fitsSystem = !IsPlausible(age) && IsPlausible(system() - stamp);
+        var isAhead = age < -(MaxAhead + errorBound());
         lock (_lock)
         {
             if (!_sources.TryGetValue(source, out var stamps))
@@ -69,7 +74,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func
                 _sources.Add(source, stamps = new SourceStamps());
             }
 
-            stamps.Add(Now, age, isRefused, fitsSystem);
+            stamps.Add(Now, age, isRefused, fitsSystem, isAhead);
         }
     }
 
@@ -77,7 +82,9 @@ sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func
     public void Look(Action<string> log)
     {
         MeasureCorrection();
-        var contradicting = Read().Where(one => one.Counts.IsContradiction).OrderByDescending(one => one.Counts.Percent).ToArray();
+        var sources = Read();
+        Ahead = [.. sources.Where(one => one.Counts.IsAhead).DistinctBy(one => one.Source).Select(one => (one.Source, Length(-one.Counts.Age)))];
+        var contradicting = sources.Where(one => one.Counts.IsContradiction).OrderByDescending(one => one.Counts.Percent).ToArray();
         Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
         var kind = IsContradicted ? "contradiction" : Warning;
         if (kind == _said) return;
@@ -139,7 +146,8 @@ sealed class StampWatch(Func<ControlTime> control, Func<IControlClock> own, Func
     const string Remedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";
 
     static string Length(TimeSpan length) =>
-        length < TimeSpan.FromMinutes(10) ? Text($"{length.TotalSeconds:0.0} s")
+        length < TimeSpan.FromSeconds(1) ? Text($"{length.TotalMilliseconds:0} ms")
+        : length < TimeSpan.FromMinutes(10) ? Text($"{length.TotalSeconds:0.0} s")
         : length < TimeSpan.FromHours(2) ? Text($"{length.TotalMinutes:0.0} minutes")
         : length < TimeSpan.FromDays(2) ? Text($"{length.TotalHours:0.0} hours") : Text($"{length.TotalDays:0} days");
 

@@ -24,7 +24,7 @@ sealed class Conditions(
     /// <param name="joints">As the joint board has just judged them.</param>
     public IReadOnlyList<Condition> Read(IReadOnlyList<JointStatus> joints) =>
     [
-        .. OfClock().Concat(OfSources(joints)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(diagnostics.Read().SelectMany(Of))
+        .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(diagnostics.Read().SelectMany(Of))
             .Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate()).OrderByDescending(condition => condition.Level),
     ];
 
@@ -68,6 +68,13 @@ sealed class Conditions(
                 Remedy = found.Remedy,
             };
     }
+
+    IEnumerable<Condition> OfStamps() => clock.Stamps.Ahead.Select(
+        one => new Condition("source", one.Source, "sends stamps in the future", $"they lie {one.By} ahead of the control clock", Level.Warning)
+        {
+            Headline = $"source {one.Source} sends stamps that lie in the future",
+            Remedy = "Set the clock of the source, or let its adapter offer that clock.",
+        });
 
     IEnumerable<Condition> OfSources(IReadOnlyList<JointStatus> rows)
     {

@@ -16,6 +16,7 @@ public class StampWatchTests
     SteppedTime _time;
     StampWatch _watch;
     TimeSpan _correction;
+    TimeSpan _errorBound;
     bool _isOwnServed;
 
     ControlTime System => _own.Now + _correction;
@@ -23,12 +24,12 @@ public class StampWatchTests
     [SetUp]
     public void SetUp()
     {
-        (_time, _correction, _isOwnServed) = (new SteppedTime(), TimeSpan.Zero, true);
+        (_time, _correction, _errorBound, _isOwnServed) = (new SteppedTime(), TimeSpan.Zero, TimeSpan.Zero, true);
         _own.Time = _time;
         var hub = new MessageHub();
         _sources = [.. new[] { "first", "second", "third" }.Select(name => Open(hub, name))];
         _log.Clear();
-        _watch = new StampWatch(() => _own.Now, () => _isOwnServed ? _own : null, () => System, _time);
+        _watch = new StampWatch(() => _own.Now, () => _errorBound, () => _isOwnServed ? _own : null, () => System, _time);
         _watch.Look(_log.Add);
     }
 
@@ -105,6 +106,32 @@ public class StampWatchTests
         Run(5, () => System);
 
         Assert.That(_watch.Warning, Does.Contain(expected));
+    }
+
+    [TestCase(0.3, "230 ms")]
+    [TestCase(0.5, "430 ms")]
+    public void Look_AcceptedStampsOfASourceAheadForFiveSeconds_NamesTheSourceAndTheAmount(double seconds, string by)
+    {
+        var ahead = TimeSpan.FromSeconds(seconds);
+        Run(StampWatch.Seconds - 1, () => System, () => System + ahead);
+        Assert.That(_watch.Ahead, Is.Empty, "not yet for long");
+
+        Run(2, () => System, () => System + ahead);
+        Assert.That(_watch.Ahead, Is.EqualTo(new[] { ("second", by) }));
+        Assert.That(_watch.IsContradicted, Is.False, "a headset can use them");
+
+        Run(StampWatch.Seconds, () => System, () => System);
+        Assert.That(_watch.Ahead, Is.Empty, "its clock was set");
+    }
+
+    [TestCase(0.1, 0.0)]
+    [TestCase(0.3, 0.2)]
+    public void Look_StampsAheadWithinTheErrorsOfTheClocks_NamesNoSource(double seconds, double errorBound)
+    {
+        _errorBound = TimeSpan.FromSeconds(errorBound);
+        Run(10, () => System + TimeSpan.FromSeconds(seconds));
+
+        Assert.That(_watch.Ahead, Is.Empty);
     }
 
     [Test]

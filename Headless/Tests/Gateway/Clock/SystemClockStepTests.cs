@@ -194,6 +194,29 @@ public class SystemClockStepTests
         Assert.That((await GetAsync("/readyz")).Text, Does.Not.Contain("contradict"));
     }
 
+    [Test]
+    public async Task State_SourceAheadOfTheControlClock_WarnsAndStaysReady()
+    {
+        await StartAsync(new SystemControlClock(_system));
+        var ahead = Acquisition + TimeSpan.FromSeconds(0.3);
+        // Longer than the time that the gateway looks back, without a gap that long.
+        for (var i = 0; i < 2; i++)
+        {
+            Assert.That((await PublishAsync(ahead)).Op, Is.EqualTo(RosbridgeOp.Publish));
+            _system.Skip(Window * 0.6);
+        }
+
+        for (var i = 0; i < 20; i++) await PublishAsync(ahead);
+        _gateway.Clock.Stamps.Look(_ => { });
+
+        Assert.That((await GetAsync("/readyz")).Text, Is.EqualTo("ready\n"));
+        var status = (await StateAsync()).GetProperty("status");
+        Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
+        Assert.That(status.GetProperty("text").GetString(), Does.Match(
+            "^source rosbridge 127[.]0[.]0[.]1 sends stamps that lie in the future: they lie [0-9]+ ms ahead of the control clock [(]since [^)]*[)][.] "
+                + "Set the clock of the source, or let its adapter offer that clock[.]$"));
+    }
+
     /// <summary>The system's clock and counter. A test corrects the clock and advances the counter.</summary>
     sealed class CorrectedTime : TimeProvider
     {
