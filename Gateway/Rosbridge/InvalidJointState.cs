@@ -13,7 +13,7 @@ static class InvalidJointState
     const string Field = "position";
 
     /// <summary>
-    /// Returns the names of the joints, and describes the first position that is no finite number, such as "position of joint a is null"; null
+    /// Returns the names of the joints, and describes the first position that is not a finite number, such as "position of joint a is null"; null
     /// where there is none.
     /// </summary>
     /// <param name="text">A whole message.</param>

@@ -99,7 +99,7 @@ public class StampWatchTests
     [TestCase(755.0, "by 12.6 minutes")]
     [TestCase(-36_000.0, "by 10.0 hours")]
     [TestCase(1_795_288_273.0, "by 20779 days")]
-    public void Look_StampsFarFromTheControlClock_SaysHowFarInAReadableUnit(double seconds, string expected)
+    public void Look_StampsFarFromTheControlClock_NamesTheDistanceInAReadableUnit(double seconds, string expected)
     {
         _isOwnServed = false;
         _correction = TimeSpan.FromSeconds(seconds);
@@ -135,7 +135,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_StampsMoveAway_SaysHowFarTheNewestAre()
+    public void Look_StampsMoveAway_NamesTheDistanceOfTheNewest()
     {
         _isOwnServed = false;
         for (var seconds = 10; seconds < 20; seconds++)
