@@ -21,8 +21,8 @@ static class LimitCases
         yield return Section("9.1, 9.3 beyond", "a byte more than 1 MiB, a fragment more than 64", "Refused by our limits; the connection bears it.",
             Case("9.1.4", "refused", s => s.Frame(Text, Description(Longest + 1))), Case("9.3.4", "refused",
                 s => s.SendFragments(s.Message(length: 65 * 70), 65)));
-        yield return Section("9.1.6", "text of 18 MiB", "Beyond what is read over: the connection ends. The gateway says 1009; a headset hangs up.",
-            Case("9.1.6", "close:1009|", s => s.Frame(Text, Description(18 * Longest))));
+        yield return Section("9.1.6", "text of 18 MiB", "Beyond what is read over: the connection ends. The gateway says 1009; a headset just closes.",
+            Case("9.1.6", "close:1009|close:1000|", s => s.Frame(Text, Description(18 * Longest))));
         yield return Section("9.7–9.8", "60 messages at once, of 60 to 1240 bytes; whole, and in pieces of 100",
             "The suite measures time with a thousand; the gateway keeps 64 answers for who does not read.",
             Case("9.7.1", Times("taken", 60), Many), Case("9.8.1", Times("taken", 60), s => { s.Chop = 100; Many(s); }));
