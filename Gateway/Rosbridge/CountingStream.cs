@@ -2,12 +2,11 @@ namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>A WebSocket's stream: received bytes pass a <see cref="FragmentCounter"/>, and pings are sent between frames.</summary>
 /// <remarks>A WebSocket writes each frame with one call, so a ping never lands inside of one.</remarks>
-sealed class CountingStream(Stream inner, FragmentCounter counter, Action received) : Stream, IPingSender
+sealed class CountingStream(Stream inner, FragmentCounter counter, Action received) : Stream
 {
     const byte FinalPing = 0x89;
 
     readonly SemaphoreSlim _writing = new(1);
-    byte[] _waitingPing;
 
     public override bool CanRead => true;
     public override bool CanSeek => false;
@@ -15,13 +14,13 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
     public override long Length => throw new NotSupportedException();
     public override long Position { get => throw new NotSupportedException(); set => throw new NotSupportedException(); }
 
-    public async Task SendAsync(ReadOnlyMemory<byte> payload)
+    /// <summary>Sends a ping; its payload has at most 125 bytes.</summary>
+    public async Task PingAsync(ReadOnlyMemory<byte> payload)
     {
-        await WriteAsync(PingFrame(payload.Span));
+        byte[] frame = [FinalPing, (byte)payload.Length, .. payload.Span];
+        await WriteAsync(frame);
         await FlushAsync(CancellationToken.None);
     }
-
-    public void SendWithNext(ReadOnlyMemory<byte> payload) => Volatile.Write(ref _waitingPing, PingFrame(payload.Span));
 
     public override async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default)
     {
@@ -41,10 +40,7 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
         await _writing.WaitAsync(cancellationToken);
         try
         {
-            if (Interlocked.Exchange(ref _waitingPing, null) is { } ping)
-                await inner.WriteAsync((byte[])[.. ping, .. buffer.Span], cancellationToken);
-            else
-                await inner.WriteAsync(buffer, cancellationToken);
+            await inner.WriteAsync(buffer, cancellationToken);
         }
         finally
         {
@@ -73,8 +69,6 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
     public override void Flush() => throw new NotSupportedException();
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
     public override void SetLength(long value) => throw new NotSupportedException();
-
-    static byte[] PingFrame(ReadOnlySpan<byte> payload) => [FinalPing, (byte)payload.Length, .. payload];
 
     // The lock is left to the garbage collector: a ping may still wait for it.
     protected override void Dispose(bool disposing)

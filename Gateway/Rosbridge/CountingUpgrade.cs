@@ -6,14 +6,12 @@ namespace Nowpose.Gateway.Rosbridge;
 sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
 {
     Stream _stream;
+    Func<ReadOnlyMemory<byte>, Task> _ping;
 
     public FragmentCounter Fragments { get; } = new();
 
     /// <summary>Called when something was received.</summary>
     public Action Received { get; set; }
-
-    /// <summary>Sends the WebSocket's pings; null before it was accepted.</summary>
-    public IPingSender Pings { get; private set; }
 
     public bool IsUpgradableRequest => inner.IsUpgradableRequest;
 
@@ -21,9 +19,12 @@ sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
     {
         _stream = await inner.UpgradeAsync();
         var counting = new CountingStream(_stream, Fragments, () => Received?.Invoke());
-        Pings = counting;
+        _ping = counting.PingAsync;
         return counting;
     }
+
+    /// <summary>Sends a ping of the WebSocket, once it was accepted.</summary>
+    public Task PingAsync(ReadOnlyMemory<byte> payload) => _ping(payload);
 
     /// <summary>Reads past what a peer still sends that was told why its WebSocket ends, until it goes or the time is up.</summary>
     /// <remarks>Closing with bytes unread would reset the connection, and what was told be lost.</remarks>

@@ -3,18 +3,20 @@ using System.Buffers.Binary;
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Follows by pings how far a client has read, and says when more may be sent to it. Any thread.</summary>
-sealed class ReaderProgress(IPingSender pings, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time)
+/// <param name="sendPing">Sends a ping with a payload after everything that was sent before.</param>
+sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time)
 {
     const int PayloadBytes = sizeof(long);
 
     /// <summary>A client that reads more slowly than this may be closed while a long message is on its way to it.</summary>
     const double MinBytesPerSecond = 3000;
 
+    static readonly TimeSpan MaxTick = TimeSpan.FromMilliseconds(250);
+
     readonly Lock _lock = new();
     readonly SendWindow _window = new();
     readonly long _start = time.GetTimestamp();
-    // Null while no message waits.
-    TaskCompletionSource _changed;
+    TaskCompletionSource _changed = NewSignal();
     TimeSpan _lastPing;
     TimeSpan _lastReceived;
 
@@ -31,15 +33,7 @@ sealed class ReaderProgress(IPingSender pings, TimeSpan pingInterval, TimeSpan p
     {
         while (NextChange() is { } change)
         {
-            try
-            {
-                await change.WaitAsync(SendWindow.FirstPongTimeout, time, stop);
-            }
-            catch (TimeoutException)
-            {
-                // Time passes for a window, too: it opens for a client that answers no pings.
-            }
-
+            await change.WaitAsync(stop);
             OnWaited();
         }
     }
@@ -48,17 +42,11 @@ sealed class ReaderProgress(IPingSender pings, TimeSpan pingInterval, TimeSpan p
     public void OnWaited() => WaitedUntil = time.GetTimestamp();
 
     /// <summary>To be called before a message is sent.</summary>
-    public void OnSending()
+    public Task SendsAsync(int bytes)
     {
-        byte[] ping;
         lock (_lock)
-        {
-            if (!_window.IsPingDueBefore) return;
-            ping = NewPing();
-        }
-
-        // With the message: a ping of its own would cost both sides as much as the message does.
-        pings.SendWithNext(ping);
+            if (!_window.IsPingDueBefore(bytes)) return Task.CompletedTask;
+        return PingAsync();
     }
 
     /// <summary>To be called after a message was sent.</summary>
@@ -99,12 +87,14 @@ sealed class ReaderProgress(IPingSender pings, TimeSpan pingInterval, TimeSpan p
     public async Task BecomesSilentAsync(CancellationToken stop)
     {
         var shortest = pingInterval < pongTimeout ? pingInterval : pongTimeout;
-        using var timer = new PeriodicTimer(shortest / 2, time);
+        using var timer = new PeriodicTimer(shortest / 4 < MaxTick ? shortest / 4 : MaxTick, time);
         while (await timer.WaitForNextTickAsync(stop))
         {
             if (IsSilent()) return;
             bool isPingDue;
             lock (_lock) isPingDue = _window.PingAt == null && Now - _lastPing >= pingInterval;
+            // Time passes for a window, too: it opens for a client that answers no pings.
+            Signal();
             if (isPingDue) _ = PingAsync();
         }
     }
@@ -124,16 +114,17 @@ sealed class ReaderProgress(IPingSender pings, TimeSpan pingInterval, TimeSpan p
 
     async Task PingAsync()
     {
-        byte[] ping;
+        var payload = new byte[PayloadBytes];
         lock (_lock)
         {
             if (_window.PingAt != null) return;
-            ping = NewPing();
+            _lastPing = Now;
+            BinaryPrimitives.WriteInt64BigEndian(payload, _window.OnPing(_lastPing));
         }
 
         try
         {
-            await pings.SendAsync(ping);
+            await sendPing(payload);
         }
         catch (Exception e) when (e is IOException or ObjectDisposedException or InvalidOperationException or OperationCanceledException)
         {
@@ -141,26 +132,17 @@ sealed class ReaderProgress(IPingSender pings, TimeSpan pingInterval, TimeSpan p
         }
     }
 
-    // Under the lock.
-    byte[] NewPing()
-    {
-        var payload = new byte[PayloadBytes];
-        _lastPing = Now;
-        BinaryPrimitives.WriteInt64BigEndian(payload, _window.OnPing(_lastPing));
-        return payload;
-    }
-
     // Null while the window is open.
     Task NextChange()
     {
-        lock (_lock) return _window.IsOpen(Now) ? null : (_changed ??= NewSignal()).Task;
+        lock (_lock) return _window.IsOpen(Now) ? null : _changed.Task;
     }
 
     void Signal()
     {
         TaskCompletionSource changed;
-        lock (_lock) (changed, _changed) = (_changed, null);
-        changed?.TrySetResult();
+        lock (_lock) (changed, _changed) = (_changed, NewSignal());
+        changed.TrySetResult();
     }
 
     static TaskCompletionSource NewSignal() => new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -129,7 +129,7 @@ sealed class RosbridgeConnection : IDisposable
             await _reader.OpensAsync(_stop.Token);
             var message = next(_reader.WaitedUntil);
             if (message.IsEmpty) return;
-            _reader.OnSending();
+            await _reader.SendsAsync(message.Length);
             var sending = _socket.SendAsync(message, WebSocketMessageType.Text, true, CancellationToken.None);
             if (sending.IsCompleted)
                 await sending;

@@ -4,25 +4,18 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <remarks>
 /// The buffers between the gateway and the client's own read call (TLS, both kernels, proxies) hold seconds of samples for a slow
 /// reader, and no system call shows all of them. A ping in the stream does: its pong says that everything before it was read. The window
-/// is what the client reads in about <see cref="Target"/>, without the round trip: the shortest time from a ping to its pong. Takes the
-/// time as an argument; not thread-safe.
+/// is what the client reads in about <see cref="Target"/>. Takes the time as an argument; not thread-safe.
 /// </remarks>
 sealed class SendWindow
 {
-    /// <summary>The smallest window lets one message go at a time.</summary>
-    internal const int MinBytes = 1;
+    /// <summary>A window this long keeps two messages of an arm on their way; a reader of 4 kB/s needs 0.25 s for it.</summary>
+    internal const int MinBytes = 1024;
 
-    /// <summary>Before the first pong: one message of an arm, and the ping before it measures the round trip.</summary>
-    internal const int FirstBytes = 256;
+    /// <summary>Before the first pong. At 4 kB/s it is read within a third of a second.</summary>
+    internal const int FirstBytes = 1280;
 
-    /// <summary>
-    /// For a client whose last pongs all took less than <see cref="Quick"/>: fewer pings, and still read within a second by one that suddenly
-    /// reads no more than 2 kB/s.
-    /// </summary>
-    internal const int QuickBytes = 1536;
-
-    // A slow client may read its first messages at once.
-    const int TrustedPongs = 5;
+    /// <summary>For a client that answers within <see cref="Quick"/>: half as many pings, and at 4 kB/s still read within two thirds of a second.</summary>
+    internal const int QuickBytes = 2560;
 
     internal const int MaxBytes = 256 * 1024;
 
@@ -39,9 +32,6 @@ sealed class SendWindow
     long _pingPosition;
     long _pingId;
     TimeSpan? _pingAt;
-    TimeSpan _pongAt;
-    TimeSpan _roundTrip = TimeSpan.MaxValue;
-    int _promptPongs;
     bool _wasFull;
     bool _hasAnswered;
     bool _isUnlimited;
@@ -72,11 +62,11 @@ sealed class SendWindow
 
     public void OnSent(int bytes) => _sent += bytes;
 
-    /// <summary>Whether a ping should go with the next message and before it. The first one measures the round trip.</summary>
-    public bool IsPingDueBefore => _pingAt == null && (_pingId == 0 || 2 * (_sent - Math.Max(_read, _pingPosition)) >= Size);
+    /// <summary>Whether a ping should come first: behind a long message the first pong would take as long as that.</summary>
+    public bool IsPingDueBefore(int bytes) => !_hasAnswered && _pingAt == null && bytes > FirstBytes;
 
-    /// <summary>Whether a ping should follow at once: no message can be sent before the next pong.</summary>
-    public bool IsPingDue => _pingAt == null && Unread >= Size;
+    /// <summary>Whether a ping should follow what was sent.</summary>
+    public bool IsPingDue => _pingAt == null && 2 * (_sent - Math.Max(_read, _pingPosition)) >= Size;
 
     /// <summary>Notes a ping at the end of what was sent.</summary>
     /// <returns>Its number, which the pong repeats.</returns>
@@ -92,30 +82,20 @@ sealed class SendWindow
     {
         if (_pingAt is not { } pingAt || id != _pingId) return;
         _pingAt = null;
-        var bytes = BytesBeforePing;
+        var hadData = _pingPosition > _read;
         _read = _pingPosition;
         _hasAnswered = true;
         _isUnlimited = false;
+        // A connection that is idle, or slower than its window, says nothing about how fast the client could read.
         var took = now - pingAt;
-        if (took < _roundTrip) _roundTrip = took;
-        if (bytes > 0)
-        {
-            _promptPongs = took - _roundTrip < Quick ? _promptPongs + 1 : 0;
-            // A connection that is idle, or slower than its window, says nothing about how fast the client could read. While the window was
-            // full, the client had always something to read.
-            if (_wasFull || took > Target + _roundTrip) Size = Fitted(bytes, _wasFull ? now - _pongAt : took);
-            if (_promptPongs >= TrustedPongs && took < Quick) Size = Math.Max(Size, QuickBytes);
-        }
-
-        _pongAt = now;
+        if (hadData && (_wasFull || took > Target)) Size = Fitted(took);
+        if (hadData && took < Quick) Size = Math.Max(Size, QuickBytes);
         _wasFull = false;
     }
 
-    // What it reads in a round trip and the target time, at the rate at which it has read these bytes. A client that keeps up shows only the
-    // lowest rate that it may have.
-    int Fitted(long bytes, TimeSpan elapsed)
+    int Fitted(TimeSpan took)
     {
-        var fitted = _promptPongs > 1 ? double.MaxValue : bytes * ((Target + _roundTrip) / elapsed);
-        return (int)Math.Clamp(Math.Clamp(fitted, Size / 4, 2L * Size), MinBytes, MaxBytes);
+        var factor = Math.Clamp(Target / (took + TimeSpan.FromTicks(1)), 0.25, 2);
+        return (int)Math.Clamp(Size * factor, MinBytes, MaxBytes);
     }
 }

@@ -15,7 +15,7 @@ public class ReaderProgressTests
         var time = new SteppedTime();
         var pings = new List<byte[]>();
         var progress = Progress(time, pings);
-        progress.OnSending();
+        await progress.SendsAsync(LongMessage);
         await progress.SentAsync(LongMessage);
         progress.OnPong(pings[0]);
 
@@ -96,6 +96,11 @@ public class ReaderProgressTests
         await opens.Bounded();
     }
 
-    static ReaderProgress Progress(TimeProvider time, List<byte[]> pings) =>
-        new(new SentPings(payload => pings.Add(payload.ToArray())), TimeSpan.FromSeconds(2), PongTimeout, time);
+    static ReaderProgress Progress(TimeProvider time, List<byte[]> pings) => new(
+        payload =>
+        {
+            pings.Add(payload.ToArray());
+            return Task.CompletedTask;
+        },
+        TimeSpan.FromSeconds(2), PongTimeout, time);
 }

@@ -15,7 +15,13 @@ public class RosbridgeConnectionTests
     static RosbridgeConnection Over(WebSocket socket, DropCounters drops = null)
     {
         ReaderProgress reader = null;
-        reader = new ReaderProgress(new SentPings(ping => reader.OnPong(ping.Span)), TimeSpan.FromMinutes(1), TimeSpan.FromMinutes(1), TimeProvider.System);
+        Task Answer(ReadOnlyMemory<byte> ping)
+        {
+            reader.OnPong(ping.Span);
+            return Task.CompletedTask;
+        }
+
+        reader = new ReaderProgress(Answer, TimeSpan.FromMinutes(1), TimeSpan.FromMinutes(1), TimeProvider.System);
         return new RosbridgeConnection(socket, null, reader, drops ?? new DropCounters(), CancellationToken.None);
     }
 
