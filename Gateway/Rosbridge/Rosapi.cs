@@ -75,7 +75,8 @@ static class Rosapi
 
     static JsonObject NodeDetails(bool isKnown) => new()
     {
-        ["subscribing"] = List(isKnown ? Topics.Where(Publications.IsOpen) : []), ["publishing"] = List(isKnown ? Topics : []), ["services"] = List(isKnown ? ServiceNames : []),
+        ["subscribing"] = List(isKnown ? Topics.Where(Publications.IsOpen) : []), ["publishing"] = List(isKnown ? Topics : []),
+        ["services"] = List(isKnown ? ServiceNames : []),
     };
 
     // Parameters of rosapi are JSON texts.

@@ -178,8 +178,9 @@ sealed class RosbridgeSession : IDisposable
     // A source that another one keeps from publishing says nothing about the stamps of this cell.
     void AddStamp(RosbridgeMessage message, ControlTime stamp, bool isRefused)
     {
-        if (message.JointState is { } state && stamp != default && _offers.StampClock == null && _source.MayPublish(state.Names))
-            _clock.Stamps.Add(_source, stamp, isRefused);
+        if (message.JointState is not { } state || stamp == default || _offers.StampClock != null) return;
+        // Of an accepted sample the hub has found it out.
+        if (!isRefused || _source.MayPublish(state.Names)) _clock.Stamps.Add(_source, stamp, isRefused);
     }
 
     // What another clock of the plant stamped is put on C1.
@@ -280,12 +281,12 @@ sealed class RosbridgeSession : IDisposable
             Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
         // The board knows by itself which joints belong to another source.
         if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.JointStates } && reason != DropReason.JointTaken)
-            ReportDropped(rule, reason);
+            ReportDropped(message.JointState, rule, reason);
     }
 
-    void ReportDropped(string rule, DropReason reason)
+    void ReportDropped(JointStateMessage valid, string rule, DropReason reason)
     {
-        var (names, trouble) = InvalidJointState.Read(_text);
+        var (names, trouble) = valid == null ? InvalidJointState.Read(_text) : (valid.Names, null);
         _source.ReportDropped(names, $"the gateway drops the samples of {_source.Title}: {trouble ?? rule} ({reason})");
     }
 

@@ -49,8 +49,12 @@ sealed class JointBoard(TimeProvider time)
         {
             foreach (var joint in _joints.Values)
                 if (joint.IsPublishedBy(source)) joint.OwnerRow(time).Refuse(reason);
+            var places = MaxRefusedJoints - _joints.Values.Count(joint => joint.IsOnlyRefused);
             foreach (var name in names)
-                if (FindRefused(name) is { } joint && !joint.IsPublishedBy(source)) joint.RowOf(source.Name, time).Refuse(reason);
+            {
+                if (!_joints.TryGetValue(name, out var joint) && places-- > 0) joint = Find(name);
+                if (joint != null && !joint.IsPublishedBy(source)) joint.RowOf(source.Name, time).Refuse(reason);
+            }
         }
     }
 
@@ -93,12 +97,6 @@ sealed class JointBoard(TimeProvider time)
         if (_joints.Count >= MaxJoints) DropOldest();
         if (_joints.Count >= MaxJoints) return null;
         return _joints[name] = new Joint(name, time);
-    }
-
-    Joint FindRefused(string name)
-    {
-        if (_joints.TryGetValue(name, out var known)) return known;
-        return _joints.Values.Count(joint => joint.IsOnlyRefused) < MaxRefusedJoints ? Find(name) : null;
     }
 
     // Names that a source makes up never displace a joint that is configured or live.
