@@ -45,7 +45,7 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     TimeSpan _correction;
     string _said;
 
-    /// <summary>What is wrong and what to do; null while nothing is wrong.</summary>
+    /// <summary>The fault that was found, with its remedy; null without one.</summary>
     public StampWarning Found { get; private set; }
 
     /// <summary><see cref="Found"/> as text.</summary>

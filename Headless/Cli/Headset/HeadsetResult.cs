@@ -30,7 +30,7 @@ sealed record HeadsetResult(
     public sealed record PoseResult(
         string State, double? CurrentAfterS, double? CurrentShare, double LongestNotCurrentS, double? CurrentShareOfRun, double NotCurrentS);
 
-    /// <summary>Of the current frames, as the samples that came later tell; not the errors that these cannot see, of clock offset and L_visu.</summary>
+    /// <summary>Errors of the current frames against the samples that arrived later. Errors of the clock offset and of L_visu are not in them.</summary>
     public sealed record ErrorResult(double HoldRms, double HoldP95, double Rms, double P95, double? Reduction, double? ReductionUncertainty)
     {
         public static ErrorResult Of(DisplayedError? error) => error is not { } of

@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Headset;
 /// <param name="say">Takes one line.</param>
 sealed class PoseOutages(Action<string> say)
 {
-    /// <summary>Shorter times without a current pose are no outage; at the start, the connections take longer.</summary>
+    /// <summary>Shortest time without a current pose that counts as an outage; longer at the start, where the connections are made.</summary>
     internal static readonly TimeSpan MinLength = TimeSpan.FromSeconds(0.5), MinLengthAtStart = TimeSpan.FromSeconds(3);
 
     /// <summary>Outages kept for the result.</summary>

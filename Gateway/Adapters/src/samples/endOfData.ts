@@ -30,7 +30,7 @@ const RESOLUTION_MARGIN = 2;
 /** Margin on the largest deceleration that was seen, because it is measured between samples. */
 const SEEN_MARGIN = 1.5;
 
-/** A joint goes on moving when it was heard of this many seconds later, and moved in one direction in at least so many steps since. */
+/** A joint goes on moving when it was heard of this many seconds later, and moved in one direction since, in at least GOES_ON_STEPS steps. */
 const GOES_ON_S = 0.3, GOES_ON_STEPS = 3;
 
 /** A joint that starts again this near to where it was last seen, as a part of its last step, did stop there. */

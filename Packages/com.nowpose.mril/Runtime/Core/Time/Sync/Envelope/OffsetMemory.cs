@@ -14,7 +14,7 @@ namespace Nowpose.Sync
 
         const int Capacity = (int)(Age / Interval) + 1;
 
-        /// <summary>An estimate is remembered when it rests on so much time, s: a younger one tells the skew too badly.</summary>
+        /// <summary>Shortest time since the first exchange, s, after which an estimate is kept for comparison: before, its skew is too uncertain.</summary>
         const double MinRunning = 60;
 
         /// <summary>Standard errors beyond which a movement counts: fewer would widen the estimate of undisturbed paths.</summary>
