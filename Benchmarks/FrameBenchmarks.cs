@@ -19,7 +19,7 @@ public class FrameBenchmarks
     readonly VirtualSession _virtual = new();
     readonly ForwardKinematics _kinematics = new(SevenJointArm.Model);
     readonly RigidTransform[] _linkPoses = new RigidTransform[SevenJointArm.Model.Links.Count];
-    readonly IJointPredictor[] _predictors = VirtualSession.CreatePredictors();
+    readonly JointPredictor[] _predictors = VirtualSession.CreatePredictors();
     readonly double[] _positions = new double[SevenJointArm.JointNames.Length];
 
     // What the naive way has at hand: the newest samples, oldest first, times relative to the newest.

@@ -1,9 +1,13 @@
 using BenchmarkDotNet.Running;
 using Nowpose.Benchmarks;
+using Nowpose.Benchmarks.Ablation;
 using Nowpose.Benchmarks.Comparison;
 using Nowpose.Benchmarks.Links;
 using Nowpose.Benchmarks.Load;
 using Nowpose.Benchmarks.Paths;
+
+if (args is ["ablation", ..])
+    return await AblationVerb.RunAsync(args);
 
 if (args is ["gateway", ..])
     return await LoadVerb.RunAsync(args);

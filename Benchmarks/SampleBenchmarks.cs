@@ -13,22 +13,19 @@ public class SampleBenchmarks
     const double QuickInterval = 0.01;
 
     readonly VirtualSession _virtual = new();
-    readonly IJointPredictor[] _predictors = VirtualSession.CreatePredictors();
+    readonly JointPredictor[] _predictors = VirtualSession.CreatePredictors();
     readonly double[][] _positions =
         [.. Enumerable.Range(0, Positions).Select(i => SevenJointArm.PositionsAt(i * VirtualSession.SampleSeconds))];
-    readonly string _text = RosbridgeWriter.PublishJointState(
-        RosTopics.JointStates,
-        new JointStateMessage(ControlTime.FromSeconds(1234.567), SevenJointArm.JointNames, SevenJointArm.PositionsAt(1)),
-        RosTimeForm.Sec);
+    readonly RosbridgeReader _reader = new();
+    readonly StampedText _text = new(SevenJointArm.PositionsAt(1));
     VirtualSession _experienced;
     SampledJoint[] _joints;
     long _samples;
 
-    [GlobalSetup(Targets = [nameof(Read), nameof(Solve), nameof(Take)])]
+    [GlobalSetup(Targets = [nameof(Read), nameof(Solve), nameof(Take), nameof(Receive)])]
     public void Prepare()
     {
-        if (Read()?.JointState?.Positions.Length != SevenJointArm.JointNames.Length)
-            throw new InvalidOperationException("the message is not read: " + _text);
+        if (!Read()) throw new InvalidOperationException("the message is not read");
         for (var i = 0; i < 3; i++) Take();
         if (Take().State != PoseState.Current) throw new InvalidOperationException("the samples are not taken");
     }
@@ -43,7 +40,15 @@ public class SampleBenchmarks
     public void PrepareDefaultAt100Hz() => _joints = Joints(QuickInterval);
 
     [Benchmark(Description = "Sample: JSON of 7 joints read and checked")]
-    public RosbridgeMessage Read() => RosbridgeReader.TryRead(_text, out var message, out _) ? message : null;
+    public bool Read()
+    {
+        var isRead = _reader.TryRead(_text.Utf8, out var message, out _);
+        message.JointState.Release();
+        return isRead;
+    }
+
+    [Benchmark(Description = "Sample: from bytes to the frame that takes it: read, queue, 7 quadratic predictors, tick")]
+    public DisplayFrame Receive() => _virtual.Session.Tick(_virtual.ReceiveSample());
 
     [Benchmark(Description = "Sample: 7 quadratic predictors solve")]
     public SampleOutcome Solve()

@@ -11,14 +11,15 @@ sealed class SampledJoint
 
     const double UsualHorizon = 0.1;
 
-    readonly IJointPredictor _predictor;
+    readonly JointPredictor _predictor;
     readonly double _interval;
     readonly double[] _positions;
     long _samples;
+    double _displayed = double.NaN;
 
     /// <param name="joint">Which of the seven-joint arm's.</param>
     /// <param name="interval">Between samples, s.</param>
-    public SampledJoint(IJointPredictor predictor, int joint, double interval)
+    public SampledJoint(JointPredictor predictor, int joint, double interval)
     {
         _predictor = predictor;
         _interval = interval;
@@ -32,8 +33,9 @@ sealed class SampledJoint
     }
 
     /// <summary>The next sample.</summary>
-    public SampleOutcome Add() => _predictor.Add(new JointSample(++_samples * _interval, _positions[_samples % _positions.Length]));
+    public SampleOutcome Add() => _predictor.Add(
+        new JointSample(++_samples * _interval, _positions[_samples % _positions.Length]), _displayed);
 
     /// <param name="ahead">Of the newest sample, s.</param>
-    public double At(double ahead) => _predictor.At(_samples * _interval + ahead).Position;
+    public double At(double ahead) => _predictor.At(_displayed = _samples * _interval + ahead).Position;
 }

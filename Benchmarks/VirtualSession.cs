@@ -20,6 +20,8 @@ sealed class VirtualSession
 
     readonly double[][] _positions =
         [.. Enumerable.Range(0, 128).Select(sample => SevenJointArm.PositionsAt(sample * SampleSeconds))];
+    readonly RosbridgeReader _reader = new();
+    readonly StampedText[] _texts;
     long _samples;
 
     public VirtualSession() : this(Quadratic) { }
@@ -29,6 +31,7 @@ sealed class VirtualSession
         Session = new CompensationSession(
             new SessionSettings(new ConnectionSettings("127.0.0.1"), Visualisation, prediction),
             SevenJointArm.Model, new StopwatchHeadsetClock());
+        _texts = [.. _positions.Select(positions => new StampedText(positions))];
         for (var exchange = 0; exchange < 50; exchange++) Exchange(HeadsetTime.FromSeconds(exchange * 0.2));
         NewestSample = HeadsetTime.FromSeconds(10);
         Session.Tick(NewestSample);
@@ -40,9 +43,9 @@ sealed class VirtualSession
     public HeadsetTime NewestSample { get; private set; }
 
     /// <summary>Quadratic predictors like the session's own, to be measured without it.</summary>
-    public static IJointPredictor[] CreatePredictors() => CreatePredictors(Quadratic);
+    public static JointPredictor[] CreatePredictors() => CreatePredictors(Quadratic);
 
-    public static IJointPredictor[] CreatePredictors(PredictionSettings prediction) =>
+    public static JointPredictor[] CreatePredictors(PredictionSettings prediction) =>
         [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits))];
 
     /// <summary>A session with the default predictor that has seen more of the motion than it remembers.</summary>
@@ -57,11 +60,27 @@ sealed class VirtualSession
     /// <returns>When.</returns>
     public HeadsetTime Sample()
     {
-        NewestSample += TimeSpan.FromSeconds(SampleSeconds);
-        var positions = _positions[_samples++ % _positions.Length];
-        var arrival = NewestSample + ApplicationLatency;
+        var positions = _positions[Next(out var arrival)];
         Session.Received(new JointStateMessage(Offset.ToControl(NewestSample), SevenJointArm.JointNames, positions), arrival);
         return arrival;
+    }
+
+    /// <summary>The next sample arrives as it does from a socket: as the bytes of a message.</summary>
+    /// <returns>When.</returns>
+    public HeadsetTime ReceiveSample()
+    {
+        var text = _texts[Next(out var arrival)];
+        text.Stamp(Offset.ToControl(NewestSample));
+        if (!_reader.TryRead(text.Utf8, out var message, out var reason)) throw new InvalidOperationException("the message is refused: " + reason);
+        Session.Received(message.JointState, arrival);
+        return arrival;
+    }
+
+    long Next(out HeadsetTime arrival)
+    {
+        NewestSample += TimeSpan.FromSeconds(SampleSeconds);
+        arrival = NewestSample + ApplicationLatency;
+        return _samples++ % _positions.Length;
     }
 
     void Exchange(HeadsetTime start)

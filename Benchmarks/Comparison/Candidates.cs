@@ -1,5 +1,6 @@
 using Nowpose.Benchmarks.Competitors;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Benchmarks.Comparison;
 
@@ -16,7 +17,7 @@ public static class Candidates
     public static IReadOnlyList<Candidate> All { get; } =
     [
         Ours("hold"), Ours("linear"), Ours(Baseline), Ours(Predictors.Default),
-        new("MathNet", () => new PolynomialFitPredictor()),
+        new("MathNet", () => By(new PolynomialFit())),
         new("Kalman", () => Kalman(1.3e12)),
         new("One-Euro", () => OneEuro(16, 9e-4, 2700)),
         new("double-exponential", () => DoubleExponential(0.0035)),
@@ -25,16 +26,19 @@ public static class Candidates
     public static Candidate Named(string name) => All.First(candidate => candidate.Name == name);
 
     /// <param name="jerkToNoise">s⁻⁵.</param>
-    public static IJointPredictor Kalman(double jerkToNoise) => new KalmanPredictor(jerkToNoise);
+    public static JointPredictor Kalman(double jerkToNoise) => By(new KalmanFilter(jerkToNoise));
 
     /// <param name="leastCutoff">Hz.</param>
     /// <param name="slope">Hz per mm/s.</param>
     /// <param name="velocityCutoff">Hz.</param>
-    public static IJointPredictor OneEuro(double leastCutoff, double slope, double velocityCutoff) =>
-        new OneEuroPredictor(leastCutoff, slope, velocityCutoff);
+    public static JointPredictor OneEuro(double leastCutoff, double slope, double velocityCutoff) =>
+        By(new OneEuroFilter(leastCutoff, slope, velocityCutoff));
 
     /// <param name="timeConstant">s.</param>
-    public static IJointPredictor DoubleExponential(double timeConstant) => new DoubleExponentialPredictor(timeConstant);
+    public static JointPredictor DoubleExponential(double timeConstant) => By(new DoubleExponential(timeConstant));
+
+    static JointPredictor By(Forecaster forecaster) =>
+        new(forecaster, forecaster.Samples, PredictionParts.None, PredictionLimits.Unlimited, blend: 0);
 
     static Candidate Ours(string name) => new(name, () => Predictors.Create(name, PredictionLimits.Unlimited));
 }

@@ -21,14 +21,14 @@ static class Tuning
         Report(to, "One-Euro (least cut-off Hz, Hz per mm/s, velocity's cut-off Hz)", [4, 0.01, 30], x => Candidates.OneEuro(x[0], x[1], x[2]));
     }
 
-    static void Report(TextWriter to, string name, double[] start, Func<double[], IJointPredictor> create)
+    static void Report(TextWriter to, string name, double[] start, Func<double[], JointPredictor> create)
     {
         to.WriteLine(name);
         Report(to, "all conditions, geometric mean", start, create, Conditions.All);
         foreach (var condition in Conditions.All) Report(to, condition.Name, start, create, [condition]);
     }
 
-    static void Report(TextWriter to, string name, double[] start, Func<double[], IJointPredictor> create, IReadOnlyList<Condition> conditions)
+    static void Report(TextWriter to, string name, double[] start, Func<double[], JointPredictor> create, IReadOnlyList<Condition> conditions)
     {
         double[] constants = [.. start];
         var least = double.PositiveInfinity;
@@ -43,7 +43,7 @@ static class Tuning
     }
 
     // The best of the grid around the constant's value; the constant is set to it.
-    static double Improve(double[] constants, int index, Func<double[], IJointPredictor> create, IReadOnlyList<Condition> conditions)
+    static double Improve(double[] constants, int index, Func<double[], JointPredictor> create, IReadOnlyList<Condition> conditions)
     {
         var centre = constants[index];
         var tried = Enumerable.Range(-StepsEachWay, 2 * StepsEachWay + 1).AsParallel()
@@ -62,7 +62,7 @@ static class Tuning
         return best.Error;
     }
 
-    static double Mean(Func<IJointPredictor> create, IReadOnlyList<Condition> conditions)
+    static double Mean(Func<JointPredictor> create, IReadOnlyList<Condition> conditions)
     {
         var candidate = new Candidate("tried", create);
         return Means.Geometric(conditions.Select(condition => condition.Ratio(candidate, Conditions.TuningSeeds)));

@@ -1,37 +1,31 @@
-using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Benchmarks.Competitors;
 
 /// <summary>What filters have in common that know their last state only: a sample that was overtaken comes too late for them.</summary>
-public abstract class RecursiveFilter : IJointPredictor
+abstract class RecursiveFilter : Forecaster
 {
-    const double DuplicateSeconds = 1e-6;
+    bool _hasStarted;
 
-    public double Hold { get; private set; }
+    /// <summary>The newest one, and the one before for the interval.</summary>
+    public override int Samples => 2;
 
-    public double NewestTime { get; private set; } = double.NegativeInfinity;
+    /// <summary>Position of the sample before the one that <see cref="Update"/> takes.</summary>
+    protected double Newest { get; private set; }
 
-    public SampleOutcome Add(in JointSample sample)
+    public override bool Solve(MotionState motion)
     {
-        var interval = sample.Time - NewestTime;
-        if (Math.Abs(interval) < DuplicateSeconds) return SampleOutcome.Duplicate;
-        if (interval < 0) return SampleOutcome.TooOld;
-        if (double.IsPositiveInfinity(interval)) Start(sample.Position);
-        else Update(interval, sample.Position);
-        Hold = sample.Position;
-        NewestTime = sample.Time;
-        return SampleOutcome.Accepted;
+        if (!motion.IsNewest) return true;
+        var position = motion.Samples.NewestPosition;
+        if (_hasStarted) Update(motion.Interval, position);
+        else Start(position);
+        Newest = position;
+        return _hasStarted = true;
     }
 
-    public JointPrediction At(double time) => double.IsNegativeInfinity(NewestTime)
-        ? default
-        : new JointPrediction(PositionAt(time - NewestTime), PredictionKind.Predicted);
+    public override double At(double ahead) => PositionAt(ahead) - Newest;
 
-    public void Reset()
-    {
-        Hold = 0;
-        NewestTime = double.NegativeInfinity;
-    }
+    public override void Reset() => _hasStarted = false;
 
     /// <summary>The first sample: nothing else is known.</summary>
     protected abstract void Start(double position);

@@ -37,7 +37,8 @@ sealed class PlantClockCaller : IDisposable
     {
         var question = _open;
         if (question == null || response.Id != question.Id) return;
-        question.Answered.TrySetResult((response, arrival));
+        // The response itself is overwritten by the next message.
+        question.Answered.TrySetResult(new Reply(response.PlantTime, response.Text, arrival));
     }
 
     public void Dispose()
@@ -72,8 +73,8 @@ sealed class PlantClockCaller : IDisposable
         _call(question.Id);
         try
         {
-            var (response, arrival) = await question.Answered.Task.WaitAsync(ProtocolLimits.SyncReplyTimeout, _time, _stop.Token);
-            Take(question, response, arrival);
+            var reply = await question.Answered.Task.WaitAsync(ProtocolLimits.SyncReplyTimeout, _time, _stop.Token);
+            Take(question, reply);
         }
         catch (TimeoutException)
         {
@@ -83,23 +84,25 @@ sealed class PlantClockCaller : IDisposable
         _open = null;
     }
 
-    void Take(Question question, RosbridgeMessage response, HeadsetTime arrival)
+    void Take(Question question, Reply reply)
     {
         // Another's place by now: two clocks of one name would be one line.
         if (!_clock.TryHear(this)) return;
-        if (response.PlantTime is not { } time)
+        if (reply.Time is not { } time)
         {
-            _clock.Failed(response.Text ?? "the adapter has no time");
+            _clock.Failed(reply.Text ?? "the adapter has no time");
             return;
         }
 
         _clock.Add(new SyncExchange(
-            question.Asked, time.Received, time.Sent, arrival, time.Resolution, time.ErrorBound, time.IsSynchronised));
+            question.Asked, time.Received, time.Sent, reply.Arrival, time.Resolution, time.ErrorBound, time.IsSynchronised));
     }
+
+    sealed record Reply(PlantTimeMessage Time, string Text, HeadsetTime Arrival);
 
     sealed record Question(string Id, HeadsetTime Asked)
     {
         // Answered on the thread that reads the connection: what follows must not hold it up.
-        public TaskCompletionSource<(RosbridgeMessage, HeadsetTime)> Answered { get; } = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        public TaskCompletionSource<Reply> Answered { get; } = new(TaskCreationOptions.RunContinuationsAsynchronously);
     }
 }

@@ -1,3 +1,4 @@
+using System.Text;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 using Nowpose.Protocol;
@@ -16,12 +17,12 @@ static class InvalidJointState
     /// Returns the names of the joints, and describes the first position that is not a finite number, such as "position of joint a is null"; null
     /// where there is none.
     /// </summary>
-    /// <param name="text">A whole message.</param>
-    public static (string[] Names, string Trouble) Read(string text)
+    /// <param name="utf8">A whole message.</param>
+    public static (string[] Names, string Trouble) Read(ReadOnlySpan<byte> utf8)
     {
         try
         {
-            if (JObject.Parse(text)["msg"] is not JObject state || state["name"] is not JArray names) return ([], null);
+            if (JObject.Parse(Encoding.UTF8.GetString(utf8))["msg"] is not JObject state || state["name"] is not JArray names) return ([], null);
             return (NamesIn(names), TroubleIn(names, state[Field] as JArray));
         }
         catch (JsonException)

@@ -79,12 +79,12 @@ sealed class MessageReceiver(
     async Task<Received> FinishAsync(WebSocketMessageType type, long count)
     {
         var fault = FaultOf(type, fragments.Take());
-        var text = fault == DropReason.None ? Encoding.UTF8.GetString(_buffer, 0, (int)_length) : null;
+        var message = fault == DropReason.None ? _buffer.AsMemory(0, (int)_length) : default;
         if (_buffer.Length > ProtocolLimits.MessageBytes)
             _buffer = new byte[FirstBytes];
         if (fault == DropReason.TooManyMessages)
             await Task.Delay(Pause, time);
-        return new Received(text, fault, null, count);
+        return new Received(message, fault, null, count);
     }
 
     DropReason FaultOf(WebSocketMessageType type, int count)

@@ -48,7 +48,7 @@ static class Rosapi
     /// <param name="service">With its slash.</param>
     /// <param name="text">The whole call, valid JSON.</param>
     /// <param name="isRos2">Whether the caller has named types of ROS 2.</param>
-    public static string Call(string service, string text, bool isRos2, MessageHub hub)
+    public static string Call(string service, ReadOnlyMemory<byte> text, bool isRos2, MessageHub hub)
     {
         if (!service.StartsWith(Prefix, StringComparison.Ordinal) || !Services.TryGetValue(service[Prefix.Length..], out var known)) return null;
         using var call = new RosapiCall(text, isRos2, hub);

@@ -9,7 +9,7 @@ sealed class RosapiCall : IDisposable
     readonly JsonDocument _text;
     readonly MessageHub _hub;
 
-    public RosapiCall(string text, bool isRos2, MessageHub hub)
+    public RosapiCall(ReadOnlyMemory<byte> text, bool isRos2, MessageHub hub)
     {
         _text = JsonDocument.Parse(text);
         _hub = hub;

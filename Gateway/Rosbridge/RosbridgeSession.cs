@@ -24,11 +24,12 @@ sealed class RosbridgeSession : IDisposable
     readonly DropCounters _drops;
     readonly Action<ReadOnlyMemory<byte>> _reply;
     readonly SubscriptionSet _subscriptions;
+    readonly RosbridgeReader _reader = new();
     readonly HashSet<string> _advertised = [];
     RosTimeForm _form;
     bool _isRos2;
     string _level;
-    string _text;
+    ReadOnlyMemory<byte> _text;
     string _name;
     long _receivedAt;
 
@@ -63,11 +64,11 @@ sealed class RosbridgeSession : IDisposable
     public void Handle(in Received received)
     {
         _receivedAt = received.Count;
-        _text = received.Text;
+        _text = received.Utf8;
         _offers.TryAgain();
         var message = default(RosbridgeMessage);
         var reason = received.Fault;
-        if (reason == DropReason.None && RosbridgeReader.TryRead(received.Text, out message, out reason))
+        if (reason == DropReason.None && _reader.TryRead(_text.Span, out message, out reason))
             Do(message, received.Count);
         else
             Drop(message, reason);
@@ -286,7 +287,7 @@ sealed class RosbridgeSession : IDisposable
 
     void ReportDropped(JointStateMessage valid, string rule, DropReason reason)
     {
-        var (names, trouble) = valid == null ? InvalidJointState.Read(_text) : (valid.Names, null);
+        var (names, trouble) = valid == null ? InvalidJointState.Read(_text.Span) : (valid.Names, null);
         _source.ReportDropped(names, $"the gateway drops the samples of {_source.Title}: {trouble ?? rule} ({reason})");
     }
 

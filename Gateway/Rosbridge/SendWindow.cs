@@ -4,7 +4,8 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <remarks>
 /// The buffers between the gateway and the client's own read call (TLS, both kernels, proxies) hold seconds of samples for a slow
 /// reader, and no system call shows all of them. A ping in the stream does: its pong says that everything before it was read. The window
-/// is what the client reads in about <see cref="Target"/>. Takes the time as an argument; not thread-safe.
+/// is what the client reads in about <see cref="Target"/>. A ping goes in a packet of its own: by it TCP notices a lost packet sooner, and
+/// sent along with messages it cost over lossy links nearly a tenth of the reduction (Benchmarks -- links: 86 instead of 94 %). Takes the time as an argument; not thread-safe.
 /// </remarks>
 sealed class SendWindow
 {

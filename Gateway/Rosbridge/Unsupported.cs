@@ -7,7 +7,7 @@ static class Unsupported
 {
     /// <summary>What to tell the client; null where it asks for nothing of the kind.</summary>
     /// <param name="text">A whole message, valid JSON.</param>
-    public static string In(string text)
+    public static string In(ReadOnlyMemory<byte> text)
     {
         using var message = JsonDocument.Parse(text);
         var root = message.RootElement;

@@ -39,10 +39,7 @@ static class ClientPeer
             await socket.SendAsync(Encoding.UTF8.GetBytes(line), WebSocketMessageType.Text, true, CancellationToken.None);
     }
 
-    static async Task PrintAsync(ClientWebSocket socket)
-    {
-        var reader = new TextMessageReader(socket, new StopwatchHeadsetClock());
-        for (var next = await reader.ReceiveAsync(CancellationToken.None); !next.IsClosed; next = await reader.ReceiveAsync(CancellationToken.None))
-            Console.WriteLine(next.Text ?? "dropped: " + next.Dropped);
-    }
+    static Task PrintAsync(ClientWebSocket socket) => new TextMessageReader(socket, new StopwatchHeadsetClock()).ReceiveAsync(
+        next => Console.WriteLine(next.Dropped == DropReason.None ? Encoding.UTF8.GetString(next.Utf8.Span) : "dropped: " + next.Dropped),
+        CancellationToken.None);
 }

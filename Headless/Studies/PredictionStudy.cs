@@ -6,11 +6,15 @@ namespace Nowpose.Studies;
 public static class PredictionStudy
 {
     /// <summary>All phases together.</summary>
-    public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<IJointPredictor> newPredictor)
+    public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor) =>
+        Run(motion, settings, () => (StudySubject)newPredictor());
+
+    /// <summary>All phases together.</summary>
+    public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<StudySubject> newSubject)
     {
         var (predicted, held) = (new List<double>(), new List<double>());
         for (var phase = 0; phase < settings.Phases; phase++)
-            foreach (var frame in Frames(motion, settings, newPredictor(), phase))
+            foreach (var frame in Frames(motion, settings, newSubject(), phase))
             {
                 predicted.Add(frame.Predicted - frame.Truth);
                 held.Add(frame.Held - frame.Truth);
@@ -20,20 +24,22 @@ public static class PredictionStudy
 
     /// <summary>The scored frames of one run.</summary>
     /// <param name="phase">Which of the settings' runs.</param>
-    public static IEnumerable<StudyFrame> Frames(AxisMotion motion, StudySettings settings, IJointPredictor predictor, int phase)
+    public static IEnumerable<StudyFrame> Frames(AxisMotion motion, StudySettings settings, StudySubject subject, int phase)
     {
         var random = new Random(HashCode(settings.Seed, phase));
         var frames = new Random(HashCode(settings.Seed, phase + 1_000_000));
         var firstFrame = random.NextDouble() / settings.FrameRateHz;
         var underWay = new SampleStream(motion, settings, random, new Random(HashCode(settings.Seed, phase + 2_000_000)));
+        var displayed = double.NaN;
         for (var i = 0; ; i++)
         {
             var time = firstFrame + i / settings.FrameRateHz;
             if (time > motion.Seconds) yield break;
-            underWay.Deliver(time, predictor);
+            underWay.Deliver(time, subject, displayed);
             var error = settings.LatencyError + settings.RandomLatencyError * (2 * frames.NextDouble() - 1);
-            var predicted = predictor.At(time + error).Position;
-            if (time >= settings.WarmUp) yield return new StudyFrame(time, motion.At(time), predictor.Hold, predicted, underWay.Newest);
+            displayed = time + error;
+            var predicted = subject.At(displayed);
+            if (time >= settings.WarmUp) yield return new StudyFrame(time, motion.At(time), subject.Hold(), predicted, underWay.Newest);
         }
     }
 

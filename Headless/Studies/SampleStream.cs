@@ -14,13 +14,14 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
     /// <summary>Index of the newest sample delivered; −1 before the first.</summary>
     public int Newest { get; private set; } = -1;
 
-    public void Deliver(double until, IJointPredictor predictor)
+    /// <param name="displayed">The newest moment displayed before, s; NaN before the first.</param>
+    public void Deliver(double until, StudySubject subject, double displayed)
     {
         while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter - settings.ToldJitter + settings.Latency <= until) Send(_next++);
         while (_underWay.TryPeek(out var next, out var arrival) && arrival.Item1 <= until)
         {
             _underWay.Dequeue();
-            predictor.Add(next.Sample);
+            subject.Add(next.Sample, displayed);
             Newest = Math.Max(Newest, next.Index);
         }
     }

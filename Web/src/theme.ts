@@ -2,7 +2,7 @@
 export type Ink =
   | '--ink' | '--muted' | '--grid' | '--surface'
   | '--hold' | '--compensated' | '--truth' | '--band' | '--alarm'
-  | '--adaptive' | '--quadratic' | '--cubic' | '--linear';
+  | '--adaptive' | '--gp' | '--quadratic' | '--cubic' | '--linear';
 
 export function colour(ink: Ink): string {
   return getComputedStyle(document.documentElement).getPropertyValue(ink).trim();

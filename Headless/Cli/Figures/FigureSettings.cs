@@ -7,7 +7,7 @@ namespace Nowpose.Cli.Figures;
 sealed record FigureSettings
 {
     /// <summary>The predictors that the paper does not have. Before the settings below, which are made with it.</summary>
-    public static IReadOnlyList<string> OurPredictors { get; } = ["adaptive"];
+    public static IReadOnlyList<string> OurPredictors { get; } = ["adaptive", "gp"];
 
     public static readonly FigureSettings Full = new() { Phases = 32, ClockRuns = 32, ClockSeconds = 300 };
 
@@ -37,5 +37,5 @@ sealed record FigureSettings
     public StudySettings Study => new() { Phases = Phases, Seed = Seed };
 
     /// <summary>Knows neither limits nor a horizon cap, as in the paper.</summary>
-    public static IJointPredictor Predictor(string name) => Predictors.Create(name, PredictionLimits.Unlimited);
+    public static JointPredictor Predictor(string name) => Predictors.Create(name, PredictionLimits.Unlimited);
 }

@@ -6,21 +6,36 @@ sealed class AxisError
     readonly List<double> _predicted = [];
     double _squares;
     double _heldSquares;
+    int _known;
+    double _deviations;
+    int _insideOne;
+    int _insideTwo;
 
     /// <summary>Frames so far.</summary>
     public int Count => _predicted.Count;
 
-    public void Add(double held, double predicted)
+    /// <param name="deviation">Standard deviation of this prediction; NaN where unknown.</param>
+    public void Add(double held, double predicted, double deviation)
     {
         _heldSquares += held * held;
         _squares += predicted * predicted;
-        _predicted.Add(Math.Abs(predicted));
+        var size = Math.Abs(predicted);
+        _predicted.Add(size);
+        if (double.IsNaN(deviation)) return;
+        _known++;
+        _deviations += deviation;
+        if (size <= deviation) _insideOne++;
+        if (size <= 2 * deviation) _insideTwo++;
     }
 
     public ReplayResult.Axis Summary(string name)
     {
         var count = _predicted.Count;
         return new ReplayResult.Axis(
-            name, Math.Sqrt(_heldSquares / count), Math.Sqrt(_squares / count), Quantile.Of(_predicted, 0.95), _predicted.Max());
+            name, Math.Sqrt(_heldSquares / count), Math.Sqrt(_squares / count), Quantile.Of(_predicted, 0.95), _predicted.Max())
+        {
+            Deviation = _known == 0 ? null
+                : new ReplayResult.Deviation(_deviations / _known, (double)_insideOne / _known, (double)_insideTwo / _known),
+        };
     }
 }

@@ -31,6 +31,12 @@ static class ReplayJson
         json.WriteNumber("rms", axis.Rms);
         json.WriteNumber("p95", axis.P95);
         json.WriteNumber("max", axis.Max);
+        if (axis.Deviation is ReplayResult.Deviation deviation)
+        {
+            json.WriteNumber("sd", deviation.Mean);
+            json.WriteNumber("inside_1sd", deviation.InsideOne);
+            json.WriteNumber("inside_2sd", deviation.InsideTwo);
+        }
         json.WriteEndObject();
     }
 }

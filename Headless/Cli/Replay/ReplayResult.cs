@@ -14,7 +14,17 @@ public sealed class ReplayResult
     }
 
     /// <summary>One column: error of holding (RMS) and of the prediction (RMS; of the absolute error P95 and maximum).</summary>
-    public readonly record struct Axis(string Name, double RmsHold, double Rms, double P95, double Max);
+    public readonly record struct Axis(string Name, double RmsHold, double Rms, double P95, double Max)
+    {
+        /// <summary>Null where the predictor gives no standard deviation.</summary>
+        public Deviation? Deviation { get; init; }
+    }
+
+    /// <summary>
+    /// Standard deviations given by the predictor: their mean, and the shares, 0 to 1, of frames whose absolute error is at most one and
+    /// at most two of them. Over the frames that have one.
+    /// </summary>
+    public readonly record struct Deviation(double Mean, double InsideOne, double InsideTwo);
 
     public string File { get; }
 

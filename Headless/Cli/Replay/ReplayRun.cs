@@ -17,21 +17,24 @@ public sealed class ReplayRun
     readonly MotionRecording _recording;
     readonly ReplaySettings _settings;
     readonly SampleFlow _flow;
-    readonly IJointPredictor[] _predictors;
+    readonly JointPredictor[] _predictors;
     readonly AxisError[] _errors;
     readonly double[] _truth;
     int _frames;
     bool _anyArrived;
+    double _displayed = double.NaN;
 
     /// <param name="path">Named in results and messages.</param>
     /// <exception cref="InputException">The predictor is unknown, or the recording is too long to replay.</exception>
-    public ReplayRun(string path, MotionRecording recording, ReplaySettings settings)
+    /// <param name="newPredictor">Makes a joint's predictor; null for the one that the settings name.</param>
+    public ReplayRun(string path, MotionRecording recording, ReplaySettings settings, Func<JointPredictor> newPredictor = null)
     {
         _path = path;
         _recording = recording;
         _settings = settings;
         _flow = new SampleFlow(recording, settings);
-        _predictors = [.. recording.Names.Select(_ => PredictorOf(settings))];
+        newPredictor ??= () => Predictors.Create(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0);
+        _predictors = [.. recording.Names.Select(_ => newPredictor())];
         _errors = [.. recording.Names.Select(_ => new AxisError())];
         _truth = new double[recording.Names.Count];
         RequireBearableLength();
@@ -67,24 +70,20 @@ public sealed class ReplayRun
     {
         _anyArrived = true;
         for (var joint = 0; joint < _predictors.Length; joint++)
-            _predictors[joint].Add(new JointSample(sample.ToldTime, sample.Positions[joint], sample.Time));
+            _predictors[joint].Add(new JointSample(sample.Stamp, sample.Positions[joint], sample.Time), _displayed);
     }
 
     void Score(double time)
     {
         _recording.At(time, _truth);
+        _displayed = time + _settings.LatencyError;
         for (var joint = 0; joint < _truth.Length; joint++)
         {
-            var predicted = _predictors[joint].At(time + _settings.LatencyError).Position;
-            _errors[joint].Add(_predictors[joint].Hold - _truth[joint], predicted - _truth[joint]);
+            var predictor = _predictors[joint];
+            _errors[joint].Add(
+                predictor.Hold - _truth[joint], predictor.At(_displayed).Position - _truth[joint], predictor.DeviationAt(_displayed));
         }
         _frames++;
-    }
-
-    static IJointPredictor PredictorOf(ReplaySettings settings)
-    {
-        var predictor = Predictors.Create(settings.Predictor, PredictionLimits.Unlimited);
-        return settings.Blend is > 0 and double blend ? new BlendedPredictor(predictor, PredictionLimits.Unlimited, blend) : predictor;
     }
 
     void RequireBearableLength()

@@ -10,17 +10,22 @@ static class ReplayTable
     {
         var title = $"{Path.GetFileName(result.File)}: {result.Predictor}, {result.Frames} frames";
         var table = new Table().Title(Markup.Escape(title));
+        string[] headings = ["uncompensated RMS", "compensated RMS", "P95", "max", "reduction"];
+        var statesDeviation = result.Axes.Any(axis => axis.Deviation != null);
+        if (statesDeviation) headings = [.. headings, "mean SD", "inside 1 SD", "inside 2 SD"];
         table.AddColumn("axis");
-        foreach (var heading in new[] { "uncompensated RMS", "compensated RMS", "P95", "max", "reduction" })
-            table.AddColumn(new TableColumn(heading).RightAligned());
+        foreach (var heading in headings) table.AddColumn(new TableColumn(heading).RightAligned());
         foreach (var axis in result.Axes)
-            table.AddRow(Markup.Escape(axis.Name), Number(axis.RmsHold), Number(axis.Rms), Number(axis.P95), Number(axis.Max),
-                Percent(axis.RmsHold == 0 ? null : 1 - axis.Rms / axis.RmsHold));
+            table.AddRow([Markup.Escape(axis.Name), Number(axis.RmsHold), Number(axis.Rms), Number(axis.P95), Number(axis.Max),
+                Percent(axis.RmsHold == 0 ? null : 1 - axis.Rms / axis.RmsHold), .. statesDeviation ? Of(axis.Deviation) : []]);
         table.AddEmptyRow();
         table.AddRow("all", Number(result.RmsHold), Number(result.Rms), "", "", Percent(result.Reduction));
         table.Caption("errors in the unit of the file's columns");
         console.Write(table);
     }
+
+    static string[] Of(ReplayResult.Deviation? deviation) => deviation is ReplayResult.Deviation value
+        ? [Number(value.Mean), Percent(value.InsideOne), Percent(value.InsideTwo)] : ["–", "–", "–"];
 
     static string Number(double value) => value.ToString("G4", CultureInfo.InvariantCulture);
 

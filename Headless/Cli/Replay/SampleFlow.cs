@@ -30,7 +30,7 @@ sealed class SampleFlow
     }
 
     /// <summary>t_k, the t_k the predictor is told, and the joints' positions.</summary>
-    public readonly record struct Sample(double Time, double ToldTime, double[] Positions);
+    public readonly record struct Sample(double Time, double Stamp, double[] Positions);
 
     /// <summary>The next sample that has arrived by a frame's time, in order of arrival; frames must not go back.</summary>
     public bool TryTake(double frameTime, out Sample sample)

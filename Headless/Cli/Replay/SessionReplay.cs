@@ -19,11 +19,12 @@ sealed class SessionReplay
     readonly ReplaySettings _settings;
     readonly RandomStream _stampErrors;
     readonly bool _followsPlans;
-    readonly JointTrack[] _tracks;
+    readonly JointPredictor[] _joints;
     readonly int[] _samples;
     readonly AxisError[] _errors;
     int _timeLine;
     ControlTime? _epoch;
+    double _displayed = double.NaN;
     int _frames;
 
     /// <param name="path">Named in results and messages.</param>
@@ -42,9 +43,9 @@ sealed class SessionReplay
             settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, own.FollowPlan && settings.FollowPlan, own.SpeedShare,
             own.AccelerationLimit, own.JerkLimit);
         _followsPlans = prediction.FollowsPlans;
-        _tracks = [.. session.Header.Joints.Select(joint => new JointTrack(prediction, prediction.Bounded(joint.Limits, joint.Unit == "rad")))];
-        _samples = new int[_tracks.Length];
-        _errors = [.. _tracks.Select(_ => new AxisError())];
+        _joints = [.. session.Header.Joints.Select(joint => prediction.Create(prediction.Bounded(joint.Limits, joint.Unit == "rad")))];
+        _samples = new int[_joints.Length];
+        _errors = [.. _joints.Select(_ => new AxisError())];
     }
 
     /// <summary>Is told each frame's predictions: the frame, one position per joint, and how each was made.</summary>
@@ -86,9 +87,10 @@ sealed class SessionReplay
     {
         if (next.TimeLine != _timeLine)
         {
-            foreach (var track in _tracks) track.Reset();
+            foreach (var joint in _joints) joint.Reset();
             Array.Clear(_samples);
             _epoch = null;
+            _displayed = double.NaN;
         }
         _timeLine = next.TimeLine;
         if (next.Kind == RecordedSession.EventKind.Sample || IsFollowed(next)) _epoch ??= next.At;
@@ -100,7 +102,7 @@ sealed class SessionReplay
         var told = time + _settings.StampError * (2 * _stampErrors.Next() - 1);
         foreach (var value in _session.ValuesOf(sample))
         {
-            _tracks[value.Joint].Add(new JointSample(told, value.Position, time, value.Velocity, value.Acceleration), out _);
+            _joints[value.Joint].Add(new JointSample(told, value.Position, time, value.Velocity, value.Acceleration), _displayed);
             _samples[value.Joint]++;
         }
     }
@@ -111,21 +113,22 @@ sealed class SessionReplay
     {
         if (!IsFollowed(next)) return;
         var plan = _session.PlanOf(next);
-        for (var i = 0; i < plan.Count; i++) _tracks[plan.JointAt(i)].Follow(plan.PathAt(i), Seconds(next.At));
+        for (var i = 0; i < plan.Count; i++) _joints[plan.JointAt(i)].Follow(plan.PathAt(i), Seconds(next.At), _displayed);
     }
 
     void Show(in RecordedSession.Event frame)
     {
-        var time = Seconds(frame.At);
-        var (positions, kinds) = Predicted == null ? default : (new double[_tracks.Length], new PredictionKind[_tracks.Length]);
+        _displayed = Seconds(frame.At) + _settings.LatencyError;
+        var (positions, kinds) = Predicted == null ? default : (new double[_joints.Length], new PredictionKind[_joints.Length]);
         var isScored = false;
-        for (var joint = 0; joint < _tracks.Length; joint++)
+        for (var joint = 0; joint < _joints.Length; joint++)
         {
-            // Also where nothing is scored: what smooths from frame to frame must see them all.
-            var prediction = _tracks[joint].At(time + _settings.LatencyError);
+            var prediction = _joints[joint].At(_displayed);
             if (Predicted != null) (positions[joint], kinds[joint]) = (prediction.Position, prediction.Kind);
             if (_samples[joint] < SamplesBeforeScoring || !_truth.TryAt(joint, frame, out var truth)) continue;
-            _errors[joint].Add(_tracks[joint].Hold - truth, prediction.Position - truth);
+            // The deviation is that of the forecast, which a plan replaces.
+            var deviation = prediction.Kind == PredictionKind.Planned ? double.NaN : _joints[joint].DeviationAt(_displayed);
+            _errors[joint].Add(_joints[joint].Hold - truth, prediction.Position - truth, deviation);
             isScored = true;
         }
         if (isScored) _frames++;

@@ -10,6 +10,7 @@ sealed class LinkSubject : IAutobahnSubject
 {
     readonly FakeWebSocketServer _server = new();
     readonly CancellationTokenSource _stop = new();
+    readonly RosbridgeReader _reader = new();
     IWebSocketLink _link;
     Task _receiving = Task.CompletedTask;
     CaseScript _script;
@@ -57,12 +58,10 @@ sealed class LinkSubject : IAutobahnSubject
     {
         try
         {
-            while (true)
+            await _link.ReceiveAsync(received =>
             {
-                var received = await _link.ReceiveAsync(_stop.Token);
-                if (received.IsClosed) break;
                 if (EventOf(received) is { } one) Saw(one);
-            }
+            }, _stop.Token);
         }
         catch (Exception)
         {
@@ -73,7 +72,7 @@ sealed class LinkSubject : IAutobahnSubject
 
     string EventOf(in ReceivedText received)
     {
-        if (received.Text == null || !RosbridgeReader.TryRead(received.Text, out var message, out _)) return "refused";
+        if (received.Dropped != DropReason.None || !_reader.TryRead(received.Utf8.Span, out var message, out _)) return "refused";
         if (message.Data != null) return null;
         return _script.Inner.Contains(message.JointState.Names[0][1..]) ? "taken" : "garbled: " + message.JointState.Names[0];
     }

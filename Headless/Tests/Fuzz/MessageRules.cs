@@ -1,3 +1,5 @@
+using System.Text;
+using System.Text.Json;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Fuzz;
@@ -5,11 +7,27 @@ namespace Nowpose.Headless.Tests.Fuzz;
 /// <summary>What holds of every rosbridge message that the reader lets pass.</summary>
 static class MessageRules
 {
-    /// <summary>Reads a text; a message that is taken must keep every rule, and read the same when it is written again.</summary>
-    public static bool IsTaken(string text)
+    /// <summary>
+    /// Reads a text; a message that is taken must be JSON, keep every rule, and read the same when it is written again. The reader keeps
+    /// something from one message to the next: a new one must judge alike.
+    /// </summary>
+    public static bool IsTaken(RosbridgeReader reader, byte[] utf8)
     {
-        if (!RosbridgeReader.TryRead(text, out var message, out var reason))
-            return reason == DropReason.None ? throw new FuzzException("refused without a reason") : false;
+        var isNewTaken = new RosbridgeReader().TryRead(utf8, out var alike, out var expected);
+        if (reader.TryRead(utf8, out var message, out var reason) != isNewTaken || reason != expected)
+            throw new FuzzException($"{reason} after other messages, {expected} as the first");
+        if (message?.JointState is { } read && !read.Positions.AsSpan().SequenceEqual(alike.JointState.Positions))
+            throw new FuzzException("reads otherwise after other messages");
+        if (!isNewTaken) return reason == DropReason.None ? throw new FuzzException("refused without a reason") : false;
+        Json(utf8, message);
+        var isTaken = IsTaken(message, reason);
+        // As a session does, so that the next message is read into it.
+        message.JointState?.Release();
+        return isTaken;
+    }
+
+    static bool IsTaken(RosbridgeMessage message, DropReason reason)
+    {
         if (reason != DropReason.None) throw new FuzzException("taken with a reason: " + reason);
         if (message.JointState is { } state) Check(state);
         if (message.JointTrajectory is { } plan) Check(plan);
@@ -18,6 +36,19 @@ static class MessageRules
         if (message.PlantTime is { } plant) Check(plant);
         if (message.Data?.Length > ProtocolLimits.DescriptionBytes) throw new FuzzException("a description that is too long");
         return true;
+    }
+
+    // As another reader has it, which refuses NaN and Infinity.
+    static void Json(byte[] utf8, RosbridgeMessage message)
+    {
+        var text = new UTF8Encoding(false, true).GetString(utf8);
+        // Nor does it decode surrogates without their other half.
+        if (text.Contains("NaN") || text.Contains("Infinity") || text.Contains("\\ud", StringComparison.OrdinalIgnoreCase)) return;
+        using var document = JsonDocument.Parse(utf8);
+        if (message.JointState is not { } state) return;
+        var positions = document.RootElement.EnumerateObject().First(field => field.Name == "msg").Value
+            .EnumerateObject().First(field => field.Name == "position").Value.EnumerateArray().Select(position => position.GetDouble());
+        if (!positions.SequenceEqual(state.Positions)) throw new FuzzException("numbers that are others to System.Text.Json");
     }
 
     public static void Finite(double value)

@@ -13,20 +13,42 @@ namespace Nowpose.Headless.Tests.Fuzz;
 /// <summary>A million malformed inputs at the readers of all that comes from outside: each is taken as it should be, or refused in order.</summary>
 public class ReaderFuzzTests
 {
-    const int Messages = 500_000, Frames = 300_000, Exchanges = 100_000, Codes = 30_000, Robots = 20_000, Profiles = 20_000,
+    const int Messages = 400_000, Bytes = 100_000, Frames = 300_000, Exchanges = 100_000, Codes = 30_000, Robots = 20_000, Profiles = 20_000,
         Configurations = 20_000, Pairings = 9_000, Tokens = 1_000;
 
     [Test]
     public void Inputs_OfAllReaders_AreAMillion() =>
-        Assert.That(Messages + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens, Is.EqualTo(1_000_000));
+        Assert.That(Messages + Bytes + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens, Is.EqualTo(1_000_000));
 
     [Test]
     public void Rosbridge_SpoiltMessages_AreRefusedOrHoldWhatTheyMay()
     {
-        var accepted = new FuzzRun("rosbridge messages", 1, Messages).Feed<string>(() => new TextMutator(Seeds.Messages).Next,
-            () => MessageRules.IsTaken);
+        var accepted = new FuzzRun("rosbridge messages", 1, Messages).Feed<string>(() => new TextMutator(Seeds.Messages).Next, () =>
+        {
+            var reader = new RosbridgeReader();
+            return text => MessageRules.IsTaken(reader, Encoding.UTF8.GetBytes(text));
+        });
 
         Assert.That(accepted, Is.InRange(Messages / 20, Messages / 20 * 19), "both ways are taken");
+    }
+
+    [Test]
+    public void Rosbridge_SpoiltBytes_AreRefusedOrHoldWhatTheyMay()
+    {
+        var accepted = new FuzzRun("rosbridge bytes", 10, Bytes).Feed<byte[]>(() => NextBytes, () =>
+        {
+            var reader = new RosbridgeReader();
+            return utf8 => MessageRules.IsTaken(reader, utf8);
+        });
+
+        Assert.That(accepted, Is.InRange(Bytes / 20, Bytes / 20 * 19), "both ways are taken");
+
+        static byte[] NextBytes(Random random)
+        {
+            var bytes = Encoding.UTF8.GetBytes(Seeds.Messages[random.Next(Seeds.Messages.Length)].Replace("\"a\"", "\"aé€🤖\""));
+            for (var n = random.Next(4); n > 0; n--) bytes[random.Next(bytes.Length)] = (byte)random.Next(256);
+            return bytes;
+        }
     }
 
     [Test]

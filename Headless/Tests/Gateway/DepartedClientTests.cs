@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Text;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
@@ -71,7 +72,7 @@ public class DepartedClientTests
                     RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, $"headset {number}", []), RosTimeForm.Sec),
                 """{"op":"advertise_service","service":"/nowpose/plant_time/plc","type":"nowpose/PlantTime"}""",
             })
-            session.Handle(new Received(text, DropReason.None, null));
+            session.Handle(new Received(Encoding.UTF8.GetBytes(text), DropReason.None, null));
         Assert.That(started, Has.Count.EqualTo(2));
         Assert.That(drops.Total, Is.Zero);
         session.Dispose();

@@ -1,3 +1,4 @@
+using System.Text;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Sync;
@@ -53,11 +54,14 @@ public class StuckSendTests
         public Task SendAsync(string text, CancellationToken cancel) =>
             Interlocked.Increment(ref _sent) <= taken ? Task.CompletedTask : new TaskCompletionSource().Task;
 
-        public async Task<ReceivedText> ReceiveAsync(CancellationToken cancel)
+        public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
-            if (!hears) await _gone.Task;
-            await Task.Delay(Interval, cancel);
-            return ReceivedText.Message(Text, clock.Now);
+            while (true)
+            {
+                if (!hears) await _gone.Task;
+                await Task.Delay(Interval, cancel);
+                take(ReceivedText.Message(Encoding.UTF8.GetBytes(Text), clock.Now));
+            }
         }
 
         public void Dispose() => _gone.TrySetException(new ObjectDisposedException(nameof(StuckLink)));
@@ -67,7 +71,7 @@ public class StuckSendTests
     {
         public Task OpenAsync(CancellationToken cancel) => Task.Delay(Timeout.Infinite, cancel);
         public Task SendAsync(string text, CancellationToken cancel) => throw new NotSupportedException();
-        public Task<ReceivedText> ReceiveAsync(CancellationToken cancel) => throw new NotSupportedException();
+        public Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel) => throw new NotSupportedException();
         public void Dispose() { }
     }
 

@@ -8,6 +8,7 @@ namespace Nowpose.Headless.Tests.Prediction;
 /// What <c>adaptive</c> leaves of the error, on motions it was not tuned on: its constants were chosen on seeds 1000 to 1006
 /// and on recordings of real machines, these are seeds 9001 to 9003. Limits are those that the default stands for.
 /// </summary>
+[Parallelizable]
 public class AdaptiveAccuracyTests
 {
     static readonly int[] Seeds = [9001, 9002, 9003];
@@ -92,7 +93,8 @@ public class AdaptiveAccuracyTests
     [TestCase(100, 150)]
     public void NothingRepeats_NothingIsLostToTheTemplate(double samplingMs, double latencyMs)
     {
-        static IJointPredictor WithoutTemplate() => new Nowpose.Prediction.Stacking.StackedPredictor(PredictionLimits.Unlimited);
+        static JointPredictor WithoutTemplate() => Predictors.Adaptive(
+            PredictionLimits.Unlimited, PredictionParts.All & ~PredictionParts.Repetition);
         foreach (var motionOf in new Func<int, AxisMotion>[] { s => Motions.FastMoves(s), s => Motions.GentleMoves(s), s => Motions.Waves(s) })
             Assert.That(
                 Ratio(motionOf, At(samplingMs, latencyMs)) / Ratio(motionOf, At(samplingMs, latencyMs), WithoutTemplate),
@@ -110,7 +112,7 @@ public class AdaptiveAccuracyTests
     {
         var limits = new PredictionLimits(
             horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity, velocity: 1000, acceleration: 5000, jerk: 50_000);
-        double Of(Func<IJointPredictor> newPredictor) => Ratio(Motions.MovesOfOneDrive, At(samplingMs, latencyMs), newPredictor);
+        double Of(Func<JointPredictor> newPredictor) => Ratio(Motions.MovesOfOneDrive, At(samplingMs, latencyMs), newPredictor);
 
         var share = Of(() => Predictors.Create("adaptive", limits)) / Of(() => Predictors.Create("quadratic", PredictionLimits.Unlimited));
 
@@ -138,13 +140,13 @@ public class AdaptiveAccuracyTests
 
     static string Message => "seeds " + string.Join(", ", Seeds);
 
-    static IJointPredictor Create(string name) => Predictors.Create(name, PredictionLimits.Unlimited);
+    static JointPredictor Create(string name) => Predictors.Create(name, PredictionLimits.Unlimited);
 
-    static IJointPredictor Adaptive() => Create("adaptive");
+    static JointPredictor Adaptive() => Create("adaptive");
 
     static double Ratio(Func<int, AxisMotion> motionOf, StudySettings settings) => Ratio(motionOf, settings, Adaptive);
 
-    static double Ratio(Func<int, AxisMotion> motionOf, StudySettings settings, Func<IJointPredictor> newPredictor) =>
+    static double Ratio(Func<int, AxisMotion> motionOf, StudySettings settings, Func<JointPredictor> newPredictor) =>
         Seeds.Average(seed => PredictionStudy.Run(motionOf(seed), settings with { Seed = seed }, newPredictor).Ratio);
 
     static double OverQuadratic(Func<int, AxisMotion> motionOf, StudySettings settings) => OverBest(motionOf, settings, "quadratic");
@@ -155,6 +157,6 @@ public class AdaptiveAccuracyTests
         Rms(motionOf(seed), settings with { Seed = seed }, Adaptive)
         / names.Min(name => Rms(motionOf(seed), settings with { Seed = seed }, () => Create(name))));
 
-    static double Rms(AxisMotion motion, StudySettings settings, Func<IJointPredictor> newPredictor) =>
+    static double Rms(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor) =>
         PredictionStudy.Run(motion, settings, newPredictor).Predicted.Rms;
 }

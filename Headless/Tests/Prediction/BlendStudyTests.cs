@@ -31,8 +31,7 @@ public class BlendStudyTests
         foreach (var motion in MotionsOf(seed))
         {
             var bare = Displayed.Of(motion, settings, () => Predictors.Create(predictor, PredictionLimits.Unlimited));
-            var blended = Displayed.Of(motion, settings, () => new BlendedPredictor(
-                Predictors.Create(predictor, PredictionLimits.Unlimited), PredictionLimits.Unlimited, Blend));
+            var blended = Displayed.Of(motion, settings, () => Predictors.Create(predictor, PredictionLimits.Unlimited, Blend));
             Assert.That(blended.Error.Rms / bare.Error.Rms, Is.LessThan(1.05), $"{motion.Name}, seed {seed}");
             rms += Math.Log(blended.Error.Rms / bare.Error.Rms);
             p95 += Math.Log(blended.Jump.P95 / bare.Jump.P95);
@@ -51,7 +50,7 @@ public class BlendStudyTests
     /// <summary>Errors of what was displayed, and how far the displayed joint moved in a frame beyond what the true one did.</summary>
     sealed record Displayed(ErrorFigures Error, ErrorFigures Jump)
     {
-        public static Displayed Of(AxisMotion motion, StudySettings settings, Func<IJointPredictor> newPredictor)
+        public static Displayed Of(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor)
         {
             var (errors, jumps) = (new List<double>(), new List<double>());
             for (var phase = 0; phase < settings.Phases; phase++)

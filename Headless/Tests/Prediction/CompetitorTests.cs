@@ -1,5 +1,4 @@
 using Nowpose.Benchmarks.Comparison;
-using Nowpose.Benchmarks.Competitors;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
@@ -40,7 +39,7 @@ public class CompetitorTests
     {
         const int seed = 5;
         var random = new Random(seed);
-        var (theirs, ours) = (new PolynomialFitPredictor(), Predictors.Create("quadratic", PredictionLimits.Unlimited));
+        var (theirs, ours) = (Candidates.Named("MathNet").Create(), Predictors.Create("quadratic", PredictionLimits.Unlimited));
 
         for (var i = 0; i < Samples; i++)
         {
@@ -56,13 +55,13 @@ public class CompetitorTests
     public void OneEuro_NoiseAtRest_IsSmoothed()
     {
         // A low pass of 1 Hz takes in a = 0.24 of each sample and keeps √(a / (2 − a)) = 0.37 of white noise.
-        Assert.That(NoiseLeft(new OneEuroPredictor(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));
+        Assert.That(NoiseLeft(Candidates.OneEuro(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));
     }
 
     [Test]
     public void Kalman_NoiseAtRest_IsSmoothedTheMoreTheStifferItIs()
     {
-        var (stiff, limp) = (NoiseLeft(new KalmanPredictor(1e3), Ahead), NoiseLeft(new KalmanPredictor(1e9), Ahead));
+        var (stiff, limp) = (NoiseLeft(Candidates.Kalman(1e3), Ahead), NoiseLeft(Candidates.Kalman(1e9), Ahead));
 
         Assert.That(stiff, Is.LessThan(2));
         Assert.That(limp, Is.GreaterThan(2 * stiff));
@@ -78,7 +77,7 @@ public class CompetitorTests
     }
 
     // RMS of what is shown of noise with standard deviation 1.
-    static double NoiseLeft(IJointPredictor predictor, double ahead)
+    static double NoiseLeft(JointPredictor predictor, double ahead)
     {
         const int count = 4000;
         var random = new Random(9);

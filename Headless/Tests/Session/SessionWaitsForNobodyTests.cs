@@ -173,7 +173,7 @@ public class SessionWaitsForNobodyTests
         }
 
         public Task SendAsync(string text, CancellationToken cancel) => Task.CompletedTask;
-        public Task<ReceivedText> ReceiveAsync(CancellationToken cancel) => Task.FromResult(ReceivedText.Closed);
+        public Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel) => Task.CompletedTask;
         public void Dispose() => release.Wait(Soon.Limit);
     }
 }

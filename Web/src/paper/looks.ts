@@ -5,6 +5,7 @@ const BY_NAME: Record<string, Look> = {
   truth: LOOKS.truth,
   hold: LOOKS.hold,
   adaptive: { ink: '--adaptive', width: 2.5, dash: [] },
+  gp: { ink: '--gp', width: 2, dash: [4, 2] },
   quadratic: { ink: '--quadratic', width: 2, dash: [9, 3] },
   cubic: { ink: '--cubic', width: 2, dash: [8, 3, 2, 3] },
   linear: { ink: '--linear', width: 1.5, dash: [2, 3] },

@@ -6,6 +6,7 @@ static class Looks
     public const string Truth = "truth";
     public const string Hold = "hold";
     public const string Adaptive = "adaptive";
+    public const string Process = "gp";
     public const string Quadratic = "quadratic";
     public const string Linear = "linear";
     public const string Cubic = "cubic";

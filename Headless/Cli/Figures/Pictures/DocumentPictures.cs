@@ -27,8 +27,7 @@ static class DocumentPictures
         if (figures.FirstOrDefault(f => f.Number == "17") is Figure arm)
         {
             paths.Add(Path.Combine(folder, "arm.svg"));
-            // The last ones are those of our own predictor.
-            File.WriteAllText(paths[^1], ArmPicture.Of([.. arm.Drawings.TakeLast(3)]));
+            File.WriteAllText(paths[^1], ArmPicture.Of([.. arm.Drawings.Where(drawing => drawing.Title.EndsWith(": adaptive", StringComparison.Ordinal))]));
         }
         foreach (var (file, number, index, width, traces) in Pictures)
         {

@@ -12,6 +12,7 @@ readonly record struct PictureInk(string Colour, double Width, string Dash)
         Looks.Truth => new("#b9c2cc", 5, ""),
         Looks.Hold => new("#d9741a", 1.5, "5 3"),
         Looks.Adaptive => new("#0b4a8f", 2.5, ""),
+        Looks.Process => new("#b3261e", 2, "4 2"),
         Looks.Quadratic => new("#00856f", 2, "9 3"),
         Looks.Cubic => new("#a8478f", 2, "8 3 2 3"),
         _ => new("#6b7480", 1.5, "2 3"),

@@ -78,18 +78,17 @@ sealed class SweepStudy : IFigureStudy
         return table;
     }
 
-    static string Beyond(SweepClaims claims, SweepData swing, SweepData random)
+    string Beyond(SweepClaims claims, SweepData swing, SweepData random)
     {
-        var ofBest = Shares(swing, i => claims.Compared.Min(name => swing.RmsMm(name)[i]));
-        var ofQuadratic = Shares(swing, i => swing.RmsMm("quadratic")[i]);
-        var onRandom = Shares(random, i => random.RmsMm("quadratic")[i]);
-        return $"adaptive leaves {ofQuadratic} of the quadratic's error, and {ofBest} of the error of whichever of the three is best at each value. "
-            + $"The swing comes back every 2.4 s, which adaptive may recognise; on fast random moves that do not it leaves {onRandom} of the quadratic's.";
+        string Of(string name) => $"{name} leaves {Shares(name, swing, i => swing.RmsMm("quadratic")[i])} of the quadratic's error, "
+            + $"{Shares(name, swing, i => claims.Compared.Min(other => swing.RmsMm(other)[i]))} of the error of whichever of the three is best at each value, "
+            + $"and on fast random moves {Shares(name, random, i => random.RmsMm("quadratic")[i])} of the quadratic's. ";
+        return string.Concat(_ours.Select(Of)) + "The swing comes back every 2.4 s, which adaptive may recognise; random moves do not come back.";
     }
 
-    static string Shares(SweepData data, Func<int, double> of)
+    static string Shares(string name, SweepData data, Func<int, double> of)
     {
-        var shares = Enumerable.Range(0, data.Values.Count).Select(i => data.RmsMm("adaptive")[i] / of(i)).ToArray();
+        var shares = Enumerable.Range(0, data.Values.Count).Select(i => data.RmsMm(name)[i] / of(i)).ToArray();
         return $"{Numbers.Text(Math.Round(100 * shares.Min()))} to {Numbers.Percent(Math.Round(shares.Max(), 2))}";
     }
 }

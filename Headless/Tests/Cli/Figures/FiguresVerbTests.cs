@@ -99,7 +99,7 @@ public partial class FiguresVerbTests
     {
         foreach (var settings in new[] { FigureSettings.Full, FigureSettings.Quick })
         {
-            Assert.That(settings.Ours, Is.EqualTo(new[] { "adaptive" }));
+            Assert.That(settings.Ours, Is.EqualTo(new[] { "adaptive", "gp" }));
             Assert.That(settings.Phases, Is.GreaterThanOrEqualTo(8));
             Assert.That(new FigureRun(FigureSet.Studies(settings)).Total, Is.GreaterThan(300));
         }

@@ -15,7 +15,7 @@ namespace Nowpose.Editor
     /// <item>Nowpose is not: no line of it is reached by reflection, all of it from Nowpose.Unity or from the user's own code.</item>
     /// <item>MathNet.Numerics is not: its regression and its distributions are called directly and use no reflection. Keeping all
     /// of it would cost megabytes of code and minutes of each build.</item>
-    /// <item>Newtonsoft.Json is not: only its token reader is used, which creates no object by reflection.</item>
+    /// <item>Newtonsoft.Json is not: only its token writer is used at run time, without reflection.</item>
     /// </list>
     /// </remarks>
     public sealed class LinkerProtection : IUnityLinkerProcessor

@@ -47,17 +47,18 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>The next message, as soon as there is one. One caller at a time.</summary>
+        /// <summary>The next message, as soon as there is one; null at the end. One caller at a time.</summary>
         /// <exception cref="Exception">What the end was told.</exception>
-        public async Task<ReceivedText> NextAsync(CancellationToken cancel)
+        public async Task<ReceivedText?> NextAsync(CancellationToken cancel)
         {
-            ReceivedText message;
+            ReceivedText? message;
             while (!TryTake(out message)) await _more.Task.OrCancelled(cancel).ConfigureAwait(false);
             return message;
         }
 
-        bool TryTake(out ReceivedText message)
+        bool TryTake(out ReceivedText? message)
         {
+            message = null;
             lock (_gate)
             {
                 if (_lost > 0)
@@ -66,7 +67,11 @@ namespace Nowpose.Network
                     message = ReceivedText.Drop(DropReason.SlowReader, _waiting.Peek().Arrival);
                     return true;
                 }
-                if (_waiting.TryDequeue(out message)) return true;
+                if (_waiting.TryDequeue(out var waiting))
+                {
+                    message = waiting;
+                    return true;
+                }
                 if (_failure != null) throw _failure;
                 if (!_hasEnded && _more.Task.IsCompleted) _more = NewSignal();
                 return _hasEnded;

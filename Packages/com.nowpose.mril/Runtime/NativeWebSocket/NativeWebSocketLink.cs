@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
 using NativeWebSocket;
@@ -62,7 +61,14 @@ namespace Nowpose.Network
             await _socket.SendText(text).OrCancelled(cancel).ConfigureAwait(false);
         }
 
-        public Task<ReceivedText> ReceiveAsync(CancellationToken cancel) => _arrived.NextAsync(cancel);
+        public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
+        {
+            while (await _arrived.NextAsync(cancel).ConfigureAwait(false) is { } received)
+            {
+                take(received);
+                cancel.ThrowIfCancellationRequested();
+            }
+        }
 
         /// <summary>Says goodbye and closes, in the background and within a second.</summary>
         public void Dispose()
@@ -104,7 +110,7 @@ namespace Nowpose.Network
             var arrival = _clock.Now;
             _arrived.Add(data.Length > ProtocolLimits.DescriptionBytes
                 ? ReceivedText.Drop(DropReason.TooLarge, arrival)
-                : ReceivedText.Message(Encoding.UTF8.GetString(data), arrival));
+                : ReceivedText.Message(data, arrival));
         }
 
         void End(WebSocketCloseCode code)

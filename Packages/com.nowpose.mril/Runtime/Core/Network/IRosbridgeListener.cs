@@ -5,7 +5,10 @@ namespace Nowpose.Network
     /// <summary>What a <see cref="RosbridgeClient"/> serves. Called on the client's threads.</summary>
     public interface IRosbridgeListener
     {
-        /// <param name="message">Checked against every rule that needs no clock.</param>
+        /// <param name="message">
+        /// Checked against every rule that needs no clock. A <see cref="Session.CompensationSession"/> reuses it for a later message once a frame
+        /// has taken its samples: a listener that passes it on to a session copies the values that it keeps.
+        /// </param>
         /// <param name="arrival">When its last byte was read.</param>
         void Received(JointStateMessage message, HeadsetTime arrival);
 

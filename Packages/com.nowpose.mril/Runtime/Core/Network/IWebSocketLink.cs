@@ -12,7 +12,8 @@ namespace Nowpose.Network
 
         Task SendAsync(string text, CancellationToken cancel);
 
-        /// <summary>The next message, stamped where it arrives.</summary>
-        Task<ReceivedText> ReceiveAsync(CancellationToken cancel);
+        /// <summary>Hands over the messages, one after the other, each stamped where it arrives. Completes when the connection was closed in order.</summary>
+        /// <param name="take">Called on the thread that received. An exception of it ends the connection.</param>
+        Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel);
     }
 }

@@ -1,32 +1,28 @@
+using System;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>What came over a WebSocket: a message with its moment of arrival, a message that had to be dropped, or the end.</summary>
+    /// <summary>A message that came over a WebSocket, with its moment of arrival; or why it was dropped.</summary>
     public readonly struct ReceivedText
     {
-        ReceivedText(string text, DropReason dropped, HeadsetTime arrival)
+        ReceivedText(ReadOnlyMemory<byte> utf8, DropReason dropped, HeadsetTime arrival)
         {
-            Text = text;
+            Utf8 = utf8;
             Dropped = dropped;
             Arrival = arrival;
         }
 
-        /// <summary>The connection was closed in order.</summary>
-        public static ReceivedText Closed => default;
+        /// <summary>The message as it was received. Valid only during the call: the next message is read into the same memory.</summary>
+        public ReadOnlyMemory<byte> Utf8 { get; }
 
-        /// <summary>The message; null when it was dropped or the connection closed.</summary>
-        public string Text { get; }
-
-        /// <summary>Why there is no text; <see cref="DropReason.None"/> with a text or at the end.</summary>
+        /// <summary>Why the message was dropped; <see cref="DropReason.None"/> when it was not.</summary>
         public DropReason Dropped { get; }
 
         /// <summary>When its last byte was read from the socket.</summary>
         public HeadsetTime Arrival { get; }
 
-        public bool IsClosed => Text == null && Dropped == DropReason.None;
-
-        public static ReceivedText Message(string text, HeadsetTime arrival) => new ReceivedText(text, DropReason.None, arrival);
-        public static ReceivedText Drop(DropReason reason, HeadsetTime arrival) => new ReceivedText(null, reason, arrival);
+        public static ReceivedText Message(ReadOnlyMemory<byte> utf8, HeadsetTime arrival) => new ReceivedText(utf8, DropReason.None, arrival);
+        public static ReceivedText Drop(DropReason reason, HeadsetTime arrival) => new ReceivedText(default, reason, arrival);
     }
 }

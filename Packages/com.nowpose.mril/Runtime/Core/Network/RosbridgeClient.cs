@@ -162,35 +162,31 @@ namespace Nowpose.Network
 
         async Task ReceiveAsync(IWebSocketLink link, Backoff backoff, CancellationToken cancel)
         {
-            while (true)
-            {
-                var received = await NextAsync(link, cancel).ConfigureAwait(false);
-                if (received.IsClosed) return;
-                // Not before: a server that accepts and closes at once would be called again five times a second.
-                _status = LinkStatus.Connected;
-                backoff.Reset();
-                Heard(received.Arrival);
-                if (received.Text == null) _listener.Dropped(received.Dropped);
-                else Take(received);
-            }
-        }
-
-        async Task<ReceivedText> NextAsync(IWebSocketLink link, CancellationToken cancel)
-        {
+            var reader = new RosbridgeReader();
             try
             {
-                return await link.ReceiveAsync(cancel).ConfigureAwait(false);
+                await link.ReceiveAsync(Arrived, cancel).ConfigureAwait(false);
             }
             catch (MessageLimitException broken)
             {
                 _listener.Dropped(broken.Reason);
                 throw;
             }
+
+            void Arrived(ReceivedText received)
+            {
+                // Not before: a server that accepts and closes at once would be called again five times a second.
+                _status = LinkStatus.Connected;
+                backoff.Reset();
+                Heard(received.Arrival);
+                if (received.Dropped == DropReason.None) Take(reader, received);
+                else _listener.Dropped(received.Dropped);
+            }
         }
 
-        void Take(in ReceivedText received)
+        void Take(RosbridgeReader reader, in ReceivedText received)
         {
-            var isRead = RosbridgeReader.TryRead(received.Text, out var message, out var reason);
+            var isRead = reader.TryRead(received.Utf8.Span, out var message, out var reason);
             if (message?.Op == RosbridgeOp.ServiceResponse) _rosTime?.Answered(message, reason, received.Arrival);
             if (!isRead) _listener.Dropped(reason);
             else if (message.JointState != null) _listener.Received(message.JointState, received.Arrival);

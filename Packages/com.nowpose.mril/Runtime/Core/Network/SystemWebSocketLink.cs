@@ -25,13 +25,12 @@ namespace Nowpose.Network
         public Task SendAsync(string text, CancellationToken cancel) => _socket.SendAsync(
             new ArraySegment<byte>(Encoding.UTF8.GetBytes(text)), WebSocketMessageType.Text, endOfMessage: true, cancel);
 
-        public async Task<ReceivedText> ReceiveAsync(CancellationToken cancel)
+        public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
             // A WebSocket whose receiving is cancelled is aborted, and could not be closed in order any more.
-            var received = await _reader.ReceiveAsync(CancellationToken.None).OrCancelled(cancel).ConfigureAwait(false);
+            await _reader.ReceiveAsync(take, cancel).OrCancelled(cancel).ConfigureAwait(false);
             // With the code that came, or with none where none came (RFC 6455, 5.5.1).
-            if (received.IsClosed) await CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure).ConfigureAwait(false);
-            return received;
+            await CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure).ConfigureAwait(false);
         }
 
         /// <summary>Closes in order, so that the server does not take the connection for a lost one; in the background and within a second.</summary>

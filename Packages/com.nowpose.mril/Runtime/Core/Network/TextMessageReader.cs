@@ -1,6 +1,5 @@
 using System;
 using System.Net.WebSockets;
-using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
 using Nowpose.Protocol;
@@ -37,32 +36,36 @@ namespace Nowpose.Network
             _clock = clock;
         }
 
+        /// <summary>Hands over the messages, one after the other, until the connection is closed. Makes no garbage for one that comes in one piece.</summary>
+        /// <param name="cancel">Ends the handing over with the next message; the socket is not told, for it would be aborted.</param>
         /// <exception cref="MessageLimitException">The message broke a limit that ends the connection.</exception>
         /// <exception cref="WebSocketException">The connection was lost.</exception>
-        public async Task<ReceivedText> ReceiveAsync(CancellationToken cancel)
+        public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
-            _length = _fragments = 0;
-            var last = await _socket.ReceiveAsync(new ArraySegment<byte>(_chunk), cancel).ConfigureAwait(false);
-            Append(last);
-            if (!last.EndOfMessage) last = await RestAsync(cancel).ConfigureAwait(false);
-            var arrival = _clock.Now;
-            if (last.MessageType == WebSocketMessageType.Close) return ReceivedText.Closed;
-            var dropped = Fault(last.MessageType);
-            return dropped == DropReason.None
-                ? ReceivedText.Message(Encoding.UTF8.GetString(_message, 0, _length), arrival)
-                : ReceivedText.Drop(dropped, arrival);
+            while (true)
+            {
+                _length = _fragments = 0;
+                var last = await _socket.ReceiveAsync(_chunk.AsMemory(), CancellationToken.None).ConfigureAwait(false);
+                Append(last);
+                if (!last.EndOfMessage) last = await RestAsync().ConfigureAwait(false);
+                var arrival = _clock.Now;
+                cancel.ThrowIfCancellationRequested();
+                if (last.MessageType == WebSocketMessageType.Close) return;
+                var dropped = Fault(last.MessageType);
+                take(dropped == DropReason.None
+                    ? ReceivedText.Message(_message.AsMemory(0, _length), arrival) : ReceivedText.Drop(dropped, arrival));
+            }
         }
 
-        async Task<WebSocketReceiveResult> RestAsync(CancellationToken cancel)
+        async Task<ValueWebSocketReceiveResult> RestAsync()
         {
             using (var timeUp = new CancellationTokenSource(ProtocolLimits.MessageTimeout))
-            using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel, timeUp.Token))
             {
                 try
                 {
                     while (true)
                     {
-                        var next = await _socket.ReceiveAsync(new ArraySegment<byte>(_chunk), inTime.Token).ConfigureAwait(false);
+                        var next = await _socket.ReceiveAsync(_chunk.AsMemory(), timeUp.Token).ConfigureAwait(false);
                         Append(next);
                         if (next.EndOfMessage) return next;
                         if (_length > LongestDiscarded)
@@ -79,7 +82,7 @@ namespace Nowpose.Network
             }
         }
 
-        void Append(WebSocketReceiveResult piece)
+        void Append(in ValueWebSocketReceiveResult piece)
         {
             if (piece.Count < LeastSegmentBytes) _fragments++;
             var before = _length;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Text;
 using Newtonsoft.Json;
 using Nowpose.Protocol;
 
@@ -13,7 +14,7 @@ namespace Nowpose.Pairing
         const string Format = "nowpose-paired-cells";
         const int Version = 1, Nesting = 6;
 
-        static readonly string[] FileFields = { "format", "version", "used", "cells" }, CellFields = { "codes", "token" };
+        static readonly JsonNames FileFields = new JsonNames("format", "version", "used", "cells"), CellFields = new JsonNames("codes", "token");
 
         public static string Write(PairedCells cells)
         {
@@ -38,54 +39,73 @@ namespace Nowpose.Pairing
         {
             try
             {
-                if (JsonSyntax.Check(text, Nesting) != DropReason.None) throw new InputException("no JSON object, or cut off");
-                using (var cursor = new JsonCursor(text)) return Read(cursor);
+                var utf8 = Encoding.UTF8.GetBytes(text);
+                if (JsonUtf8Reader.Check(utf8, Nesting) != DropReason.None) throw new InputException("no JSON object, or cut off");
+                return Read(new JsonUtf8Reader(utf8, Nesting));
             }
-            catch (Exception fault) when (fault is InputException || fault is JsonException)
+            catch (InputException fault)
             {
                 throw new InputException(name + ": no paired cells that can be used: " + fault.Message, fault);
             }
         }
 
-        static PairedCells Read(JsonCursor cursor)
+        static PairedCells Read(JsonUtf8Reader json)
         {
-            string format = null, used = null;
-            long version = 0;
+            string used = null;
             var cells = new List<PairedCell>();
-            var isRead = cursor.Object(FileFields, 0b1011, field =>
+            var seen = 0;
+            json.BeginObject();
+            while (json.NextField(FileFields, ref seen, out var field))
             {
                 switch (field)
                 {
-                    case 0: return cursor.Text(out format) && RequireFormat(format);
-                    case 1: return cursor.Integer(out version) && RequireVersion(version);
-                    case 2: return cursor.OptionalText(out used);
-                    default: return cursor.Elements(() => Add(cells, cursor));
+                    case 0 when json.Text(out var format): RequireFormat(format); break;
+                    case 1 when json.Integer(out var version): RequireVersion(version); break;
+                    case 2: json.OptionalText(out used); break;
+                    case 3: ReadCells(ref json, cells); break;
                 }
-            });
-            return isRead
-                ? new PairedCells(cells, used) : throw new InputException("a field is missing, twice, or of another kind (" + cursor.Fault + ")");
+            }
+
+            return json.EndObject(seen, 0b1011)
+                ? new PairedCells(cells, used) : throw new InputException("a field is missing, twice, or of another kind (" + json.Fault + ")");
         }
 
-        static bool RequireFormat(string format) => format == Format ? true : throw new InputException("another format than '" + Format + "'");
-
-        static bool RequireVersion(long version) => version == Version
-            ? true : throw new InputException("version " + version + ", this Nowpose reads version " + Version + "; update Nowpose");
-
-        static bool Add(List<PairedCell> cells, JsonCursor cursor)
+        static void RequireFormat(string format)
         {
+            if (format != Format) throw new InputException("another format than '" + Format + "'");
+        }
+
+        static void RequireVersion(long version)
+        {
+            if (version != Version)
+                throw new InputException("version " + version + ", this Nowpose reads version " + Version + "; update Nowpose");
+        }
+
+        static void ReadCells(ref JsonUtf8Reader json, List<PairedCell> into)
+        {
+            json.BeginArray();
+            while (json.NextElement() && ReadCell(ref json, out var cell)) into.Add(cell);
+        }
+
+        static bool ReadCell(ref JsonUtf8Reader json, out PairedCell cell)
+        {
+            cell = null;
             var codes = new List<CellCode>();
             string token = null;
-            if (!cursor.Object(CellFields, 1, field => field == 0
-                ? cursor.Elements(() => Add(codes, cursor)) : cursor.OptionalText(out token))) return false;
-            cells.Add(new PairedCell(codes, token));
+            var seen = 0;
+            json.BeginObject();
+            while (json.NextField(CellFields, ref seen, out var field))
+                if (field == 0) ReadCodes(ref json, codes);
+                else json.OptionalText(out token);
+            if (!json.EndObject(seen, 1)) return false;
+            cell = new PairedCell(codes, token);
             return true;
         }
 
-        static bool Add(List<CellCode> codes, JsonCursor cursor)
+        static void ReadCodes(ref JsonUtf8Reader json, List<CellCode> into)
         {
-            if (!cursor.Text(out var text)) return false;
-            codes.Add(CellCode.Parse(text));
-            return true;
+            json.BeginArray();
+            while (json.NextElement() && json.Text(out var text)) into.Add(CellCode.Parse(text));
         }
 
         static void Write(JsonTextWriter json, PairedCell cell)

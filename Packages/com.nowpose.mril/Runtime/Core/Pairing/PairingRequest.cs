@@ -16,7 +16,7 @@ namespace Nowpose.Pairing
     {
         const int Nesting = 2;
 
-        static readonly string[] AnswerFields = { "token" };
+        static readonly JsonNames AnswerFields = new JsonNames("token");
 
         /// <param name="gateway">Pinned, or on this machine; its own token is not used.</param>
         /// <param name="codeToken">Of the gateway's code.</param>
@@ -107,22 +107,24 @@ namespace Nowpose.Pairing
                 if (read == 0) throw new EndOfStreamException("the gateway closed the connection before it had answered");
                 got += read;
             }
-            return TokenOf(Encoding.UTF8.GetString(body)) is string token
+            return TokenOf(body) is string token
                 ? PairingAnswer.Accepted(token) : PairingAnswer.Refused("the gateway's answer to the code holds no token that can be used");
         }
 
-        static string TokenOf(string json)
+        static string TokenOf(byte[] utf8)
         {
-            if (JsonSyntax.Check(json, Nesting) != DropReason.None) return null;
             string token = null;
+            var seen = 0;
+            var json = new JsonUtf8Reader(utf8, Nesting);
+            json.BeginObject();
+            while (json.NextField(AnswerFields, ref seen, out _)) json.Text(out token);
+            if (!json.EndObject(seen, 1) || !json.End()) return null;
             try
             {
-                using (var cursor = new JsonCursor(json))
-                    if (!cursor.Object(AnswerFields, 1, _ => cursor.Text(out token))) return null;
                 // What could not be sent is no token.
                 return new ConnectionSettings("127.0.0.1", token: token).Token;
             }
-            catch (Exception fault) when (fault is JsonException || fault is InputException)
+            catch (InputException)
             {
                 return null;
             }

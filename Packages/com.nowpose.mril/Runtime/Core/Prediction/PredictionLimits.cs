@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Prediction
 {
-    /// <summary>What bounds a joint's prediction: how far ahead, over which pauses, and the joint's own range.</summary>
+    /// <summary>Bounds of a joint's prediction: maximum horizon, maximum gap between samples, and the joint's own limits.</summary>
     /// <remarks>Immutable; may be shared by all joints of a kind.</remarks>
     public sealed class PredictionLimits
     {
@@ -52,24 +52,24 @@ namespace Nowpose.Prediction
         public double Upper { get; }
 
         /// <summary>
-        /// Furthest prediction ahead of the newest sample, s. Beyond it the section's value at the cap is held, and before
+        /// Maximum prediction ahead of the newest sample, s. Beyond it the section's value at the cap is held, and before
         /// its oldest sample the section's value there. Infinite, neither end of a section bounds it.
         /// </summary>
         public double HorizonCap { get; }
 
         /// <summary>
-        /// Longest interval between neighbouring samples over which a motion is believed to be one, s. Samples before a
+        /// Maximum interval between neighbouring samples over which a motion counts as one, s. Samples before a
         /// longer one are not used: a polynomial through a pause of the transmission swings far out.
         /// </summary>
         public double MaximumGap { get; }
 
-        /// <summary>Greatest speed, rad/s or m/s; no prediction moves faster.</summary>
+        /// <summary>Maximum speed, rad/s or m/s; bounds the mixture of <c>adaptive</c>.</summary>
         public double Velocity { get; }
 
-        /// <summary>Greatest acceleration, rad/s² or m/s²; no prediction's speed changes faster.</summary>
+        /// <summary>Maximum acceleration, rad/s² or m/s²; bounds the change of speed of that mixture.</summary>
         public double Acceleration { get; }
 
-        /// <summary>Greatest jerk, rad/s³ or m/s³.</summary>
+        /// <summary>Maximum jerk, rad/s³ or m/s³; with the other two it gives S-curve profiles.</summary>
         public double Jerk { get; }
 
         /// <summary>Whether positions are angles in rad of a joint that turns without end, and may come back from π to −π.</summary>

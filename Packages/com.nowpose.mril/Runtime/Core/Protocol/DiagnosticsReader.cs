@@ -6,29 +6,29 @@ namespace Nowpose.Protocol
     /// <summary>Reads diagnostic_msgs/DiagnosticArray with exactly one status.</summary>
     static class DiagnosticsReader
     {
-        static readonly string[] ArrayFields = { "status", "header" };
-        static readonly string[] StatusFields = { "hardware_id", "values", "level", "name", "message" };
-        static readonly string[] PairFields = { "key", "value" };
+        static readonly JsonNames ArrayFields = new JsonNames("status", "header");
+        static readonly JsonNames StatusFields = new JsonNames("hardware_id", "values", "level", "name", "message");
+        static readonly JsonNames PairFields = new JsonNames("key", "value");
         const int MaxLevel = 3;
 
-        public static bool Read(JsonCursor cursor, RosbridgeMessage into)
+        public static bool Read(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
-            var isRead = TryRead(cursor, out var message);
+            var isRead = TryRead(ref json, out var message);
             into.Diagnostics = message;
             return isRead;
         }
 
-        public static bool TryRead(JsonCursor cursor, out DiagnosticsMessage message)
+        public static bool TryRead(ref JsonUtf8Reader json, out DiagnosticsMessage message)
         {
             message = null;
             var stamp = default(ControlTime);
             var status = default(Status);
-            var count = 0;
-            var isRead = cursor.Object(ArrayFields, 1, field => field == 0
-                ? cursor.Elements(() => (++count == 1 || cursor.Fail(DropReason.LengthMismatch)) && ReadStatus(cursor, out status))
-                : RosTime.ReadOptionalHeader(cursor, out stamp));
-            if (!isRead || count == 0)
-                return isRead && cursor.Fail(DropReason.LengthMismatch);
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(ArrayFields, ref seen, out var field))
+                if (field == 0) ReadOnlyStatus(ref json, out status);
+                else RosTime.ReadOptionalHeader(ref json, out stamp);
+            if (!json.EndObject(seen, 1)) return false;
             message = new DiagnosticsMessage(stamp, status.HardwareId, status.Values, status.Level, status.Name, status.Message);
             return true;
         }
@@ -40,41 +40,68 @@ namespace Nowpose.Protocol
             public readonly List<KeyValuePair<string, string>> Values = new List<KeyValuePair<string, string>>();
         }
 
-        static bool ReadStatus(JsonCursor cursor, out Status status)
+        static bool ReadOnlyStatus(ref JsonUtf8Reader json, out Status status)
         {
-            var read = status = new Status();
-            return cursor.Object(StatusFields, 0b11, field =>
+            status = null;
+            if (!json.BeginArray()) return false;
+            while (json.NextElement())
+            {
+                if (status != null) return json.Fail(DropReason.LengthMismatch);
+                ReadStatus(ref json, status = new Status());
+            }
+
+            return json.Fault == DropReason.None && (status != null || json.Fail(DropReason.LengthMismatch));
+        }
+
+        static bool ReadStatus(ref JsonUtf8Reader json, Status into)
+        {
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(StatusFields, ref seen, out var field))
             {
                 switch (field)
                 {
-                    case 0: return cursor.Name(out read.HardwareId);
-                    case 1: return cursor.Elements(() => ReadPair(cursor, read.Values));
-                    case 2: return ReadLevel(cursor, out read.Level);
-                    case 3: return ReadText(cursor, ref read.Name);
-                    default: return ReadText(cursor, ref read.Message);
+                    case 0: json.Name(out into.HardwareId); break;
+                    case 1: ReadPairs(ref json, into.Values); break;
+                    case 2: ReadLevel(ref json, out into.Level); break;
+                    case 3: ReadText(ref json, ref into.Name); break;
+                    default: ReadText(ref json, ref into.Message); break;
                 }
-            });
+            }
+
+            return json.EndObject(seen, 0b11);
         }
 
         // ROS writes a byte as a number or as a text, depending on its version.
-        static bool ReadLevel(JsonCursor cursor, out int level)
+        static bool ReadLevel(ref JsonUtf8Reader json, out int level)
         {
             level = 0;
-            if (!cursor.IsInteger) return cursor.Skip();
-            var isRead = cursor.Integer(out var value);
+            if (!json.IsInteger) return json.Skip();
+            var isRead = json.Integer(out var value);
             level = (int)Math.Min(Math.Max(value, 0), MaxLevel);
             return isRead;
         }
 
-        static bool ReadText(JsonCursor cursor, ref string text) => cursor.IsText ? cursor.Text(out text) : cursor.Skip();
+        static bool ReadText(ref JsonUtf8Reader json, ref string text) => json.IsText ? json.Text(out text) : json.Skip();
 
-        static bool ReadPair(JsonCursor cursor, List<KeyValuePair<string, string>> into)
+        static bool ReadPairs(ref JsonUtf8Reader json, List<KeyValuePair<string, string>> into)
         {
-            var key = default(string);
-            var value = default(string);
-            var isRead = cursor.Object(PairFields, 0b11, field => field == 0 ? cursor.Name(out key) : cursor.Text(out value));
-            into.Add(new KeyValuePair<string, string>(key, value));
-            return isRead;
+            if (!json.BeginArray()) return false;
+            while (json.NextElement() && ReadPair(ref json, out var pair)) into.Add(pair);
+            return json.Fault == DropReason.None;
+        }
+
+        static bool ReadPair(ref JsonUtf8Reader json, out KeyValuePair<string, string> pair)
+        {
+            pair = default;
+            string key = null, value = null;
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(PairFields, ref seen, out var field))
+                if (field == 0) json.Name(out key);
+                else json.Text(out value);
+            pair = new KeyValuePair<string, string>(key, value);
+            return json.EndObject(seen, 0b11);
         }
     }
 }

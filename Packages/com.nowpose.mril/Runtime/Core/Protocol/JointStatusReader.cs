@@ -10,16 +10,16 @@ namespace Nowpose.Protocol
         /// <summary>Maximum length of a reason in UTF-16 code units. A longer reason is cut.</summary>
         const int MaxReasonLength = 256;
 
-        public static bool Read(JsonCursor cursor, RosbridgeMessage into)
+        public static bool Read(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
-            if (!DiagnosticsReader.TryRead(cursor, out var message)) return false;
+            if (!DiagnosticsReader.TryRead(ref json, out var message)) return false;
             var joints = new List<JointReport>(message.Values.Count);
             var names = new HashSet<string>(StringComparer.Ordinal);
             foreach (var pair in message.Values)
             {
-                if (joints.Count == ProtocolLimits.Joints) return cursor.Fail(DropReason.TooManyJoints);
-                if (!names.Add(pair.Key)) return cursor.Fail(DropReason.DuplicateName);
-                if (!TryRead(pair.Key, pair.Value, out var report)) return cursor.Fail(DropReason.OutOfRange);
+                if (joints.Count == ProtocolLimits.Joints) return json.Fail(DropReason.TooManyJoints);
+                if (!names.Add(pair.Key)) return json.Fail(DropReason.DuplicateName);
+                if (!TryRead(pair.Key, pair.Value, out var report)) return json.Fail(DropReason.OutOfRange);
                 joints.Add(report);
             }
             into.JointStatus = new JointStatusMessage(joints);

@@ -8,30 +8,37 @@ namespace Nowpose.Protocol
         /// <summary>Beyond these it is no clock that positions could be stamped by.</summary>
         const long GreatestResolution = 1_000_000_000, GreatestErrorBound = 60_000_000_000;
 
-        static readonly string[] Fields = { "received", "sent", "resolution_ns", "error_bound_ns", "synchronised" };
+        static readonly JsonNames Fields = new JsonNames("received", "sent", "resolution_ns", "error_bound_ns", "synchronised");
 
-        public static bool Read(JsonCursor cursor, RosbridgeMessage into)
+        public static bool Read(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             ControlTime received = default, sent = default;
             TimeSpan resolution = default, bound = default;
             var isSynchronised = true;
-            var isRead = cursor.Object(Fields, 0b11, field => field switch
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(Fields, ref seen, out var field))
             {
-                0 => RosTime.ReadStamp(cursor, out received),
-                1 => RosTime.ReadStamp(cursor, out sent),
-                2 => ReadLength(cursor, GreatestResolution, out resolution),
-                3 => ReadLength(cursor, GreatestErrorBound, out bound),
-                _ => cursor.Flag(out isSynchronised),
-            });
-            if (isRead) into.PlantTime = new PlantTimeMessage(received, sent, resolution, bound, isSynchronised);
-            return isRead;
+                switch (field)
+                {
+                    case 0: RosTime.ReadStamp(ref json, out received); break;
+                    case 1: RosTime.ReadStamp(ref json, out sent); break;
+                    case 2: ReadLength(ref json, GreatestResolution, out resolution); break;
+                    case 3: ReadLength(ref json, GreatestErrorBound, out bound); break;
+                    default: json.Flag(out isSynchronised); break;
+                }
+            }
+
+            if (!json.EndObject(seen, 0b11)) return false;
+            into.PlantTime = new PlantTimeMessage(received, sent, resolution, bound, isSynchronised);
+            return true;
         }
 
-        static bool ReadLength(JsonCursor cursor, long greatestNanoseconds, out TimeSpan length)
+        static bool ReadLength(ref JsonUtf8Reader json, long greatestNanoseconds, out TimeSpan length)
         {
             length = default;
-            if (!cursor.Integer(out var nanoseconds)) return false;
-            if (nanoseconds < 0 || nanoseconds > greatestNanoseconds) return cursor.Fail(DropReason.OutOfRange);
+            if (!json.Integer(out var nanoseconds)) return false;
+            if (nanoseconds < 0 || nanoseconds > greatestNanoseconds) return json.Fail(DropReason.OutOfRange);
             length = new TimeSpan(nanoseconds / ClockTicks.NanosecondsPerTick);
             return true;
         }

@@ -3,149 +3,126 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads the bodies of publications and service responses, each by its topic or service.</summary>
-    static class RosMessages
+    /// <summary>Reads the bodies of publications and service responses, each by its topic or service. One thread.</summary>
+    sealed class RosMessages
     {
-        static readonly string[] StringFields = { "data" };
-        static readonly string[] TimeFields = { "time" };
-        static readonly string[] StateFields = { "header", "name", "position", "velocity", "acceleration" };
-        static readonly string[] TrajectoryFields = { "header", "joint_names", "points" };
-        static readonly string[] PointFields = { "positions", "time_from_start", "velocities", "accelerations" };
+        static readonly JsonNames StringFields = new JsonNames("data");
+        static readonly JsonNames TimeFields = new JsonNames("time");
+        static readonly JsonNames TrajectoryFields = new JsonNames("header", "joint_names", "points");
+        static readonly JsonNames PointFields = new JsonNames("positions", "time_from_start", "velocities", "accelerations");
 
-        public static bool Read(JsonCursor cursor, RosbridgeMessage into)
+        readonly JointStateReader _states = new JointStateReader();
+        readonly JointNamesReader _plannedNames = new JointNamesReader();
+
+        public bool Read(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             if (into.Op == RosbridgeOp.ServiceResponse)
-                return ReadResponse(cursor, into);
+                return ReadResponse(ref json, into);
             switch (into.Topic)
             {
-                case RosTopics.JointStates: into.JointState = ReadState(cursor, isNamed: false); return into.JointState != null;
-                case RosTopics.Displayed: into.Displayed = ReadState(cursor, isNamed: true); return into.Displayed != null;
-                case RosTopics.JointTrajectory: return ReadTrajectory(cursor, into);
-                case RosTopics.RobotDescription: return ReadData(cursor, into);
-                case RosTopics.Diagnostics: return DiagnosticsReader.Read(cursor, into);
-                case RosTopics.JointStatus: return JointStatusReader.Read(cursor, into);
-                default: return cursor.Skip();
+                case RosTopics.JointStates: into.JointState = _states.Read(ref json, isNamed: false); return into.JointState != null;
+                case RosTopics.Displayed: into.Displayed = _states.Read(ref json, isNamed: true); return into.Displayed != null;
+                case RosTopics.JointTrajectory: return ReadTrajectory(ref json, into);
+                case RosTopics.RobotDescription: return ReadData(ref json, into);
+                case RosTopics.Diagnostics: return DiagnosticsReader.Read(ref json, into);
+                case RosTopics.JointStatus: return JointStatusReader.Read(ref json, into);
+                default: return json.Skip();
             }
         }
 
-        static bool ReadResponse(JsonCursor cursor, RosbridgeMessage into)
+        static bool ReadResponse(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
-            if (!into.Result) return ReadFailure(cursor, into);
-            if (into.Service == RosTopics.GetTime) return ReadTime(cursor, into);
-            return into.Service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) ? PlantTimeReader.Read(cursor, into) : cursor.Skip();
+            if (!into.Result) return ReadFailure(ref json, into);
+            if (into.Service == RosTopics.GetTime) return ReadTime(ref json, into);
+            return into.Service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) ? PlantTimeReader.Read(ref json, into) : json.Skip();
         }
 
         // Why, in words; or whatever a server likes to put there.
-        static bool ReadFailure(JsonCursor cursor, RosbridgeMessage into)
+        static bool ReadFailure(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
-            if (!cursor.IsText) return cursor.Skip();
-            var isRead = cursor.Text(out var text);
+            if (!json.IsText) return json.Skip();
+            var isRead = json.Text(out var text);
             into.Text = text;
             return isRead;
         }
 
-        static bool ReadTime(JsonCursor cursor, RosbridgeMessage into)
+        static bool ReadTime(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             var time = default(ControlTime);
-            var isRead = cursor.Object(TimeFields, 1, _ => RosTime.ReadStamp(cursor, out time));
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(TimeFields, ref seen, out _)) RosTime.ReadStamp(ref json, out time);
             into.Time = time;
-            return isRead;
+            return json.EndObject(seen, 1);
         }
 
-        static bool ReadData(JsonCursor cursor, RosbridgeMessage into)
+        static bool ReadData(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
-            var data = default(string);
-            var isRead = cursor.Object(StringFields, 1, _ => cursor.Text(out data));
+            string data = null;
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(StringFields, ref seen, out _)) json.Text(out data);
             into.Data = data;
-            return isRead;
+            return json.EndObject(seen, 1);
         }
 
-        // Null when it is refused.
-        static JointStateMessage ReadState(JsonCursor cursor, bool isNamed)
+        bool ReadTrajectory(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             var stamp = default(ControlTime);
-            var frame = "";
-            var names = new List<string>();
-            var positions = new List<double>();
-            var velocities = new List<double>();
-            var accelerations = new List<double>();
-            var isRead = cursor.Object(StateFields, 0b111, field => field switch
+            var names = Array.Empty<string>();
+            var points = new List<JointTrajectoryPoint>();
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(TrajectoryFields, ref seen, out var field))
             {
-                0 => isNamed ? RosTime.ReadNamedHeader(cursor, out stamp, out frame) : RosTime.ReadHeader(cursor, out stamp),
-                1 => ReadNames(cursor, names),
-                2 => cursor.FiniteNumbers(positions),
-                3 => cursor.IsNull || cursor.OptionalNumbers(velocities),
-                _ => cursor.IsNull || cursor.OptionalNumbers(accelerations),
-            });
-            if (!isRead || !HaveLength(cursor, names.Count, positions, velocities) || !HaveLength(cursor, names.Count, positions, accelerations))
-                return null;
-            if (names.Count == 0)
-            {
-                cursor.Fail(DropReason.MissingField);
-                return null;
+                switch (field)
+                {
+                    case 0: RosTime.ReadHeader(ref json, out stamp); break;
+                    case 1: _plannedNames.Read(ref json, out names); break;
+                    default: ReadPoints(ref json, points); break;
+                }
             }
 
-            return new JointStateMessage(
-                stamp, names.ToArray(), positions.ToArray(), OrNull(velocities), OrNull(accelerations), frame);
-        }
-
-        static bool ReadTrajectory(JsonCursor cursor, RosbridgeMessage into)
-        {
-            var stamp = default(ControlTime);
-            var names = new List<string>();
-            var points = new List<JointTrajectoryPoint>();
-            var isRead = cursor.Object(TrajectoryFields, 0b111, field => field switch
-            {
-                0 => RosTime.ReadHeader(cursor, out stamp),
-                1 => ReadNames(cursor, names),
-                _ => cursor.Elements(() => ReadPoint(cursor, points)),
-            });
-            if (!isRead || !points.TrueForAll(point => point.Positions.Length == names.Count))
-                return isRead && cursor.Fail(DropReason.LengthMismatch);
-            into.JointTrajectory = new JointTrajectoryMessage(stamp, names.ToArray(), points);
+            if (!json.EndObject(seen, 0b111)) return false;
+            foreach (var point in points)
+                if (point.Positions.Length != names.Length) return json.Fail(DropReason.LengthMismatch);
+            into.JointTrajectory = new JointTrajectoryMessage(stamp, names, points);
             return true;
         }
 
-        static bool ReadPoint(JsonCursor cursor, List<JointTrajectoryPoint> into)
+        static bool ReadPoints(ref JsonUtf8Reader json, List<JointTrajectoryPoint> into)
+        {
+            if (!json.BeginArray()) return false;
+            while (json.NextElement()) ReadPoint(ref json, into);
+            return json.Fault == DropReason.None;
+        }
+
+        static bool ReadPoint(ref JsonUtf8Reader json, List<JointTrajectoryPoint> into)
         {
             var afterStart = default(TimeSpan);
-            var positions = new List<double>();
-            var velocities = new List<double>();
-            var accelerations = new List<double>();
-            var isRead = cursor.Object(PointFields, 0b11, field => field switch
+            var (positions, velocities, accelerations) = (new List<double>(), new List<double>(), new List<double>());
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(PointFields, ref seen, out var field))
             {
-                0 => cursor.FiniteNumbers(positions),
-                1 => RosTime.ReadLength(cursor, out afterStart),
-                2 => cursor.IsNull || cursor.OptionalNumbers(velocities),
-                _ => cursor.IsNull || cursor.OptionalNumbers(accelerations),
-            });
-            if (!isRead || !HaveLength(cursor, positions.Count, positions, velocities)
-                || !HaveLength(cursor, positions.Count, positions, accelerations))
-                return false;
+                switch (field)
+                {
+                    case 0: json.Numbers(positions, areOptional: false); break;
+                    case 1: RosTime.ReadLength(ref json, out afterStart); break;
+                    case 2: JointStateReader.ReadRates(ref json, velocities); break;
+                    default: JointStateReader.ReadRates(ref json, accelerations); break;
+                }
+            }
+
+            if (!json.EndObject(seen, 0b11)) return false;
+            if (!JointStateReader.HaveLength(positions.Count, velocities, accelerations)) return json.Fail(DropReason.LengthMismatch);
             // As ROS refuses it: a path that stands still in time or goes back has no position to follow.
             if (afterStart < TimeSpan.Zero || (into.Count > 0 && afterStart <= into[into.Count - 1].TimeFromStart))
-                return cursor.Fail(DropReason.OutOfRange);
+                return json.Fail(DropReason.OutOfRange);
             into.Add(new JointTrajectoryPoint(afterStart, positions.ToArray(), OrNull(velocities), OrNull(accelerations)));
             return true;
         }
 
-        static bool HaveLength(JsonCursor cursor, int count, List<double> positions, List<double> velocities) =>
-            (positions.Count == count && (velocities.Count == 0 || velocities.Count == count)) || cursor.Fail(DropReason.LengthMismatch);
-
         static double[] OrNull(List<double> values) => values.Count == 0 ? null : values.ToArray();
-
-        static bool ReadNames(JsonCursor cursor, List<string> into)
-        {
-            var known = new HashSet<string>(StringComparer.Ordinal);
-            return cursor.Elements(() =>
-            {
-                if (!cursor.Name(out var name))
-                    return false;
-                into.Add(name);
-                if (into.Count > ProtocolLimits.Joints)
-                    return cursor.Fail(DropReason.TooManyJoints);
-                return known.Add(name) || cursor.Fail(DropReason.DuplicateName);
-            });
-        }
     }
 }

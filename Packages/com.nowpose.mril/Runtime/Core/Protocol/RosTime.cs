@@ -7,84 +7,76 @@ namespace Nowpose.Protocol
     {
         const long NanosecondsPerSecond = 1_000_000_000;
 
-        static readonly string[] Header = { "stamp" };
-        static readonly string[] NamedHeader = { "stamp", "frame_id" };
-        static readonly string[] Parts = { "secs", "nsecs", "sec", "nanosec" };
+        static readonly JsonNames Header = new JsonNames("stamp");
+        static readonly JsonNames NamedHeader = new JsonNames("stamp", "frame_id");
+        static readonly JsonNames Parts = new JsonNames("secs", "nsecs", "sec", "nanosec");
 
         /// <summary>The stamp of a header, which must be one: zero means "none" to ROS.</summary>
-        public static bool ReadHeader(JsonCursor cursor, out ControlTime stamp)
+        public static bool ReadHeader(ref JsonUtf8Reader json, out ControlTime stamp)
         {
-            var read = default(ControlTime);
-            var isRead = cursor.Object(Header, 1, _ => ReadStamp(cursor, out read));
-            stamp = read;
-            return isRead;
+            stamp = default;
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(Header, ref seen, out _)) ReadStamp(ref json, out stamp);
+            return json.EndObject(seen, 1);
         }
 
         /// <summary>The stamp of a header, and whose it is.</summary>
-        public static bool ReadNamedHeader(JsonCursor cursor, out ControlTime stamp, out string frame)
+        public static bool ReadNamedHeader(ref JsonUtf8Reader json, out ControlTime stamp, out string frame)
         {
-            var read = default(ControlTime);
-            var name = default(string);
-            var isRead = cursor.Object(NamedHeader, 0b11, field => field == 0 ? ReadStamp(cursor, out read) : cursor.Name(out name));
-            stamp = read;
-            frame = name;
-            return isRead;
+            stamp = default;
+            frame = null;
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(NamedHeader, ref seen, out var field))
+                if (field == 0) ReadStamp(ref json, out stamp);
+                else json.Name(out frame);
+            return json.EndObject(seen, 0b11);
         }
 
         /// <summary>The stamp of a header, or the epoch where there is none.</summary>
-        public static bool ReadOptionalHeader(JsonCursor cursor, out ControlTime stamp)
+        public static bool ReadOptionalHeader(ref JsonUtf8Reader json, out ControlTime stamp)
         {
-            var read = default(ControlTime);
-            var isRead = cursor.Object(Header, 0, _ => ReadPoint(cursor, out read));
-            stamp = read;
-            return isRead;
+            stamp = default;
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(Header, ref seen, out _)) ReadPoint(ref json, out stamp);
+            return json.EndObject(seen, 0);
         }
 
-        public static bool ReadStamp(JsonCursor cursor, out ControlTime stamp) =>
-            ReadPoint(cursor, out stamp) && (stamp != default || cursor.Fail(DropReason.StampZero));
+        public static bool ReadStamp(ref JsonUtf8Reader json, out ControlTime stamp) =>
+            ReadPoint(ref json, out stamp) && (stamp != default || json.Fail(DropReason.StampZero));
 
-        public static bool ReadLength(JsonCursor cursor, out TimeSpan length)
+        public static bool ReadLength(ref JsonUtf8Reader json, out TimeSpan length)
         {
-            var isRead = Read(cursor, int.MinValue, int.MaxValue, out var nanoseconds);
+            var isRead = Read(ref json, int.MinValue, int.MaxValue, out var nanoseconds);
             length = ControlTime.FromNanoseconds(nanoseconds).SinceEpoch;
             return isRead;
         }
 
-        static bool ReadPoint(JsonCursor cursor, out ControlTime point)
+        static bool ReadPoint(ref JsonUtf8Reader json, out ControlTime point)
         {
             // ROS 1 counts seconds in an u32, ROS 2 in an i32: what either can say fits into 64 bits of nanoseconds.
-            var isRead = Read(cursor, 0, uint.MaxValue, out var nanoseconds);
+            var isRead = Read(ref json, 0, uint.MaxValue, out var nanoseconds);
             point = ControlTime.FromNanoseconds(nanoseconds);
             return isRead;
         }
 
-        static bool Read(JsonCursor cursor, long lowest, long highest, out long nanoseconds)
-        {
-            var values = new long?[Parts.Length];
-            nanoseconds = 0;
-            if (!cursor.Object(Parts, 0, part => ReadPart(cursor, out values[part])))
-                return false;
-            var isRos1 = values[0].HasValue || values[1].HasValue;
-            if (isRos1 && (values[2].HasValue || values[3].HasValue))
-                return cursor.Fail(DropReason.DuplicateField);
-            return Combine(cursor, values[isRos1 ? 0 : 2], values[isRos1 ? 1 : 3], lowest, highest, out nanoseconds);
-        }
-
-        static bool ReadPart(JsonCursor cursor, out long? part)
-        {
-            var isRead = cursor.Integer(out var value);
-            part = value;
-            return isRead;
-        }
-
-        static bool Combine(JsonCursor cursor, long? seconds, long? rest, long lowest, long highest, out long nanoseconds)
+        static bool Read(ref JsonUtf8Reader json, long lowest, long highest, out long nanoseconds)
         {
             nanoseconds = 0;
-            if (!seconds.HasValue || !rest.HasValue)
-                return cursor.Fail(DropReason.MissingField);
+            Span<long> values = stackalloc long[4];
+            var seen = 0;
+            if (!json.BeginObject()) return false;
+            while (json.NextField(Parts, ref seen, out var part)) json.Integer(out values[part]);
+            if (!json.EndObject(seen, 0)) return false;
+            var isRos1 = (seen & 0b11) != 0;
+            if (isRos1 && seen > 0b11) return json.Fail(DropReason.DuplicateField);
+            if (seen != (isRos1 ? 0b11 : 0b1100)) return json.Fail(DropReason.MissingField);
+            var (seconds, rest) = (values[isRos1 ? 0 : 2], values[isRos1 ? 1 : 3]);
             if (seconds < lowest || seconds > highest || rest < 0 || rest >= NanosecondsPerSecond)
-                return cursor.Fail(DropReason.StampOutOfRange);
-            nanoseconds = seconds.Value * NanosecondsPerSecond + rest.Value;
+                return json.Fail(DropReason.StampOutOfRange);
+            nanoseconds = seconds * NanosecondsPerSecond + rest;
             return true;
         }
     }

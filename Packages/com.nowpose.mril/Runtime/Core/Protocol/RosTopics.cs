@@ -27,7 +27,6 @@ namespace Nowpose.Protocol
         public const string JointTrajectoryType = "trajectory_msgs/JointTrajectory";
         public const string StringType = "std_msgs/String";
         public const string DiagnosticsType = "diagnostic_msgs/DiagnosticArray";
-        public const string PlantTimeType = "nowpose/PlantTime";
 
         /// <summary>ROS 1 spells a type package/Name, ROS 2 package/msg/Name; a client that names none gets the newer form.</summary>
         public static RosTimeForm TimeFormOf(string type) =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Protocol
 {
-    /// <summary>One rosbridge v2 message as read; what its operation does not have is null or zero.</summary>
+    /// <summary>One rosbridge v2 message as read; what its operation does not have is null or zero. The reader overwrites it with the next message.</summary>
     public sealed class RosbridgeMessage
     {
         internal RosbridgeMessage() { }
@@ -53,5 +53,19 @@ namespace Nowpose.Protocol
 
         /// <summary>Of a response of a service below <see cref="RosTopics.PlantTime"/>; null elsewhere and when the call failed.</summary>
         public PlantTimeMessage PlantTime { get; internal set; }
+
+        internal void Clear()
+        {
+            Op = RosbridgeOp.Unknown;
+            OpName = Id = Topic = Type = Service = Level = Text = Data = null;
+            ThrottleRateMs = QueueLength = 0;
+            JointState = Displayed = null;
+            JointTrajectory = null;
+            Diagnostics = null;
+            JointStatus = null;
+            Result = true;
+            Time = null;
+            PlantTime = null;
+        }
     }
 }

@@ -1,107 +1,103 @@
 using System;
 using System.Text;
-using Newtonsoft.Json;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads rosbridge v2 messages and holds them to every rule that needs no clock and no role.</summary>
+    /// <summary>Reads rosbridge v2 messages and holds them to every rule that needs no clock and no role. One thread.</summary>
     /// <remarks>
-    /// A token reader: no reflection, so it runs under IL2CPP. Unknown fields are skipped; a known field given twice is refused.
-    /// Any thread; keeps nothing. Whether a stamp lies in the future is <see cref="StampRule"/>'s, with the caller's clock.
+    /// One pass over the bytes as they were received, see <see cref="JsonUtf8Reader"/>; no reflection, so it runs under IL2CPP. Unknown fields
+    /// are skipped; a known field given twice is refused. It remembers the names of the newest sources' joints, so that a source that repeats
+    /// them makes no garbage. Whether a stamp lies in the future is <see cref="StampRule"/>'s, with the caller's clock.
     /// </remarks>
-    public static class RosbridgeReader
+    public sealed class RosbridgeReader
     {
-        static readonly string[] Fields =
-        {
-            "op", "id", "topic", "type", "service", "throttle_rate", "queue_length", "level", "msg", "result",
-        };
+        // In the order of RosbridgeOp, from its second on.
+        static readonly JsonNames Ops = new JsonNames(
+            "subscribe", "unsubscribe", "advertise", "unadvertise", "publish", "call_service", "service_response", "advertise_service",
+            "unadvertise_service", "status", "set_level");
 
-        static readonly string[] Publication = { "msg" };
-        static readonly string[] Response = { "values" };
+        static readonly JsonNames Topics = new JsonNames(
+            RosTopics.JointStates, RosTopics.Displayed, RosTopics.JointTrajectory, RosTopics.JointStatus, RosTopics.Diagnostics,
+            RosTopics.RobotDescription);
+
+        static readonly JsonNames Fields = new JsonNames(
+            "op", "topic", "msg", "id", "type", "service", "throttle_rate", "queue_length", "level", "result");
+
+        static readonly JsonNames Publication = new JsonNames("msg");
+        static readonly JsonNames Response = new JsonNames("values");
+
+        readonly RosMessages _bodies = new RosMessages();
+        readonly RosbridgeMessage _message = new RosbridgeMessage();
+
+        /// <summary>Reads one message that is a text already.</summary>
+        /// <inheritdoc cref="TryRead(ReadOnlySpan{byte}, out RosbridgeMessage, out DropReason)"/>
+        public static bool TryRead(string text, out RosbridgeMessage message, out DropReason reason) =>
+            new RosbridgeReader().TryRead(Encoding.UTF8.GetBytes(text), out message, out reason);
 
         /// <summary>Reads one message; never throws for what came over the wire.</summary>
         /// <param name="message">
-        /// The message. When it is refused: what could be read of its envelope, so that a status can name it, or null.
+        /// The message, until the next is read. When it is refused: what could be read of its envelope, so that a status can name it, or null.
         /// </param>
-        public static bool TryRead(string text, out RosbridgeMessage message, out DropReason reason)
+        public bool TryRead(ReadOnlySpan<byte> utf8, out RosbridgeMessage message, out DropReason reason)
         {
             message = null;
-            reason = IsLonger(text, ProtocolLimits.DescriptionBytes)
-                ? DropReason.TooLarge : JsonSyntax.Check(text, ProtocolLimits.Nesting);
-            if (reason != DropReason.None)
-                return false;
-            try
-            {
-                reason = Read(text, ref message);
-            }
-            catch (Exception e) when (e is JsonException || e is OverflowException || e is FormatException)
-            {
-                // Numbers no double or integer holds: what the reader does with them differs between runtimes.
-                reason = DropReason.OutOfRange;
-            }
-
+            reason = DropReason.TooLarge;
+            if (utf8.Length > ProtocolLimits.DescriptionBytes) return false;
+            reason = Read(utf8, isOnePass: true, out message);
+            // A message that is refused is read again in the order in which its faults count: syntax, envelope, body.
+            if (reason != DropReason.None) reason = JsonUtf8Reader.Check(utf8, ProtocolLimits.Nesting);
+            else return true;
+            message = null;
+            if (reason == DropReason.None) reason = Read(utf8, isOnePass: false, out message);
             return reason == DropReason.None;
         }
 
-        static DropReason Read(string text, ref RosbridgeMessage message)
+        // isOnePass: the body is read where it stands, if it stands behind the topic that says what it is, as it does in nearly all messages.
+        DropReason Read(ReadOnlySpan<byte> utf8, bool isOnePass, out RosbridgeMessage message)
         {
-            using var cursor = new JsonCursor(text);
-            var envelope = new RosbridgeMessage { Result = true };
-            if (!cursor.Object(Fields, 1, field => ReadField(cursor, field, envelope)))
-                return cursor.Fault;
-            message = envelope;
-            if (envelope.Topic != RosTopics.RobotDescription && IsLonger(text, ProtocolLimits.MessageBytes))
-                return DropReason.TooLarge;
-            var missing = Missing(envelope);
-            return missing == DropReason.None ? ReadBody(text, envelope) : missing;
+            message = null;
+            _message.Clear();
+            var json = new JsonUtf8Reader(utf8, ProtocolLimits.Nesting);
+            var isBodyRead = false;
+            var seen = 0;
+            json.BeginObject();
+            while (json.NextField(Fields, ref seen, out var field))
+                if (isOnePass && Fields[field] == "msg" && _message.Op == RosbridgeOp.Publish && _message.Topic != null && json.IsObject)
+                    isBodyRead = _bodies.Read(ref json, _message);
+                else ReadField(ref json, field);
+            if (!json.EndObject(seen, 1) || !json.End()) return json.Fault;
+            message = _message;
+            if (_message.Topic != RosTopics.RobotDescription && utf8.Length > ProtocolLimits.MessageBytes) return DropReason.TooLarge;
+            var missing = Missing(_message);
+            return missing == DropReason.None && !isBodyRead ? ReadBody(utf8) : missing;
         }
 
-        static bool ReadField(JsonCursor cursor, int field, RosbridgeMessage into)
+        bool ReadField(ref JsonUtf8Reader json, int field)
         {
             string text;
             bool isRead;
             switch (Fields[field])
             {
-                case "op": isRead = cursor.Text(out text); into.Op = OpOf(text); into.OpName = text; return isRead;
-                case "id": isRead = cursor.OptionalText(out text); into.Id = text; return isRead;
-                case "topic": isRead = cursor.OptionalText(out text); into.Topic = text; return isRead;
-                case "type": isRead = cursor.OptionalText(out text); into.Type = text; return isRead;
-                case "service": isRead = cursor.OptionalText(out text); into.Service = text; return isRead;
-                case "level": isRead = cursor.OptionalText(out text); into.Level = text; return isRead;
-                case "throttle_rate": isRead = cursor.OptionalCount(out var rate); into.ThrottleRateMs = rate; return isRead;
-                case "queue_length": isRead = cursor.OptionalCount(out var length); into.QueueLength = length; return isRead;
-                case "result": isRead = cursor.Flag(out var result); into.Result = result; return isRead;
-                default: return ReadMsg(cursor, into);
+                case "op": isRead = json.Text(Ops, out var op, out text); _message.Op = (RosbridgeOp)(op + 1); _message.OpName = text; return isRead;
+                case "id": isRead = json.OptionalText(out text); _message.Id = text; return isRead;
+                case "topic": isRead = json.OptionalText(Topics, out text); _message.Topic = text; return isRead;
+                case "type": isRead = json.OptionalText(out text); _message.Type = text; return isRead;
+                case "service": isRead = json.OptionalText(out text); _message.Service = text; return isRead;
+                case "level": isRead = json.OptionalText(out text); _message.Level = text; return isRead;
+                case "throttle_rate": isRead = json.OptionalCount(out var rate); _message.ThrottleRateMs = rate; return isRead;
+                case "queue_length": isRead = json.OptionalCount(out var length); _message.QueueLength = length; return isRead;
+                case "result": isRead = json.Flag(out var result); _message.Result = result; return isRead;
+                default: return ReadMsg(ref json);
             }
         }
 
         // The words of a status, or the body of a publication, which is read once its topic is known.
-        static bool ReadMsg(JsonCursor cursor, RosbridgeMessage into)
+        bool ReadMsg(ref JsonUtf8Reader json)
         {
-            if (!cursor.IsText)
-                return cursor.Skip();
-            var isRead = cursor.Text(out var text);
-            into.Text = text;
+            if (!json.IsText) return json.Skip();
+            var isRead = json.Text(out var text);
+            _message.Text = text;
             return isRead;
-        }
-
-        static RosbridgeOp OpOf(string name)
-        {
-            switch (name)
-            {
-                case "subscribe": return RosbridgeOp.Subscribe;
-                case "unsubscribe": return RosbridgeOp.Unsubscribe;
-                case "advertise": return RosbridgeOp.Advertise;
-                case "unadvertise": return RosbridgeOp.Unadvertise;
-                case "publish": return RosbridgeOp.Publish;
-                case "call_service": return RosbridgeOp.CallService;
-                case "service_response": return RosbridgeOp.ServiceResponse;
-                case "advertise_service": return RosbridgeOp.AdvertiseService;
-                case "unadvertise_service": return RosbridgeOp.UnadvertiseService;
-                case "status": return RosbridgeOp.Status;
-                case "set_level": return RosbridgeOp.SetLevel;
-                default: return RosbridgeOp.Unknown;
-            }
         }
 
         static DropReason Missing(RosbridgeMessage message)
@@ -121,19 +117,17 @@ namespace Nowpose.Protocol
 
         static DropReason Need(string field) => string.IsNullOrEmpty(field) ? DropReason.MissingField : DropReason.None;
 
-        // A second walk: the body may stand before the topic that says what it is.
-        static DropReason ReadBody(string text, RosbridgeMessage into)
+        // A second walk, for a body before its topic, and for a service's response, whose meaning depends on several fields.
+        DropReason ReadBody(ReadOnlySpan<byte> utf8)
         {
-            var name = into.Op == RosbridgeOp.Publish ? Publication : into.Op == RosbridgeOp.ServiceResponse ? Response : null;
-            if (name == null)
-                return DropReason.None;
-            using var cursor = new JsonCursor(text);
-            cursor.Object(name, into.Op == RosbridgeOp.Publish ? 1 : 0, _ => RosMessages.Read(cursor, into));
-            return cursor.Fault;
+            var isPublication = _message.Op == RosbridgeOp.Publish;
+            if (!isPublication && _message.Op != RosbridgeOp.ServiceResponse) return DropReason.None;
+            var json = new JsonUtf8Reader(utf8, ProtocolLimits.Nesting);
+            var seen = 0;
+            json.BeginObject();
+            while (json.NextField(isPublication ? Publication : Response, ref seen, out _)) _bodies.Read(ref json, _message);
+            json.EndObject(seen, isPublication ? 1 : 0);
+            return json.Fault;
         }
-
-        static bool IsLonger(string text, int limitBytes) =>
-            // A UTF-16 code unit takes 1 to 3 bytes: most messages are decided without counting.
-            text.Length > limitBytes || (text.Length > limitBytes / 3 && Encoding.UTF8.GetByteCount(text) > limitBytes);
     }
 }

@@ -34,6 +34,7 @@ namespace Nowpose.Session
         readonly Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> _newLink;
         readonly ClockSynchroniser _synchroniser;
         readonly DisplayClock _displayClock = new DisplayClock();
+        readonly MessageJoints _messageJoints;
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
         readonly JointWatch _joints;
@@ -81,7 +82,8 @@ namespace Nowpose.Session
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
             _tracks.StartedAnew += _hindcast.StartAnew;
             _measurements = new SessionMeasurements(_synchroniser, _latency, _light, _monitor, _frame, _hindcast);
-            _backlog = new SampleBacklog(robot, QueueLength);
+            _messageJoints = new MessageJoints(robot);
+            _backlog = new SampleBacklog(_messageJoints, QueueLength);
         }
 
         public RobotModel Robot { get; }
@@ -114,14 +116,14 @@ namespace Nowpose.Session
         public ClockSynchroniser Clock => _synchroniser;
 
         /// <summary>Each message whose samples were used, with its L_app where the clock is known; raised within <see cref="Tick"/>.</summary>
-        /// <remarks>A handler must be quick, must not throw, and must not call back into the session.</remarks>
+        /// <remarks>A handler must be quick, must not throw, and must not call back into the session. It may keep the message.</remarks>
         public event Action<SampleArrival, TimeSpan?> SampleTaken;
 
         /// <summary>
         /// Each message with why it was of no use, <see cref="DropReason.None"/> when it was. Raised within <see cref="Tick"/>,
         /// but where the queue was full already on the thread that received.
         /// </summary>
-        /// <remarks>A handler must be quick, must not throw, and must not call back into the session.</remarks>
+        /// <remarks>As of <see cref="SampleTaken"/>.</remarks>
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
@@ -453,10 +455,18 @@ namespace Nowpose.Session
         {
             _backlog.TakeFrom(_arrivals);
             for (var i = 0; i < _backlog.Count; i++)
+            {
+                var mayBeKept = HasSampleHandler;
                 if (_backlog.IsWorthwhile(i)) Take(_backlog[i], clock);
                 else Judged(_backlog[i], DropReason.SlowReader);
+                // Before and after, for handlers come and go on other threads.
+                if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
+            }
             _backlog.Clear();
         }
+
+        // A handler may keep the message that it gets: such a message is not reused.
+        bool HasSampleHandler => SampleTaken != null || SampleJudged != null;
 
         void Take(in SampleArrival arrival, in ClockModel clock)
         {
@@ -466,12 +476,12 @@ namespace Nowpose.Session
                 Judged(arrival, DropReason.StampInFuture);
                 return;
             }
-            var reason = _tracks.Add(arrival.Message, out var useless);
+            var joints = _messageJoints.Of(arrival.Message);
+            var reason = _tracks.Add(arrival.Message, joints);
             Judged(arrival, reason);
-            useless.CountIn(Drops);
             if (reason != DropReason.None) return;
             _samples++;
-            _hindcast.Add(arrival.Message);
+            _hindcast.Add(arrival.Message, joints);
             if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);
             SampleTaken?.Invoke(arrival, clock.IsKnown ? _latency.Newest : (TimeSpan?)null);
         }

@@ -10,7 +10,7 @@ namespace Nowpose.Session
     sealed class JointTracks
     {
         readonly RobotModel _robot;
-        readonly JointTrack[] _tracks;
+        readonly JointPredictor[] _joints;
         readonly double[] _positions;
         readonly double[] _held;
         readonly PredictionKind[] _kinds;
@@ -18,14 +18,15 @@ namespace Nowpose.Session
         readonly (int Joint, int Master)[] _mimics;
         readonly LimitWatch _limits;
         bool _hasEpoch;
+        double _displayed = double.NaN;
         ControlTime _epoch;
 
         public JointTracks(RobotModel robot, PredictionSettings settings)
         {
             _robot = robot;
             var count = robot.MovingJoints.Count;
-            _tracks = new JointTrack[count];
-            for (var i = 0; i < count; i++) _tracks[i] = new JointTrack(settings, BoundsOf(robot.MovingJoints[i], settings));
+            _joints = new JointPredictor[count];
+            for (var i = 0; i < count; i++) _joints[i] = settings.Create(BoundsOf(robot.MovingJoints[i], settings));
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];
@@ -53,31 +54,30 @@ namespace Nowpose.Session
         public ControlTime? Newest { get; private set; }
 
         /// <summary>Whether a joint has had a sample since the last <see cref="Reset"/>.</summary>
-        public bool HasSample(int joint) => _tracks[joint].HasSample;
+        public bool HasSample(int joint) => !double.IsNegativeInfinity(_joints[joint].NewestTime);
 
         /// <summary>Control time of a joint's newest sample; null while there is none.</summary>
         public ControlTime? NewestOf(int joint) =>
-            _tracks[joint].HasSample ? _epoch + ClockTicks.Span(_tracks[joint].NewestTime) : (ControlTime?)null;
+            HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
 
         /// <summary>A joint's source went back in time and its samples of before are forgotten; raised within <see cref="Add"/>.</summary>
         public event Action<int> StartedAnew;
 
-        /// <param name="useless">Earlier messages that had waited for this one, and were of no use.</param>
+        /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
         /// <returns>Why the message was of no use; <see cref="DropReason.None"/> when a joint took its sample.</returns>
-        public DropReason Add(JointStateMessage message, out UselessSamples useless)
+        public DropReason Add(JointStateMessage message, ReadOnlySpan<int> joints)
         {
             var time = SecondsOf(message.Stamp);
             var reason = DropReason.UnknownJoint;
-            useless = default;
-            for (var i = 0; i < message.Names.Length; i++)
+            for (var i = 0; i < joints.Length; i++)
             {
-                var joint = _robot.IndexOfMovingJoint(message.Names[i]);
+                var joint = joints[i];
                 if (joint < 0) continue;
-                var each = ReasonOf(_tracks[joint].Add(Sample(time, message, i), out var waited));
+                var outcome = _joints[joint].Add(Sample(time, message, i), _displayed);
+                var each = ReasonOf(outcome);
                 if (each == DropReason.None) _limits.Add(joint, message.Positions[i]);
                 if (reason != DropReason.None) reason = each;
-                useless = UselessSamples.Most(useless, waited);
-                if (_tracks[joint].HasStartedAnew) StartedAnew?.Invoke(joint);
+                if (outcome == SampleOutcome.StartedAnew) StartedAnew?.Invoke(joint);
             }
             return reason;
         }
@@ -86,7 +86,7 @@ namespace Nowpose.Session
         public void Follow(PlannedMotion plan)
         {
             var start = SecondsOf(plan.Stamp);
-            for (var i = 0; i < plan.Count; i++) _tracks[plan.JointAt(i)].Follow(plan.PathAt(i), start);
+            for (var i = 0; i < plan.Count; i++) _joints[plan.JointAt(i)].Follow(plan.PathAt(i), start, _displayed);
         }
 
         static JointLimits BoundsOf(RobotJoint joint, PredictionSettings settings) =>
@@ -99,12 +99,14 @@ namespace Nowpose.Session
         public void Predict(ControlTime at)
         {
             var time = ClockTicks.Seconds(at - _epoch);
+            // Before the first sample the epoch is unknown.
+            if (_hasEpoch) _displayed = time;
             var newest = double.NegativeInfinity;
-            for (var i = 0; i < _tracks.Length; i++)
+            for (var i = 0; i < _joints.Length; i++)
             {
-                var prediction = _tracks[i].At(time);
+                var prediction = _joints[i].At(time);
                 Show(i, prediction.Kind, prediction.Position);
-                newest = Math.Max(newest, _tracks[i].NewestTime);
+                newest = Math.Max(newest, _joints[i].NewestTime);
             }
             Newest = double.IsNegativeInfinity(newest) ? (ControlTime?)null : _epoch + ClockTicks.Span(newest);
             CompleteMimics();
@@ -113,9 +115,9 @@ namespace Nowpose.Session
         /// <summary>The newest samples as they are, all marked held: no time is known to predict to. Allocates nothing.</summary>
         public void Hold()
         {
-            for (var i = 0; i < _tracks.Length; i++)
+            for (var i = 0; i < _joints.Length; i++)
             {
-                Show(i, _tracks[i].HasSample ? PredictionKind.Held : PredictionKind.None, _tracks[i].Hold);
+                Show(i, HasSample(i) ? PredictionKind.Held : PredictionKind.None, _joints[i].Hold);
             }
             CompleteMimics();
         }
@@ -123,8 +125,9 @@ namespace Nowpose.Session
         /// <summary>Forgets all samples, for their times mean nothing any more; what is displayed stays.</summary>
         public void Reset()
         {
-            foreach (var track in _tracks) track.Reset();
+            foreach (var joint in _joints) joint.Reset();
             _hasEpoch = false;
+            _displayed = double.NaN;
         }
 
         double SecondsOf(ControlTime stamp)
@@ -141,7 +144,7 @@ namespace Nowpose.Session
             if (kind != PredictionKind.None)
             {
                 _positions[joint] = position;
-                _held[joint] = _tracks[joint].Hold;
+                _held[joint] = _joints[joint].Hold;
             }
             _kinds[joint] = kind == PredictionKind.None && _given[joint] ? PredictionKind.Held : kind;
         }

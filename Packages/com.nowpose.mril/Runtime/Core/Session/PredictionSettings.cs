@@ -56,7 +56,7 @@ namespace Nowpose.Session
         public TimeSpan HorizonCap { get; }
         public TimeSpan MaximumGap { get; }
 
-        /// <summary>Time constant of <see cref="BlendedPredictor"/>.</summary>
+        /// <summary>Time constant within which a new section takes over from the one before; 0: at once.</summary>
         public TimeSpan Blend { get; }
 
         /// <summary>Whether the set-points of /joint_trajectory are used.</summary>
@@ -78,7 +78,8 @@ namespace Nowpose.Session
 
         /// <summary>A predictor for one joint, bounded by its limits.</summary>
         /// <param name="limits">As <see cref="Bounded"/>.</param>
-        public IJointPredictor Create(in JointLimits limits) => Predictors.Create(Predictor, LimitsOf(limits));
+        public JointPredictor Create(in JointLimits limits) =>
+            Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend));
 
         /// <summary>A joint's limits with those of these settings.</summary>
         /// <param name="isRevolute">Whether acceleration and jerk of these settings are meant for it.</param>
@@ -88,7 +89,7 @@ namespace Nowpose.Session
             isRevolute ? Math.Min(limits.Jerk, JerkLimit) : limits.Jerk,
             isRevolute && double.IsInfinity(limits.Lower) && double.IsInfinity(limits.Upper));
 
-        internal PredictionLimits LimitsOf(in JointLimits limits) => new PredictionLimits(
+        PredictionLimits LimitsOf(in JointLimits limits) => new PredictionLimits(
             limits.Lower, limits.Upper, ClockTicks.Seconds(HorizonCap), ClockTicks.Seconds(MaximumGap), limits.Velocity,
             limits.Acceleration, limits.Jerk, limits.IsEndless);
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Concurrent;
-using Nowpose.Kinematics;
 
 namespace Nowpose.Session
 {
@@ -20,18 +19,18 @@ namespace Nowpose.Session
         /// </summary>
         const int NewestOfAJoint = 20;
 
-        readonly RobotModel _robot;
+        readonly MessageJoints _joints;
         readonly SampleArrival[] _oldestFirst;
         readonly bool[] _isWorthwhile;
         readonly int[] _samplesOfJoint;
 
         /// <param name="capacity">So many messages at most are taken from the queue at a time.</param>
-        public SampleBacklog(RobotModel robot, int capacity)
+        public SampleBacklog(MessageJoints joints, int capacity)
         {
-            _robot = robot;
+            _joints = joints;
             _oldestFirst = new SampleArrival[capacity];
             _isWorthwhile = new bool[capacity];
-            _samplesOfJoint = new int[robot.MovingJoints.Count];
+            _samplesOfJoint = new int[joints.RobotJoints];
         }
 
         public int Count { get; private set; }
@@ -60,9 +59,8 @@ namespace Nowpose.Session
         bool HasNewSample(int index)
         {
             var isNew = false;
-            foreach (var name in _oldestFirst[index].Message.Names)
+            foreach (var joint in _joints.Of(_oldestFirst[index].Message))
             {
-                var joint = _robot.IndexOfMovingJoint(name);
                 if (joint >= 0) isNew |= ++_samplesOfJoint[joint] <= NewestOfAJoint;
             }
             return isNew;

@@ -66,7 +66,7 @@ namespace Nowpose.Unity
         bool _rewriteBeforeRender = false;
 
         [Header("Prediction")]
-        [SerializeField, PredictorName, Tooltip("adaptive, hold, linear, quadratic, cubic, quadratic-h3 or quadratic-h4. Adaptive learns from the motion which of "
+        [SerializeField, PredictorName, Tooltip("adaptive, hold, linear, quadratic, cubic, quadratic-h3, quadratic-h4 or gp. Adaptive learns from the motion which of "
             + "them is right, and bears samples' times that are off; quadratic is the paper's.")]
         string _predictor = Predictors.Default;
 

@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Numerics;
-using Newtonsoft.Json;
+using System.Text;
 using Nowpose.Protocol;
 
 namespace Nowpose.Latency
@@ -14,7 +12,8 @@ namespace Nowpose.Latency
         /// <summary>Fields that are unknown here may be nested; more deeply than this no profile is.</summary>
         const int Nesting = 8;
 
-        static readonly object Nested = new object();
+        // Neither a text nor a number.
+        static readonly object Other = new object();
 
         readonly string _name;
         readonly Dictionary<string, object> _values = new Dictionary<string, object>();
@@ -23,30 +22,22 @@ namespace Nowpose.Latency
         public ProfileFields(string text, string name)
         {
             _name = name;
-            if (JsonSyntax.Check(text, Nesting) != DropReason.None)
+            var utf8 = Encoding.UTF8.GetBytes(text);
+            if (JsonUtf8Reader.Check(utf8, Nesting) != DropReason.None)
                 throw Fault("no JSON object, or cut off; it is no latency profile: calibrate anew");
-            try
-            {
-                ReadAll(text);
-            }
-            catch (JsonException fault)
-            {
-                throw Fault(fault.Message);
-            }
+            var json = new JsonUtf8Reader(utf8, Nesting);
+            json.BeginObject();
+            while (json.NextField(out var field))
+                if (!_values.TryAdd(field, Read(ref json))) throw Fault(field + " stands there twice");
         }
 
-        void ReadAll(string text)
+        static object Read(ref JsonUtf8Reader json)
         {
-            using var reader = new JsonTextReader(new StringReader(text)) { DateParseHandling = DateParseHandling.None };
-            reader.Read();
-            while (reader.Read() && reader.TokenType == JsonToken.PropertyName)
-            {
-                var field = (string)reader.Value;
-                reader.Read();
-                if (!_values.TryAdd(field, reader.Value ?? (reader.TokenType == JsonToken.Null ? null : Nested)))
-                    throw Fault(field + " stands there twice");
-                reader.Skip();
-            }
+            if (json.TakeNull()) return null;
+            if (json.IsText && json.Text(out var text)) return text;
+            if (json.IsNumber && json.Number(out var number)) return number;
+            json.Skip();
+            return Other;
         }
 
         public double Number(string field, double least, double greatest, string unit) =>
@@ -59,8 +50,6 @@ namespace Nowpose.Latency
             {
                 case null: return null;
                 case double value: return SettingRange.Require(value, least, greatest, _name + ": " + field, unit);
-                case long value: return SettingRange.Require(value, least, greatest, _name + ": " + field, unit);
-                case BigInteger value: return SettingRange.Require((double)value, least, greatest, _name + ": " + field, unit);
                 default: throw Fault(field + " must be a number");
             }
         }

@@ -6,10 +6,10 @@ namespace Nowpose.Prediction.Planning
     /// <remarks>Allocates nothing once made; one thread. Times are seconds since the epoch of the samples.</remarks>
     sealed class PlanFollower
     {
-        /// <summary>So many samples of it moving, none against it, bring a plan back that the joint did not follow.</summary>
+        /// <summary>Number of consistent samples in motion after which a plan that was not followed is used again.</summary>
         const int AgreementsToReturn = 5;
 
-        /// <summary>How long samples have to stand still at the plan's end until they are a better basis than the plan, s.</summary>
+        /// <summary>Standstill at the plan's end after which samples replace the plan, s.</summary>
         const double Settling = 0.1;
 
         readonly PlanLag _lag = new PlanLag();
@@ -17,17 +17,22 @@ namespace Nowpose.Prediction.Planning
         int _agreements = AgreementsToReturn;
 
         /// <summary>Takes a plan in place of the one before: from its start on if that lies ahead, at once otherwise.</summary>
-        /// <param name="plan">With a path.</param>
+        /// <param name="start">The plan's stamp, s.</param>
+        /// <param name="from">As in <see cref="ActivePlan"/>.</param>
+        /// <param name="turns">As in <see cref="ActivePlan"/>.</param>
         /// <param name="now">The newest moment that was shown, s.</param>
-        public void Follow(in ActivePlan plan, double now)
+        /// <param name="newest">Time of the newest sample, s.</param>
+        public void Follow(PlannedPath path, double start, double from, double turns, double now, double newest)
         {
+            var before = PlanAt(start + _lag.Lag);
+            var plan = new ActivePlan(path, start, from, turns, IsFollowedAt(start + _lag.Lag, newest) ? before.Since : start);
             if (!_next.IsNone && _next.Start <= now - _lag.Lag) _current = _next;
             _next = plan;
             if (_current.IsNone || plan.Start <= now - _lag.Lag) (_current, _next) = (plan, default);
             _lag.Begin(plan.Range);
         }
 
-        /// <summary>What was planned is off.</summary>
+        /// <summary>Drops the plan.</summary>
         public void Drop() => _current = _next = default;
 
         public void Reset()
@@ -58,8 +63,29 @@ namespace Nowpose.Prediction.Planning
             return at <= plan.End || (plan.EndsAtRest && newest - _lag.Lag < plan.End + Settling);
         }
 
-        /// <summary>The plan's position, before its start and after its end the one there; to be asked only while there is a plan.</summary>
+        /// <summary>
+        /// Share of the plan in the displayed position: it rises from 0 to 1 after the plan's start and falls after its end.
+        /// </summary>
+        /// <param name="newest">Time of the newest sample.</param>
+        /// <param name="lastTime">From then on the samples are too old for any plan.</param>
+        /// <param name="timeConstant">In which the rest falls to 1/e, s; 0 for at once.</param>
+        /// <param name="holds">Whether the plan is what is shown.</param>
+        public double ShareAt(double time, double newest, double lastTime, double timeConstant, out bool holds)
+        {
+            holds = time <= lastTime && IsFollowedAt(time, newest);
+            if (holds) return timeConstant > 0 ? 1 - Math.Exp(-(time - PlanAt(time).Since - _lag.Lag) / timeConstant) : 1;
+            if (_current.IsNone || timeConstant == 0) return 0;
+            var end = Math.Min(lastTime, PlanAt(time).End + _lag.Lag);
+            return time > end && IsFollowedAt(end, newest) ? Math.Exp(-(time - end) / timeConstant) : 0;
+        }
+
+        /// <summary>
+        /// The plan's position, before its start and after its end the one there; to be asked only while there is a plan.
+        /// </summary>
         public double At(double time) => PlanAt(time).At(time - _lag.Lag, out _) + _lag.Offset;
+
+        /// <summary>Constant distance of the joint from its plan, rad or m.</summary>
+        public double Offset => _lag.Offset;
 
         public bool HasPlan => !_current.IsNone;
 

@@ -2,7 +2,9 @@ using System;
 
 namespace Nowpose.Prediction.Planning
 {
-    /// <summary>Where one joint is meant to go: set-points, and between them what ROS's joint_trajectory_controller makes of them.</summary>
+    /// <summary>
+    /// Where one joint is meant to go: set-points, and between them what ROS's joint_trajectory_controller makes of them.
+    /// </summary>
     /// <remarks>
     /// Positions alone are joined by straight lines, with velocities by cubics, with accelerations too by quintics. Immutable; any
     /// thread.
@@ -62,17 +64,17 @@ namespace Nowpose.Prediction.Planning
             var i = SegmentOf(time);
             var length = _times[i + 1] - _times[i];
             var x = (time - _times[i]) / length;
-            var way = _positions[i + 1] - _positions[i];
+            var displacement = _positions[i + 1] - _positions[i];
             var (v0, v1) = (Value(_velocities, i) * length, Value(_velocities, i + 1) * length);
             var (a0, a1) = (Value(_accelerations, i) * length * length, Value(_accelerations, i + 1) * length * length);
             // c0 is the position; the others follow from what is known at both ends. x runs from 0 to 1.
-            double c1 = way, c2 = 0, c3 = 0, c4 = 0, c5 = 0;
+            double c1 = displacement, c2 = 0, c3 = 0, c4 = 0, c5 = 0;
             if (!double.IsNaN(v0 + v1 + a0 + a1))
                 (c1, c2, c3, c4, c5) = (
-                    v0, a0 / 2, 10 * way - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1,
-                    -15 * way + 8 * v0 + 7 * v1 + 1.5 * a0 - a1, 6 * way - 3 * (v0 + v1) + 0.5 * (a1 - a0));
+                    v0, a0 / 2, 10 * displacement - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1,
+                    -15 * displacement + 8 * v0 + 7 * v1 + 1.5 * a0 - a1, 6 * displacement - 3 * (v0 + v1) + 0.5 * (a1 - a0));
             else if (!double.IsNaN(v0 + v1))
-                (c1, c2, c3) = (v0, 3 * way - 2 * v0 - v1, v0 + v1 - 2 * way);
+                (c1, c2, c3) = (v0, 3 * displacement - 2 * v0 - v1, v0 + v1 - 2 * displacement);
             velocity = (c1 + x * (2 * c2 + x * (3 * c3 + x * (4 * c4 + x * 5 * c5)))) / length;
             return _positions[i] + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * c5))));
         }
@@ -90,5 +92,54 @@ namespace Nowpose.Prediction.Planning
         }
 
         static double Value(double[] values, int i) => values == null ? double.NaN : values[i];
+    }
+
+    /// <summary>A path and when it begins; <c>default</c> is none.</summary>
+    readonly struct ActivePlan
+    {
+        readonly PlannedPath _path;
+        readonly double _start;
+        readonly double _from;
+        readonly double _turns;
+
+        /// <param name="start">The plan's stamp, s.</param>
+        /// <param name="from">
+        /// Where the joint is then, in the path's turn: a plan whose first set-point comes later leads there from wherever the joint is.
+        /// </param>
+        /// <param name="turns">Added to the path's positions, rad: whole turns of an endless joint.</param>
+        /// <param name="since">From when on the joint is shown by a plan without interruption, s.</param>
+        public ActivePlan(PlannedPath path, double start, double from, double turns, double since)
+        {
+            _path = path;
+            _start = start;
+            _from = from;
+            _turns = turns;
+            Since = since;
+        }
+
+        /// <summary>s.</summary>
+        public double Since { get; }
+
+        public bool IsNone => _path == null;
+
+        /// <summary>s.</summary>
+        public double Start => _start;
+
+        /// <summary>s.</summary>
+        public double End => _start + _path.Last;
+
+        public double Range => _path.Range + Math.Abs(_from - _path.FirstPosition);
+
+        public bool EndsAtRest => _path.EndsAtRest;
+
+        /// <summary>Position at a time; before the start and after the end, the one there.</summary>
+        public double At(double time, out double velocity)
+        {
+            var x = time - _start;
+            if (_path.First <= 0 || x >= _path.First) return _turns + _path.At(x, out velocity);
+            var displacement = _path.FirstPosition - _from;
+            velocity = x < 0 ? 0 : displacement / _path.First;
+            return _turns + _from + displacement * Math.Max(x, 0) / _path.First;
+        }
     }
 }

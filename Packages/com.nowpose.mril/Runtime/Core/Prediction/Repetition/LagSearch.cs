@@ -2,19 +2,35 @@ using System;
 
 namespace Nowpose.Prediction.Repetition
 {
-    /// <summary>Finds how long ago the joint last moved as it does now: whole grid steps at which the motion resembles itself most.</summary>
+    /// <summary>
+    /// Finds how long ago the joint last moved as it does now: whole grid steps at which the motion resembles itself most.
+    /// </summary>
     /// <remarks>
     /// For every lag k the squared differences x(n) − x(n−k) are summed with exponential forgetting, one addition per lag and
-    /// grid point. The slow forgetting is what tells one dwell from another. Allocates nothing once made.
+    /// grid point compared. The slow forgetting is what tells one dwell from another. Allocates nothing once made.
     /// </remarks>
     sealed class LagSearch
     {
         public const int Kept = 3;
 
-        const int PointsPerChoice = 3;
+        /// <summary>Forgetting time constant of the sums, s.</summary>
+        const double Forgetting = 0.25;
+
+        /// <summary>Longest lag, s: cycles of up to two minutes.</summary>
+        const double MaxLag = 120;
+
+        /// <summary>Interval between the grid points compared, s: closer ones add little, and each costs a pass over all lags.</summary>
+        const double ComparedEvery = 0.15;
+
+        /// <summary>Passes between two choices of lags: a lag does not change while the motion repeats.</summary>
+        const int PassesPerChoice = 2;
+
+        /// <summary>Lags are compared in steps of at most this, s: an overlay finds the exact one near by.</summary>
+        const double LagStep = 0.06;
 
         readonly double[] _costs = new double[MotionHistory.Capacity];
         long _taken;
+        int _passes;
 
         /// <summary>The best lags, best first, as many as <see cref="Count"/>.</summary>
         public int[] Lags { get; } = new int[Kept];
@@ -24,42 +40,33 @@ namespace Nowpose.Prediction.Repetition
         public void Reset()
         {
             Array.Clear(_costs, 0, _costs.Length);
-            _taken = 0;
+            _taken = _passes = 0;
             Count = 0;
         }
 
         /// <summary>Takes in the grid points that have come since.</summary>
-        /// <param name="leastLag">In grid steps; nearer ones are the motion itself.</param>
-        /// <param name="keeping">What the sum keeps per grid step, 0 to 1.</param>
-        public void Follow(MotionHistory history, int leastLag, double keeping)
+        /// <param name="minLag">In grid steps; nearer ones are the motion itself.</param>
+        public void Follow(MotionHistory history, int minLag)
         {
+            var stride = (int)Math.Ceiling(ComparedEvery / history.Step - 1e-6);
             for (; _taken < history.Count; _taken++)
             {
-                Take(history, leastLag, keeping);
-                // A lag stays what it is while the motion repeats.
-                if (_taken % PointsPerChoice == 0) Choose(history, leastLag);
+                if (_taken % stride != 0) continue;
+                var longest = (int)Math.Min(MaxLag / history.Step, MotionHistory.Capacity - 1);
+                var step = Math.Max(1, (int)(LagStep / history.Step + 1e-6));
+                history.AddSquaredDifferences(_taken, minLag, longest, step, Math.Exp(-stride * history.Step / Forgetting), _costs);
+                if (_passes++ % PassesPerChoice == 0) Choose(history, minLag, longest, step);
             }
         }
 
-        void Take(MotionHistory history, int leastLag, double keeping)
-        {
-            var now = history[_taken];
-            var longest = (int)Math.Min(_taken, MotionHistory.Capacity - 1);
-            for (var lag = leastLag; lag <= longest; lag++)
-            {
-                var difference = now - history[_taken - lag];
-                _costs[lag] = keeping * _costs[lag] + difference * difference;
-            }
-        }
-
-        void Choose(MotionHistory history, int leastLag)
+        void Choose(MotionHistory history, int minLag, int longest, int step)
         {
             Count = 0;
-            var longest = (int)Math.Min(history.Count - 4, MotionHistory.Capacity - 4);
-            for (var lag = leastLag + 1; lag < longest; lag++)
+            longest = (int)Math.Min(history.Count - 4, longest - 3) - step;
+            for (var lag = minLag + step; lag < longest; lag += step)
             {
                 var cost = _costs[lag];
-                if (cost > _costs[lag - 1] || cost >= _costs[lag + 1]) continue;
+                if (cost > _costs[lag - step] || cost >= _costs[lag + step]) continue;
                 var place = Count;
                 while (place > 0 && cost < _costs[Lags[place - 1]]) place--;
                 if (place == Kept) continue;

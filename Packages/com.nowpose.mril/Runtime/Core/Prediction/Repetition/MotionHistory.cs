@@ -15,19 +15,20 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>A power of two above it: the place of an index costs no division, of which a sample would take thousands.</summary>
         const int RingSize = 8192;
 
+        /// <summary>Samples around a grid point: two on either side make a cubic.</summary>
         const int Neighbours = 4;
 
-        /// <summary>There and back by so many times the greatest way in one direction is no motion.</summary>
-        const double SpikeWays = 1.3;
+        /// <summary>A sample there and back by more than this ratio of the maximum displacement in one direction is a spike.</summary>
+        const double SpikeRatio = 1.3;
 
-        /// <summary>A sample so near to a grid point, in steps, is on it.</summary>
+        /// <summary>Distance to a grid point, in steps, within which a sample lies on it.</summary>
         const double Rounding = 1e-6;
 
         readonly double[] _points = new double[RingSize];
         readonly double[] _times = new double[Neighbours];
         readonly double[] _positions = new double[Neighbours];
         int _samples;
-        double _greatestWay;
+        double _maxDisplacement;
         double _start;
 
         /// <summary>Grid step, s.</summary>
@@ -42,20 +43,36 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Position at a grid point between <see cref="First"/> and the last.</summary>
         public double this[long index] => _points[index & (RingSize - 1)];
 
-        /// <summary>Starts anew with another grid.</summary>
+        /// <summary>Adds to each lag's sum the squared difference of two grid points that are apart by it.</summary>
+        /// <param name="index">The later of the two.</param>
+        /// <param name="keeping">Forgetting factor of the sums, 0 to 1.</param>
+        public void AddSquaredDifferences(long index, int minLag, int maxLag, int step, double keeping, double[] sums)
+        {
+            var points = _points;
+            var now = this[index];
+            var longest = (int)Math.Min(index, maxLag);
+            for (var lag = minLag; lag <= longest; lag += step)
+            {
+                var difference = now - points[(int)(index - lag) & (RingSize - 1)];
+                sums[lag] = keeping * sums[lag] + difference * difference;
+            }
+        }
+
+        /// <summary>Clears the history and sets the grid step.</summary>
         /// <param name="step">s.</param>
         public void Start(double step)
         {
             Step = step;
             Count = 0;
             _samples = 0;
-            _greatestWay = 0;
+            _maxDisplacement = 0;
         }
 
         /// <summary>Takes a sample newer than all before.</summary>
         public void Add(double time, double position)
         {
             if (_samples == 0) _start = time;
+            else if (!(time > _times[0])) return;
             for (var i = Neighbours - 1; i > 0; i--)
             {
                 _times[i] = _times[i - 1];
@@ -82,8 +99,8 @@ namespace Nowpose.Prediction.Repetition
         {
             double to = _positions[1] - _positions[2], from = _positions[0] - _positions[1];
             var less = Math.Min(Math.Abs(to), Math.Abs(from));
-            if (to * from >= 0) _greatestWay = Math.Max(_greatestWay, less);
-            else if (_greatestWay > 0 && less > SpikeWays * _greatestWay)
+            if (to * from >= 0) _maxDisplacement = Math.Max(_maxDisplacement, less);
+            else if (_maxDisplacement > 0 && less > SpikeRatio * _maxDisplacement)
                 _positions[1] = _positions[2] + (_positions[0] - _positions[2]) * (_times[1] - _times[2]) / (_times[0] - _times[2]);
         }
 
@@ -104,7 +121,7 @@ namespace Nowpose.Prediction.Repetition
             return p1 + 0.5 * f * (a + f * (b + f * c));
         }
 
-        /// <summary>Whether <see cref="At"/> knows the position at an index.</summary>
+        /// <summary>Whether <see cref="At"/> has a position for an index.</summary>
         public bool Covers(double index) => index >= First + 1 && index < Count - 2;
 
         double TimeOf(long index) => _start + index * Step;

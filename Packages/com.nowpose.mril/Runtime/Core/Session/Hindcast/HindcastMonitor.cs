@@ -81,12 +81,12 @@ namespace Nowpose.Session
         }
 
         /// <summary>Samples that have arrived: they tell the truth about frames shown before.</summary>
-        public void Add(JointStateMessage message)
+        /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
+        public void Add(JointStateMessage message, ReadOnlySpan<int> joints)
         {
-            for (var i = 0; i < message.Names.Length; i++)
+            for (var i = 0; i < joints.Length; i++)
             {
-                var joint = _robot.IndexOfMovingJoint(message.Names[i]);
-                var place = joint >= 0 ? _placeOfJoint[joint] : -1;
+                var place = joints[i] >= 0 ? _placeOfJoint[joints[i]] : -1;
                 if (place >= 0 && _tracks[place].Add(
                     new TruthSample(message.Stamp, message.Positions[i]), _maximumGap, out var span, out var isKnown))
                     _frames.Tell(place, span, isKnown);

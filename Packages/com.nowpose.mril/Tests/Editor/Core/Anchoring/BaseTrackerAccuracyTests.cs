@@ -11,6 +11,7 @@ namespace Nowpose.Tests.Anchoring
     /// The bounds hold of the root mean square over the seeds. In 1.85 s there are 50 good sightings: their mean errs by 2 mm / √50 =
     /// 0.28 mm and 0.07°, and no estimator by less; of single locks one in eight errs by more than 0.1°.
     /// </remarks>
+    [Category("Study")]
     public class BaseTrackerAccuracyTests
     {
         const int Seeds = 200;

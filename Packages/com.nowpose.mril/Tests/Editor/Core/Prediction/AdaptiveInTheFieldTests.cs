@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
@@ -15,8 +16,10 @@ namespace Nowpose.Tests
         [TestCase(1e40)]
         public void OneWrongSample_IsForgottenWithinSeconds(double glitch)
         {
-            var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
-            double Rms(double from, double to) => Run(predictor, k => k * 0.05, (k, x) => k == 400 ? x + glitch : x, from, to);
+            var joint = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));
+            double Rms(double from, double to) => Math.Sqrt(joint
+                .Play(k => new JointSample(k * 0.05, Motion(k * 0.05) + (k == 400 ? glitch : 0)), from, to)
+                .Average(frame => Math.Pow(frame.Shown.Position - Motion(frame.At), 2)));
 
             Rms(0, 40);
             var soon = Rms(40, 80);
@@ -35,12 +38,12 @@ namespace Nowpose.Tests
         [TestCase(0.02, 0.02, 0.008)]
         public void AnotherBeat_DoesNotShow(double before, double after, double shift)
         {
-            var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
+            var joint = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));
             var turn = (int)(30 / before);
-            var worst = 0.0;
+            double TimeOf(int k) => k < turn ? k * before : turn * before + shift + (k - turn) * after;
 
-            Run(predictor, k => k < turn ? k * before : turn * before + shift + (k - turn) * after, (_, x) => x, 0, 60,
-                (t, error) => worst = t > 20 ? Math.Max(worst, Math.Abs(error)) : 0);
+            var worst = joint.Play(k => new JointSample(TimeOf(k), Motion(TimeOf(k))), 0, 60)
+                .Where(frame => frame.At > 20).Max(frame => Math.Abs(frame.Shown.Position - Motion(frame.At)));
 
             Assert.That(worst, Is.LessThan(0.08), "hold errs by 0.3");
         }
@@ -56,7 +59,7 @@ namespace Nowpose.Tests
             {
                 var t = k * 0.05;
                 var truth = t < 5 ? 0 : t < 35 ? Motion(t - 5) - Motion(0) : Motion(30) - Motion(0);
-                predictor.Add(new JointSample(t, truth + (t < 5 ? 0 : noise * 2 * (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5))));
+                predictor.Add(t, truth + (t < 5 ? 0 : noise * 2 * (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5)));
                 if (t < 40) continue;
                 squares += Math.Pow(predictor.At(t + Latency).Position - truth, 2);
                 count++;
@@ -66,25 +69,5 @@ namespace Nowpose.Tests
         }
 
         static double Motion(double t) => Math.Sin(2 * t) + 0.4 * Math.Sin(5.1 * t + 1);
-
-        double _time;
-        int _next;
-
-        // Frames at 60 Hz from one time to another; the samples of before have been given already.
-        double Run(
-            IJointPredictor predictor, Func<int, double> timeOf, Func<int, double, double> told, double from, double to,
-            Action<double, double> look = null)
-        {
-            if (from == 0) (_time, _next) = (0, 0);
-            double squares = 0, count = 0;
-            for (; _time < to; _time += 1 / 60.0, count++)
-            {
-                for (; timeOf(_next) + Latency <= _time; _next++) predictor.Add(new JointSample(timeOf(_next), told(_next, Motion(timeOf(_next)))));
-                var error = predictor.At(_time).Position - Motion(_time);
-                squares += error * error;
-                look?.Invoke(_time, error);
-            }
-            return Math.Sqrt(squares / count);
-        }
     }
 }

@@ -10,7 +10,7 @@ namespace Nowpose.Tests
 
         static double[] Each(Func<double, double> f) => Array.ConvertAll(Times, t => f(t));
 
-        static double GreatestError(PlannedPath path, Func<double, double> motion)
+        static double MaxError(PlannedPath path, Func<double, double> motion)
         {
             var greatest = 0.0;
             for (var t = Times[0]; t <= Times[Times.Length - 1]; t += 0.01)
@@ -33,8 +33,8 @@ namespace Nowpose.Tests
             Func<double, double> motion = t => 1 + t - 2 * t * t + 0.7 * t * t * t;
             var velocities = Each(t => 1 - 4 * t + 2.1 * t * t);
 
-            Assert.That(GreatestError(new PlannedPath(Times, Each(motion), velocities), motion), Is.LessThan(1e-12));
-            Assert.That(GreatestError(new PlannedPath(Times, Each(motion)), motion), Is.GreaterThan(0.01), "straight lines are not");
+            Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities), motion), Is.LessThan(1e-12));
+            Assert.That(MaxError(new PlannedPath(Times, Each(motion)), motion), Is.GreaterThan(0.01), "straight lines are not");
         }
 
         [Test]
@@ -44,8 +44,8 @@ namespace Nowpose.Tests
             var velocities = Each(t => 5 * Math.Pow(t, 4) - 8 * Math.Pow(t, 3) + 2 * t);
             var accelerations = Each(t => 20 * Math.Pow(t, 3) - 24 * t * t + 2);
 
-            Assert.That(GreatestError(new PlannedPath(Times, Each(motion), velocities, accelerations), motion), Is.LessThan(1e-12));
-            Assert.That(GreatestError(new PlannedPath(Times, Each(motion), velocities), motion), Is.GreaterThan(1e-3), "cubics are not");
+            Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities, accelerations), motion), Is.LessThan(1e-12));
+            Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities), motion), Is.GreaterThan(1e-3), "cubics are not");
         }
 
         [Test]

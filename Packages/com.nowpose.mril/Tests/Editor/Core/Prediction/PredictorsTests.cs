@@ -21,7 +21,7 @@ namespace Nowpose.Tests
         public void Create_Name_HasItsDegreeAndHistory(string name, double expected)
         {
             var predictor = Predictors.Create(name, PredictionLimits.Unlimited);
-            for (var t = 0; t < 5; t++) predictor.Add(new JointSample(t, t * t * t * t));
+            for (var t = 0; t < 5; t++) predictor.Add(t, t * t * t * t);
 
             Assert.That(predictor.At(5).Position, Is.EqualTo(expected).Within(1e-9));
         }
@@ -32,7 +32,7 @@ namespace Nowpose.Tests
             var one = Predictors.Create(name, PredictionLimits.Unlimited);
             var other = Predictors.Create(name, PredictionLimits.Unlimited);
 
-            one.Add(new JointSample(0, 5));
+            one.Add(0, 5);
 
             Assert.That(one.At(0).Position, Is.EqualTo(5));
             Assert.That(other.At(0).Kind, Is.EqualTo(PredictionKind.None));

@@ -40,7 +40,7 @@ namespace Nowpose.Tests
 
         double OneRun(string name, Random random)
         {
-            var predictor = Predictors.Create(name, PredictionLimits.Unlimited);
+            var joint = new DisplayedJoint(Predictors.Create(name, PredictionLimits.Unlimited));
             var sampleTime = random.NextDouble() * SamplingInterval;
             var framePhase = random.NextDouble() / FrameRateHz;
             double held = 0, predicted = 0;
@@ -50,11 +50,12 @@ namespace Nowpose.Tests
                 for (; sampleTime + Latency <= t; sampleTime += SamplingInterval)
                 {
                     var told = sampleTime + StampError * (2 * random.NextDouble() - 1);
-                    predictor.Add(new JointSample(told, Position(sampleTime), sampleTime));
+                    joint.Add(new JointSample(told, Position(sampleTime), sampleTime));
                 }
+                var shown = joint.Show(t).Position;
                 if (t < WarmUp) continue;
-                held += Squared(predictor.Hold - Position(t));
-                predicted += Squared(predictor.At(t).Position - Position(t));
+                held += Squared(joint.Predictor.Hold - Position(t));
+                predicted += Squared(shown - Position(t));
             }
             return Math.Sqrt(predicted / held);
         }

@@ -219,13 +219,18 @@ namespace Nowpose.Tests
             var clock = new SetClock();
             var session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), TestRobot.Model, clock);
-            session.DisplayTimeSource = new CalibratedDisplayTime(Profile(47));
+            session.DisplayTimeSource = new ConstantDisplayTime();
             for (var i = 0; i < 60; i++) session.Tick(HeadsetTime.FromSeconds(i / 60.0));
 
             var values = session.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
 
             Assert.That(values["l_visu_ms"], Is.EqualTo("47"));
             Assert.That(values["display_time_difference_ms"], Is.EqualTo("7"));
+        }
+
+        sealed class ConstantDisplayTime : IDisplayTimeSource
+        {
+            public HeadsetTime? LightOf(HeadsetTime frameStart) => frameStart + TimeSpan.FromMilliseconds(47);
         }
     }
 }

@@ -7,6 +7,7 @@ using NUnit.Framework;
 namespace Nowpose.Tests
 {
     /// <summary>Somebody on the network delays packets, or whoever owns the control clock turns it: what the headset can see of it, and what not.</summary>
+    [Category("Study")]
     public class ClockAttackTests
     {
         const int FirstSeed = 300;

@@ -7,6 +7,7 @@ using NUnit.Framework;
 namespace Nowpose.Tests
 {
     /// <summary>Steps of the control clock, and what must not be taken for one, with the default estimator.</summary>
+    [Category("Study")]
     public class ClockStepTests
     {
         const int FirstSeed = 200;

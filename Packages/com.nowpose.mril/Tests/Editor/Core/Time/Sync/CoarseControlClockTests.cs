@@ -8,6 +8,7 @@ namespace Nowpose.Tests
 {
     /// <summary>Control clocks that advance in steps of a millisecond or of a PLC's cycle, and say so.</summary>
     /// <remarks>The constants were chosen on other delays, with seeds 1 to 88.</remarks>
+    [Category("Study")]
     public class CoarseControlClockTests
     {
         static readonly double[] Resolutions = { 1, 4, 8, 10, 15.6 };

@@ -7,6 +7,7 @@ using NUnit.Framework;
 namespace Nowpose.Tests
 {
     /// <summary>Changes of a path's least delay, as when a headset roams to another access point, with the default estimator.</summary>
+    [Category("Study")]
     public class PathChangeTests
     {
         const int FirstSeed = 240, Seeds = 3;

@@ -1,0 +1,70 @@
+using Nowpose.Cli.Replay;
+using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Prediction;
+using Nowpose.Studies;
+
+namespace Nowpose.Benchmarks.Ablation;
+
+/// <summary>Runs that are reported together: recordings, simulated motions, or the same with stamps in error.</summary>
+/// <param name="name">For the table.</param>
+sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
+{
+    static readonly string[] Fixed = ["hold", "linear", "quadratic", "quadratic-h3", "quadratic-h4", "cubic"];
+
+    /// <summary>Sampling interval and latency, s.</summary>
+    static readonly (double Interval, double Latency)[] Conditions = [(0.020, 0.100), (0.050, 0.100), (0.100, 0.150)];
+
+    /// <summary>On which nothing was chosen.</summary>
+    static readonly int[] Seeds = [6101, 6102, 6103];
+
+    static readonly Func<int, AxisMotion>[] SimulatedMotions =
+    [
+        _ => Motions.PaperSwing(), seed => Motions.FastMoves(seed), seed => Motions.GentleMoves(seed), seed => Motions.SoftMoves(seed),
+        seed => Motions.Trapezoids(seed), seed => Motions.Waves(seed), seed => Motions.EmergencyStops(seed), seed => Motions.Ringing(seed),
+        seed => Motions.Jumps(seed), seed => Motions.Repeats(seed, new CycleVariation(0.05, 1, 0.01)),
+    ];
+
+    public string Name => name;
+
+    public IReadOnlyList<AblationRun> Runs => runs;
+
+    public static IReadOnlyList<AblationGroup> All(string recordings)
+    {
+        var groups = new List<AblationGroup> { Simulated("simulated", 0), Simulated("stamps ±5 ms", 0.005) };
+        if (recordings != null) groups.Insert(0, Recorded(recordings));
+        return groups;
+    }
+
+    /// <summary>Error of each run.</summary>
+    public double[] Errors(Func<JointPredictor> newPredictor) => [.. runs.AsParallel().AsOrdered().Select(run => run.Rms(newPredictor))];
+
+    /// <summary>Returns the error of the best fixed predictor in each run.</summary>
+    public double[] LeastFixedErrors() =>
+        [.. Fixed.Select(one => Errors(() => Predictors.Create(one, PredictionLimits.Unlimited))).Aggregate((a, b) => [.. a.Zip(b, Math.Min)])];
+
+    static AblationGroup Simulated(string name, double stampError) => new(name,
+    [
+        .. from motion in SimulatedMotions
+           from condition in Conditions
+           select new AblationRun(Label(motion(0).Name, condition), newPredictor => Math.Sqrt(Seeds.Average(seed => Square(
+               PredictionStudy.Run(motion(seed), SettingsOf(condition, seed) with { StampError = stampError }, newPredictor).Predicted.Rms)))),
+    ]);
+
+    static StudySettings SettingsOf((double Interval, double Latency) condition, int seed) =>
+        new() { SamplingInterval = condition.Interval, Latency = condition.Latency, Seed = seed, Phases = 2 };
+
+    static AblationGroup Recorded(string folder) => new("recordings",
+    [
+        .. from path in Directory.EnumerateFiles(folder, "*.csv*").Order(StringComparer.Ordinal)
+           let recording = MotionRecording.Read(path)
+           from condition in Conditions
+           let settings = new ReplaySettings { SamplingInterval = condition.Interval, Latency = condition.Latency }
+           select new AblationRun(
+               Label(Path.GetFileName(path), condition), newPredictor => new ReplayRun(path, recording, settings, newPredictor).Run().Rms),
+    ]);
+
+    static string Label(string motion, (double Interval, double Latency) condition) =>
+        FormattableString.Invariant($"{motion}, {condition.Interval * 1e3:0} / {condition.Latency * 1e3:0} ms");
+
+    static double Square(double x) => x * x;
+}

@@ -1,0 +1,76 @@
+using System.CommandLine;
+using System.Globalization;
+using Nowpose.Benchmarks.Comparison;
+using Nowpose.Gateway.Options;
+using Nowpose.Prediction;
+
+namespace Nowpose.Benchmarks.Ablation;
+
+/// <summary>ablation: what each part of the default predictor is worth, by leaving it out.</summary>
+static class AblationVerb
+{
+    static readonly PredictionParts[] Parts =
+    [
+        PredictionParts.Repetition, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
+        PredictionParts.Reported, PredictionParts.ChangePoints, PredictionParts.RestWeights, PredictionParts.FirstMoves,
+        PredictionParts.OutlierThreshold, PredictionParts.StampCorrection, PredictionParts.Thinning, PredictionParts.Interpolation,
+    ];
+
+    public static Task<int> RunAsync(string[] args)
+    {
+        var recordings = new Option<DirectoryInfo>("--recordings")
+        {
+            Description = "Folder of motions as replay reads them (*.csv, *.csv.gz); without it simulated motions alone", HelpName = "DIR",
+        };
+        recordings.AcceptExistingOnly();
+        var command = new Command("ablation", "Errors with one part left out over those of the whole, in virtual time") { recordings };
+        command.SetAction((parsed, stop) =>
+        {
+            Write(parsed.GetValue(recordings)?.FullName, stop);
+            return Task.FromResult(ExitStatus.Done);
+        });
+        return Invocation.RunAsync(Invocation.Root("nowpose-benchmarks", "What Nowpose costs.", command), args);
+    }
+
+    static void Write(string recordings, CancellationToken stop)
+    {
+        var groups = AblationGroup.All(recordings);
+        var whole = groups.Select(group => group.Errors(() => Without(PredictionParts.None))).ToArray();
+        Console.WriteLine($"| without | {string.Join(" | ", groups.Select(group => $"{group.Name} ({group.Runs.Count} runs)"))} |");
+        Console.WriteLine($"| --- | {string.Join(" | ", groups.Select(_ => "---"))} |");
+        foreach (var part in Parts)
+        {
+            stop.ThrowIfCancellationRequested();
+            var cells = groups.Select((group, i) => Cell(group.Errors(() => Without(part)), whole[i]));
+            Console.WriteLine($"| {part} | {string.Join(" | ", cells)} |");
+        }
+
+        Console.WriteLine();
+        Console.WriteLine("RMS error over that of the whole, geometric mean and (greatest).");
+        for (var i = 0; i < groups.Count; i++) WriteRuns(groups[i], whole[i]);
+    }
+
+    static void WriteRuns(AblationGroup group, double[] whole)
+    {
+        var (hold, quadratic, best) = (Fixed(group, "hold"), Fixed(group, "quadratic"), group.LeastFixedErrors());
+        Console.WriteLine();
+        Console.WriteLine($"| {group.Name} | quadratic ÷ hold | adaptive ÷ quadratic | adaptive ÷ best fixed |");
+        Console.WriteLine("| --- | ---: | ---: | ---: |");
+        for (var i = 0; i < whole.Length; i++)
+            Console.WriteLine(Text(
+                $"| {group.Runs[i].Motion} | {quadratic[i] / hold[i]:0.00} | {whole[i] / quadratic[i]:0.00} | {whole[i] / best[i]:0.00} |"));
+        Console.WriteLine(Text($"| mean | | | {whole.Zip(best, (error, least) => error / least).Average():0.000} |"));
+    }
+
+    static double[] Fixed(AblationGroup group, string name) => group.Errors(() => Predictors.Create(name, PredictionLimits.Unlimited));
+
+    static JointPredictor Without(PredictionParts part) => Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.All & ~part);
+
+    static string Cell(double[] errors, double[] whole)
+    {
+        var ratios = errors.Zip(whole, (error, of) => error / of).ToArray();
+        return Text($"{Means.Geometric(ratios):0.000} ({ratios.Max():0.00})");
+    }
+
+    static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

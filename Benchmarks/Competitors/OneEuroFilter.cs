@@ -1,0 +1,23 @@
+namespace Nowpose.Benchmarks.Competitors;
+
+/// <summary>The One-Euro filter (Casiez, Roussel, Vogel 2012), carried on with the velocity that it filters for itself.</summary>
+/// <param name="leastCutoff">f_cmin, Hz: the cut-off at rest.</param>
+/// <param name="slope">β, Hz per unit of velocity: how the cut-off rises with speed.</param>
+/// <param name="velocityCutoff">f_cd, Hz: the cut-off for the velocity.</param>
+sealed class OneEuroFilter(double leastCutoff, double slope, double velocityCutoff) : RecursiveFilter
+{
+    double _position, _velocity;
+
+    protected override void Start(double position) => (_position, _velocity) = (position, 0);
+
+    protected override void Update(double interval, double position)
+    {
+        _velocity += Share(velocityCutoff, interval) * ((position - Newest) / interval - _velocity);
+        _position += Share(leastCutoff + slope * Math.Abs(_velocity), interval) * (position - _position);
+    }
+
+    protected override double PositionAt(double ahead) => _position + _velocity * ahead;
+
+    // How much of a new value a low pass takes in.
+    static double Share(double cutoff, double interval) => 1 / (1 + 1 / (2 * Math.PI * cutoff * interval));
+}

@@ -1,0 +1,108 @@
+using System.Globalization;
+using System.Numerics;
+using System.Text;
+using NUnit.Framework;
+using Nowpose.Protocol;
+
+namespace Nowpose.Headless.Tests.Protocol;
+
+/// <summary>Numbers of messages are the nearest doubles, as exact arithmetic and .NET's parser say.</summary>
+[Parallelizable]
+public class NumberAccuracyTests
+{
+    const int Seed = 41;
+
+    [Test]
+    public void ToDouble_DoublesWrittenInFull_AreThoseDoubles()
+    {
+        var random = new Random(Seed);
+        for (var i = 0; i < 200_000; i++)
+        {
+            var value = (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-30, 30));
+
+            foreach (var format in new[] { "R", "G17", "E16", "F12" })
+            {
+                var text = value.ToString(format, CultureInfo.InvariantCulture);
+                Assert.That(Parse(text), Is.EqualTo(double.Parse(text, CultureInfo.InvariantCulture)), $"{text}, seed {Seed}");
+            }
+        }
+    }
+
+    [Test]
+    public void ToDouble_AnyDigitsAndExponent_AreAsDotNetReadsThem()
+    {
+        var random = new Random(Seed);
+        for (var i = 0; i < 200_000; i++)
+        {
+            var text = Digits(random, random.Next(1, 26));
+            if (random.Next(2) == 0) text += "." + Digits(random, random.Next(1, 26), mayBeginWithZero: true);
+            if (random.Next(2) == 0) text += "e" + random.Next(-340, 340).ToString(CultureInfo.InvariantCulture);
+
+            Assert.That(Parse(text), Is.EqualTo(double.Parse(text, CultureInfo.InvariantCulture)), $"{text}, seed {Seed}");
+        }
+    }
+
+    // Between two neighbours, where the even one is right, and a digit above and below.
+    [Test]
+    public void ToDouble_HalfwayBetweenTwoDoubles_IsTheEvenOne()
+    {
+        var random = new Random(Seed);
+        for (var i = 0; i < 50_000; i++)
+        {
+            // 54 bits, the last of which is dropped: below 10^17, so that 19 digits hold ten times as much.
+            var halfway = new BigInteger((1L << 53) + random.NextInt64(1L << 53) | 1);
+            var shift = random.Next(0, 9);
+            var text = (halfway << shift).ToString(CultureInfo.InvariantCulture);
+
+            var value = Parse(text);
+
+            Assert.That(value, Is.EqualTo(double.Parse(text, CultureInfo.InvariantCulture)), $"{text}, seed {Seed}");
+            Assert.That(BitConverter.DoubleToInt64Bits(value) & 1, Is.Zero, $"{text} is even, seed {Seed}");
+            foreach (var apart in new[] { -1, 1 })
+            {
+                text = ((halfway << shift) * 10 + apart).ToString(CultureInfo.InvariantCulture) + "e-1";
+                Assert.That(Parse(text), Is.EqualTo(double.Parse(text, CultureInfo.InvariantCulture)), $"{text}, seed {Seed}");
+            }
+        }
+    }
+
+    [TestCase("0", 0.0)]
+    [TestCase("-0.0", -0.0)]
+    [TestCase("0e99999999999", 0.0)]
+    [TestCase("5e-324", double.Epsilon)]
+    [TestCase("2.4703282292062327e-324", 0.0)]
+    [TestCase("1e-99999999999", 0.0)]
+    [TestCase("1.7976931348623157e308", double.MaxValue)]
+    [TestCase("1.7976931348623159e308", double.PositiveInfinity)]
+    [TestCase("-1e309", double.NegativeInfinity)]
+    [TestCase("1e99999999999", double.PositiveInfinity)]
+    [TestCase("9007199254740993", 9007199254740992.0)]
+    [TestCase("18446744073709551615", 18446744073709551616.0)]
+    public void ToDouble_AtTheEdges_IsTheNearest(string text, double expected)
+    {
+        Assert.That(BitConverter.DoubleToInt64Bits(Parse(text)), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected)));
+    }
+
+    [Test]
+    public void ToDouble_ManyDigits_AreAllRead()
+    {
+        var half = "0." + new string('0', 400) + "1" + new string('0', 300) + "e401";
+
+        Assert.That(Parse(half), Is.EqualTo(1));
+        Assert.That(Parse(new string('9', 400)), Is.EqualTo(double.PositiveInfinity));
+    }
+
+    static double Parse(string text)
+    {
+        Assert.That(JsonNumber.TryScan(Encoding.ASCII.GetBytes(text), out var number), text);
+        Assert.That(number.Length, Is.EqualTo(text.Length), text);
+        return number.ToDouble();
+    }
+
+    static string Digits(Random random, int count, bool mayBeginWithZero = false)
+    {
+        var digits = new StringBuilder();
+        for (var i = 0; i < count; i++) digits.Append((char)('0' + random.Next(i == 0 && !mayBeginWithZero ? 1 : 0, 10)));
+        return digits.ToString();
+    }
+}

@@ -1,0 +1,51 @@
+using System;
+
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>Solves small symmetric positive definite systems in place; MathNet's allocates, which a sample must not.</summary>
+    static class Cholesky
+    {
+        /// <summary>Pivots below this are rounding errors of an exactly singular system.</summary>
+        const double MinPivot = 1e-12;
+
+        /// <param name="matrix">Row-major n×n, lower triangle given; holds the factor L afterwards.</param>
+        public static void Factor(double[] matrix, int n)
+        {
+            for (var i = 0; i < n; i++)
+            {
+                var row = i * n;
+                for (var j = 0; j <= i; j++)
+                {
+                    var other = j * n;
+                    var sum = matrix[row + j];
+                    for (var k = 0; k < j; k++) sum -= matrix[row + k] * matrix[other + k];
+                    matrix[row + j] = i == j ? Math.Sqrt(Math.Max(sum, MinPivot)) : sum / matrix[other + j];
+                }
+            }
+        }
+
+        /// <param name="matrix">With the factor L.</param>
+        /// <param name="vector">The right-hand side; holds the solution afterwards.</param>
+        public static void Solve(double[] matrix, double[] vector, int n)
+        {
+            SolveLower(matrix, vector, n);
+            for (var i = n - 1; i >= 0; i--)
+            {
+                var value = vector[i];
+                for (var k = i + 1; k < n; k++) value -= matrix[k * n + i] * vector[k];
+                vector[i] = value / matrix[i * n + i];
+            }
+        }
+
+        /// <summary>Solves L x = vector: the squares of x are the vector's quadratic form by the inverse.</summary>
+        public static void SolveLower(double[] matrix, double[] vector, int n)
+        {
+            for (var i = 0; i < n; i++)
+            {
+                var value = vector[i];
+                for (var k = 0; k < i; k++) value -= matrix[i * n + k] * vector[k];
+                vector[i] = value / matrix[i * n + i];
+            }
+        }
+    }
+}

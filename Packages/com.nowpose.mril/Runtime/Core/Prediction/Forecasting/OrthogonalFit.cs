@@ -1,0 +1,92 @@
+using System;
+
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>Ordinary least squares for Eq. (8) with more points than coefficients.</summary>
+    /// <remarks>
+    /// The basis is made orthogonal on the points themselves, each power from the one before, so the solve needs no
+    /// matrix and does not square the condition number as normal equations do.
+    /// </remarks>
+    sealed class OrthogonalFit
+    {
+        /// <summary>
+        /// A second pass removes what rounding left of the first; it is needed only where the first removed nearly all: of clustered
+        /// stamps. The square of what is left, of what was.
+        /// </summary>
+        const double NearlyAll = 0.01;
+
+        readonly double[][] _values;
+        readonly double[][] _powers;
+
+        public OrthogonalFit(int degree, int points)
+        {
+            _values = new double[degree + 1][];
+            _powers = new double[degree + 1][];
+            for (var j = 0; j <= degree; j++)
+            {
+                _values[j] = new double[points];
+                _powers[j] = new double[degree + 1];
+            }
+        }
+
+        /// <summary>
+        /// Adds the fit of the first <paramref name="count"/> points to the coefficients, the constant first. Uses up the
+        /// positions (they become the residuals); needs more distinct times than the degree.
+        /// </summary>
+        public void Solve(double[] times, double[] positions, int count, int degree, double[] coefficients)
+        {
+            for (var j = 0; j <= degree; j++)
+            {
+                MakeNext(j, times, count, degree);
+                var before = Dot(_values[j], _values[j], count);
+                RemoveOthers(j, count, degree);
+                if (Dot(_values[j], _values[j], count) < NearlyAll * before) RemoveOthers(j, count, degree);
+                Normalise(j, count, degree);
+
+                var share = Dot(_values[j], positions, count);
+                for (var i = 0; i < count; i++) positions[i] -= share * _values[j][i];
+                for (var k = 0; k <= degree; k++) coefficients[k] += share * _powers[j][k];
+            }
+        }
+
+        void MakeNext(int j, double[] times, int count, int degree)
+        {
+            if (j == 0)
+            {
+                Array.Clear(_powers[0], 0, degree + 1);
+                _powers[0][0] = 1;
+                for (var i = 0; i < count; i++) _values[0][i] = 1;
+                return;
+            }
+            for (var i = 0; i < count; i++) _values[j][i] = times[i] * _values[j - 1][i];
+            for (var k = degree; k > 0; k--) _powers[j][k] = _powers[j - 1][k - 1];
+            _powers[j][0] = 0;
+        }
+
+        void RemoveOthers(int j, int count, int degree)
+        {
+            for (var other = 0; other < j; other++) RemoveFrom(j, other, count, degree);
+        }
+
+        void RemoveFrom(int j, int other, int count, int degree)
+        {
+            var share = Dot(_values[j], _values[other], count);
+            for (var i = 0; i < count; i++) _values[j][i] -= share * _values[other][i];
+            for (var k = 0; k <= degree; k++) _powers[j][k] -= share * _powers[other][k];
+        }
+
+        void Normalise(int j, int count, int degree)
+        {
+            var perLength = 1 / Math.Sqrt(Dot(_values[j], _values[j], count));
+            for (var i = 0; i < count; i++) _values[j][i] *= perLength;
+            for (var k = 0; k <= degree; k++) _powers[j][k] *= perLength;
+        }
+
+        static double Dot(double[] a, double[] b, int count)
+        {
+            var sum = 0.0;
+            for (var i = 0; i < count; i++) sum += a[i] * b[i];
+            return sum;
+        }
+    }
+}

@@ -1,0 +1,170 @@
+using System;
+using Nowpose.Motion;
+
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>
+    /// For axes whose drive limits are known: the newest move is the S-curve (7-phase) profile from rest to rest that its samples lie
+    /// on.
+    /// </summary>
+    /// <remarks>
+    /// The first samples of a move tell when it began, for until it brakes every move under the same limits is the same
+    /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that tells the stroke, and so the rest of the move.
+    /// Moves that are not from rest to rest are predicted wrongly: whether to trust it is for a gate to say.
+    /// </remarks>
+    sealed class ProfileForecaster : Forecaster
+    {
+        /// <summary>Lag from which a move counts as braking, s: more than rounding of stamps can explain.</summary>
+        const double MinLag = 0.6e-3;
+
+        /// <summary>
+        /// The start of a move is slower than what counts as still elsewhere: displacements up to this share of that are rest.
+        /// </summary>
+        const double RestShare = 0.1;
+
+        /// <summary>
+        /// A sample lies on a move when its distance is less than this share of the maximum displacement between two samples.
+        /// </summary>
+        const double ToleranceShare = 0.02;
+
+        /// <summary>Steps of a search by halving: more resolve nothing in a double.</summary>
+        const int Bisections = 50;
+
+        readonly PredictionLimits _limits;
+        readonly double _maxStroke;
+        readonly SevenPhaseProfile _endless;
+        SevenPhaseProfile _move;
+        double _maxDisplacement;
+        double _stillDistance;
+        double _newestTime;
+        double _newestPosition;
+        double _restPosition;
+        double _start;
+        double _direction;
+        bool _isKnown;
+        bool _hasBraked;
+
+        /// <param name="limits">Velocity, acceleration and jerk must be finite.</param>
+        /// <exception cref="ArgumentException">A limit of the drive is not known.</exception>
+        public ProfileForecaster(PredictionLimits limits)
+        {
+            _limits = limits;
+            if (!HasLimits(limits)) throw new ArgumentException("velocity, acceleration and jerk must be known", nameof(limits));
+            // A stroke long enough that none is braked for within a minute.
+            _maxStroke = limits.Velocity * 60;
+            _endless = Profile(_maxStroke);
+            Reset();
+        }
+
+        public override int Samples => 1;
+
+        /// <summary>Whether limits are enough for this forecaster.</summary>
+        public static bool HasLimits(PredictionLimits limits) =>
+            double.IsFinite(limits.Velocity) && double.IsFinite(limits.Acceleration) && double.IsFinite(limits.Jerk);
+
+        /// <returns>False where the motion is none of these moves.</returns>
+        public override bool Solve(MotionState motion)
+        {
+            if (!motion.IsNewest) return _isKnown;
+            (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
+            _stillDistance = RestShare * motion.Rest.StillDistance;
+            if (motion.Connected < 2)
+            {
+                Rest(_newestPosition);
+                return _isKnown;
+            }
+            _maxDisplacement = Math.Max(_maxDisplacement, Math.Abs(_newestPosition - motion.Samples[1].Position));
+            if (IsResting(motion)) Rest(_newestPosition);
+            else if (_direction == 0) Begin(motion.Samples[1].Time);
+            else if (_isKnown) Continue(motion.Samples[1]);
+            return _isKnown;
+        }
+
+        public override double At(double ahead) =>
+            _direction == 0 ? 0 : _restPosition + _direction * _move.PositionAt(_newestTime + ahead - _start) - _newestPosition;
+
+        public override void Reset()
+        {
+            _maxDisplacement = 0;
+            Rest(0);
+            _isKnown = false;
+        }
+
+        bool IsResting(MotionState motion) => motion.Samples.Count > 2
+            && Math.Abs(_newestPosition - motion.Samples[1].Position) <= _stillDistance
+            && Math.Abs(motion.Samples[1].Position - motion.Samples[2].Position) <= _stillDistance;
+
+        void Rest(double position)
+        {
+            _restPosition = position;
+            _direction = 0;
+            _isKnown = true;
+        }
+
+        // Samples this close to rest hardly show when it ended: they count as rest.
+        void Begin(double timeBefore)
+        {
+            var displacement = _newestPosition - _restPosition;
+            if (Math.Abs(displacement) <= _stillDistance) return;
+            _direction = Math.Sign(displacement);
+            _move = _endless;
+            _hasBraked = false;
+            _start = _newestTime - TimeTo(Math.Abs(displacement));
+            // It cannot have begun before it was last seen at rest.
+            _isKnown = _start > timeBefore - MinLag;
+        }
+
+        void Continue(in JointSample before)
+        {
+            var elapsed = _newestTime - _start;
+            var displacement = _direction * (_newestPosition - _restPosition);
+            if (_hasBraked && elapsed > _move.Duration && Math.Abs(_newestPosition - End) > _stillDistance)
+            {
+                // The next move has begun, after a dwell too short to be seen.
+                Rest(End);
+                Begin(before.Time);
+                return;
+            }
+            var lag = displacement > 0 ? elapsed - TimeTo(displacement) : double.PositiveInfinity;
+            if (!_hasBraked && Math.Abs(lag) <= MinLag) _start += lag;
+            else _isKnown = lag > 0 && TryFindStroke(displacement, elapsed) && LiesOnMove(before);
+        }
+
+        double End => _restPosition + _direction * _move.PositionAt(_move.Duration);
+
+        bool LiesOnMove(in JointSample sample)
+        {
+            var expected = _restPosition + _direction * _move.PositionAt(sample.Time - _start);
+            return Math.Abs(sample.Position - expected) <= ToleranceShare * _maxDisplacement;
+        }
+
+        // The longer the stroke the further the axis has come by now, up to where all strokes are the same.
+        bool TryFindStroke(double displacement, double elapsed)
+        {
+            double shorter = 0, longer = _maxStroke;
+            for (var i = 0; i < Bisections; i++)
+            {
+                var stroke = (shorter + longer) / 2;
+                if (Profile(stroke).PositionAt(elapsed) < displacement) shorter = stroke;
+                else longer = stroke;
+            }
+            _move = Profile(longer);
+            _hasBraked = true;
+            return longer < 0.999 * _maxStroke;
+        }
+
+        double TimeTo(double displacement)
+        {
+            double earlier = 0, later = _endless.Duration;
+            for (var i = 0; i < Bisections; i++)
+            {
+                var time = (earlier + later) / 2;
+                if (_endless.PositionAt(time) < displacement) earlier = time;
+                else later = time;
+            }
+            return later;
+        }
+
+        SevenPhaseProfile Profile(double stroke) => new SevenPhaseProfile(stroke, _limits.Velocity, _limits.Acceleration, _limits.Jerk);
+    }
+}

@@ -1,0 +1,23 @@
+using Nowpose.Prediction.Forecasting;
+
+namespace Nowpose.Prediction.Mixing
+{
+    /// <summary>A forecaster of the mixture and what it weighs before anything is known. The weights of all add up to one.</summary>
+    readonly struct MixedForecaster
+    {
+        /// <param name="prior">Weight, 0 to 1.</param>
+        /// <param name="priorWhenReported">The same where samples tell their acceleration.</param>
+        public MixedForecaster(Forecaster forecaster, double prior = 0, double priorWhenReported = 0)
+        {
+            Forecaster = forecaster;
+            Prior = prior;
+            PriorWhenReported = priorWhenReported;
+        }
+
+        public Forecaster Forecaster { get; }
+
+        public double Prior { get; }
+
+        public double PriorWhenReported { get; }
+    }
+}

@@ -1,0 +1,310 @@
+using System;
+using Nowpose.Prediction.Forecasting;
+
+namespace Nowpose.Prediction.Mixing
+{
+    /// <summary>
+    /// Weighted sum of forecasts, with the weights that would have minimised its recent error; a candidate replaces it while clearly
+    /// better.
+    /// </summary>
+    /// <remarks>
+    /// No single forecaster is best everywhere: the paper's quadratic wins on clean swings and loses to a straight line on many real
+    /// machines. Each sample gives the errors of the forecasts made one horizon earlier, from which the weights are solved, separately
+    /// for rest and motion. Samples before a change point are not used, and a motion much faster than any before uses the prior weights.
+    /// </remarks>
+    sealed class Mixer : Forecaster
+    {
+        const int Hold = 0, Line = 1;
+
+        /// <summary>Time constant of the forgetting factor, s.</summary>
+        const double Memory = 20;
+
+        /// <summary>
+        /// Strength of the pull to the prior, and those of rest or motion to the weights of both (<see cref="MixtureWeights"/>): half
+        /// or twice as much changes the errors on recordings by less than half a percent.
+        /// </summary>
+        const double Regularisation = 0.2, ClassRegularisation = 0.5;
+
+        /// <summary>Smaller squares, relative to the greatest recent one, do not change the weights: most of them come from rest.</summary>
+        const double MinShareOfSquare = 1e-3;
+
+        /// <summary>
+        /// A squared displacement per horizon above this multiple of the mean square of hold counts as a motion not seen before.
+        /// </summary>
+        const double FirstMoveRatio = 30;
+
+        /// <summary>Time after the start of such a motion during which a line predicts it, s.</summary>
+        const double StartSeconds = 0.08;
+
+        /// <summary>After a change point at which the joint did not accelerate, its speed is multiplied by this.</summary>
+        const double ShareAfterStop = 0.5;
+
+        /// <summary>Rounding of times, s.</summary>
+        const double Epsilon = 1e-6;
+
+        /// <summary>Share of the memory that must be filled before outliers are detected.</summary>
+        const double MinEvidence = 0.02;
+
+        readonly PredictionLimits _limits;
+        readonly PredictionParts _parts;
+        readonly Forecaster[] _forecasters;
+        readonly CandidateGate[] _candidates;
+        readonly ParabolaForecaster _stopping = new ParabolaForecaster(usesReported: false);
+        readonly ForecastSnapshots _snapshots;
+        readonly MixtureWeights _overall;
+        readonly MixtureWeights _moving;
+        readonly MixtureWeights _resting;
+        readonly OutlierThreshold _outliers = new OutlierThreshold();
+        readonly double[] _prior;
+        readonly double[] _priorWhenReported;
+        readonly double[] _line;
+        readonly double[] _hold;
+        readonly double[] _errors;
+        readonly double[] _table = new double[ForecastTable.Points];
+        readonly int _points;
+        double[] _weights;
+        double _maxSquare;
+
+        /// <param name="limits">Limits of the drive.</param>
+        /// <param name="parts">Which parts of the mixer are used.</param>
+        /// <param name="mixed">Forecasters beside hold, which is always included; the first must be the line.</param>
+        /// <param name="candidates">Forecasters that may replace the mixture.</param>
+        public Mixer(PredictionLimits limits, PredictionParts parts, MixedForecaster[] mixed, CandidateGate[] candidates)
+        {
+            _limits = limits;
+            _parts = parts;
+            _candidates = candidates;
+            // The spline reads two points beyond; times further ahead are never displayed.
+            _points = (int)Math.Min(ForecastTable.Points, Math.Ceiling(limits.HorizonCap / ForecastTable.Step) + 3);
+            var count = Line + mixed.Length;
+            _forecasters = new Forecaster[count];
+            (_prior, _priorWhenReported, _line, _hold, _errors) =
+                (new double[count], new double[count], new double[count], new double[count], new double[count]);
+            _hold[Hold] = _line[Line] = 1;
+            for (var i = 0; i < mixed.Length; i++)
+                (_forecasters[Line + i], _prior[Line + i], _priorWhenReported[Line + i]) = (mixed[i].Forecaster, mixed[i].Prior, mixed[i].PriorWhenReported);
+            Normalise(_prior);
+            Normalise(_priorWhenReported);
+            _overall = new MixtureWeights(Regularisation, _prior);
+            _moving = new MixtureWeights(ClassRegularisation, _prior);
+            _resting = new MixtureWeights(ClassRegularisation, _prior);
+            _snapshots = new ForecastSnapshots(count + 1 + candidates.Length);
+            Reset();
+        }
+
+        public override int Samples => 2;
+
+        public override double Span => ForecastTable.Span;
+
+        // Without one of its forecasters a prior does not add up to one.
+        static void Normalise(double[] weights)
+        {
+            var sum = 0.0;
+            foreach (var weight in weights) sum += weight;
+            for (var i = 0; i < weights.Length; i++) weights[i] = sum > 0 ? weights[i] / sum : i == Line ? 1 : 0;
+        }
+
+        bool Has(PredictionParts part) => (_parts & part) != 0;
+
+        // Order of the tables in a snapshot: forecasters, mixture, candidates.
+        int Mixture => _forecasters.Length;
+
+        public override bool Solve(MotionState motion)
+        {
+            if (motion.IsNewest)
+            {
+                Score(motion);
+                _weights = Choose(motion);
+                Forecast(motion, _snapshots.Append());
+            }
+            // A late sample changes the forecast, but not the weights.
+            else if (_snapshots.Count > 0) Forecast(motion, _snapshots[_snapshots.Count - 1]);
+            return motion.Connected >= 2;
+        }
+
+        public override double At(double ahead) => ForecastTable.Read(_table, 0, ahead);
+
+        public override void Reset()
+        {
+            foreach (var candidate in _candidates) candidate.Reset();
+            for (var i = Line; i < _forecasters.Length; i++) _forecasters[i].Reset();
+            _snapshots.Clear();
+            _outliers.Reset();
+            _overall.Reset(_prior);
+            _moving.Reset(_prior);
+            _resting.Reset(_prior);
+            Array.Clear(_table, 0, _table.Length);
+            _weights = _prior;
+            _maxSquare = 1e-12;
+        }
+
+        void Forecast(MotionState motion, ForecastSnapshots.Snapshot into)
+        {
+            into.Time = motion.Samples.NewestTime;
+            into.Position = motion.Samples.NewestPosition;
+            into.ChangePoints = motion.ChangePoints.Count;
+            into.WasAtRest = motion.Rest.IsAtRest;
+            into.WasStill = motion.Rest.StillSamples > 0;
+            FillForecasts(motion, into.Tables);
+            FillMixture(motion, into.Tables);
+            var speaker = Mixture;
+            var leastShare = double.PositiveInfinity;
+            for (var i = 0; i < _candidates.Length; i++)
+            {
+                var (candidate, forecast) = (_candidates[i], Mixture + 1 + i);
+                into.Speaks(forecast) = candidate.Forecaster.Solve(motion);
+                if (!into.Speaks(forecast)) continue;
+                candidate.Forecaster.Fill(into.Tables, forecast * ForecastTable.Points, _points);
+                var share = candidate.ShareOfSquare(into.WasStill);
+                if (share < leastShare) (speaker, leastShare) = (forecast, share);
+            }
+            Array.Copy(into.Tables, speaker * ForecastTable.Points, _table, 0, ForecastTable.Points);
+        }
+
+        void FillForecasts(MotionState motion, double[] tables)
+        {
+            Array.Clear(tables, 0, tables.Length);
+            if (motion.Connected < 2) return;
+            var samples = Has(PredictionParts.ChangePoints) ? motion.OfOneMotion : motion.Connected;
+            if (samples <= 2)
+            {
+                var share = samples == 1 && !motion.ChangePoints.HasGrown ? ShareAfterStop : 1;
+                for (var i = Line; i < Mixture; i++) FillLine(tables, i, motion.Speed * share);
+                return;
+            }
+            for (var i = Line; i < Mixture; i++)
+            {
+                var forecaster = _forecasters[i];
+                var solves = samples >= forecaster.Samples && forecaster.Solve(motion);
+                if (!solves) _stopping.Solve(motion);
+                (solves ? forecaster : _stopping).Fill(tables, i * ForecastTable.Points, _points);
+            }
+        }
+
+        void FillLine(double[] tables, int forecast, double speed)
+        {
+            var start = forecast * ForecastTable.Points;
+            for (var i = 0; i < _points; i++) tables[start + i] = speed * (i * ForecastTable.Step);
+        }
+
+        void FillMixture(MotionState motion, double[] tables)
+        {
+            var start = Mixture * ForecastTable.Points;
+            for (var i = Line; i < Mixture; i++)
+            {
+                var weight = _weights[i];
+                if (weight == 0) continue;
+                for (var point = 0; point < _points; point++) tables[start + point] += weight * tables[i * ForecastTable.Points + point];
+            }
+            if (motion.Connected >= 2) SpeedLimits.Apply(tables, start, motion.Speed, motion.Interval, _limits);
+        }
+
+        // Weights are learned from the snapshot with the age nearest to the horizon; at rest, where noise decides, from the one beyond
+        // it. Candidates are scored by both: they are rarely scored at all.
+        void Score(MotionState motion)
+        {
+            var (now, horizon) = (motion.Samples.NewestTime, motion.Horizon);
+            var older = _snapshots.Count - 1;
+            while (older >= 0 && now - _snapshots[older].Time < horizon - Epsilon) older--;
+            if (older < 0) return;
+            var isOlderUsed = now - _snapshots[older].Time < 1.5 * horizon + motion.MeanInterval;
+            var isYoungerNearer = older + 1 < _snapshots.Count && horizon - (now - _snapshots[older + 1].Time) < now - _snapshots[older].Time - horizon;
+            var learned = false;
+            if (isYoungerNearer && !motion.Rest.IsAtRest)
+            {
+                if (isOlderUsed) ScoreCandidates(motion, _snapshots[older], Threshold);
+                learned = Learn(motion, _snapshots[older + 1]);
+            }
+            else if (isOlderUsed) learned = Learn(motion, _snapshots[older]);
+            _snapshots.Drop(older);
+            if (learned) _overall.Solve(PriorNow(motion), SampleShare(motion));
+        }
+
+        bool Learn(MotionState motion, ForecastSnapshots.Snapshot snapshot)
+        {
+            var ahead = motion.Samples.NewestTime - snapshot.Time;
+            if (!IsInTable(ahead)) return false;
+            // The error of a forecast across a change point is not the forecaster's.
+            var isOfOneMotion = snapshot.ChangePoints == motion.ChangePoints.Count;
+            var threshold = FillErrors(snapshot, ahead, motion.Samples.NewestPosition, isOfOneMotion, out var greatest);
+            ScoreCandidates(motion, snapshot, threshold);
+            if (!isOfOneMotion) return false;
+            var square = greatest * greatest;
+            var keeping = Math.Exp(-motion.MeanInterval / Memory);
+            _maxSquare = Math.Max(_maxSquare * keeping, square);
+            var isTelling = square > MinShareOfSquare * _maxSquare;
+            if (isTelling) _overall.Learn(_errors, keeping);
+            if (snapshot.WasAtRest) _resting.Learn(_errors, keeping);
+            else if (isTelling) _moving.Learn(_errors, keeping);
+            return isTelling || snapshot.WasAtRest;
+        }
+
+        /// <param name="isOfOneMotion">Whether no change point lies between forecast and sample: then the threshold adapts.</param>
+        /// <param name="greatest">The larger error of hold and mixture, limited by the threshold.</param>
+        /// <returns>The outlier threshold.</returns>
+        double FillErrors(ForecastSnapshots.Snapshot snapshot, double ahead, double truth, bool isOfOneMotion, out double greatest)
+        {
+            var mixture = 0.0;
+            for (var i = 0; i < Mixture; i++)
+            {
+                _errors[i] = snapshot.At(i, ahead) - truth;
+                mixture += _overall.Values[i] * _errors[i];
+            }
+            greatest = Math.Max(Math.Abs(_errors[Hold]), Math.Abs(mixture));
+            var threshold = Threshold;
+            if (double.IsPositiveInfinity(threshold)) return threshold;
+            if (isOfOneMotion) _outliers.Add(UsualError, greatest);
+            for (var i = 0; i < Mixture; i++) _errors[i] = Math.Min(Math.Max(_errors[i], -threshold), threshold);
+            greatest = Math.Min(greatest, threshold);
+            return threshold;
+        }
+
+        void ScoreCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot, double threshold)
+        {
+            var ahead = motion.Samples.NewestTime - snapshot.Time;
+            if (!IsInTable(ahead)) return;
+            var truth = motion.Samples.NewestPosition;
+            var mixture = Math.Min(Math.Abs(snapshot.At(Mixture, ahead) - truth), threshold);
+            for (var i = 0; i < _candidates.Length; i++)
+            {
+                var forecast = Mixture + 1 + i;
+                if (!snapshot.Speaks(forecast)) continue;
+                var forecastPosition = snapshot.At(forecast, ahead);
+                var displacement = Math.Max(Math.Abs(truth - snapshot.Position), Math.Abs(forecastPosition - snapshot.Position));
+                _candidates[i].Score(forecastPosition - truth, mixture, Math.Min(displacement, threshold), snapshot.WasStill);
+            }
+        }
+
+        // Reading a table needs the point after the cell, too.
+        bool IsInTable(double ahead) => ahead <= (_points < ForecastTable.Points ? _points - 2 : _points - 1) * ForecastTable.Step;
+
+        double UsualError => Math.Sqrt(_overall.MeanSquare(Hold));
+
+        double Threshold => _overall.Evidence < MinEvidence || !Has(PredictionParts.OutlierThreshold)
+            ? double.PositiveInfinity : _outliers.Of(UsualError);
+
+        // Share of the memory filled by one sample.
+        static double SampleShare(MotionState motion) => 1 - Math.Exp(-motion.MeanInterval / Memory);
+
+        double[] PriorNow(MotionState motion) => double.IsNaN(motion.Samples[0].Velocity + motion.Samples[0].Acceleration) ? _prior : _priorWhenReported;
+
+        // Weights learned at rest, from noise, do not suit a first motion much faster than that.
+        double[] Choose(MotionState motion)
+        {
+            var rest = motion.Rest;
+            if (rest.IsOnlyNoise) return _hold;
+            var heldSquare = _overall.MeanSquare(Hold);
+            if (rest.IsAtRest) heldSquare = Math.Max(heldSquare, _resting.MeanSquare(Hold));
+            var displacement = motion.Speed * motion.Horizon;
+            if (displacement * displacement <= FirstMoveRatio * heldSquare || !Has(PredictionParts.FirstMoves))
+            {
+                if (!Has(PredictionParts.RestWeights)) return _overall.Values;
+                var weights = rest.IsAtRest ? _resting : _moving;
+                weights.Solve(_overall.Values, SampleShare(motion));
+                return weights.Values;
+            }
+            var sinceStart = motion.Samples.NewestTime - motion.Start;
+            return sinceStart < Math.Max(StartSeconds, 1.01 * motion.MeanInterval) + 1e-4 ? _line : PriorNow(motion);
+        }
+    }
+}

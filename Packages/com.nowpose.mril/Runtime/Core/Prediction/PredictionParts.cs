@@ -1,0 +1,55 @@
+using System;
+
+namespace Nowpose.Prediction
+{
+    /// <summary>Parts of the pipeline that can be switched off, for the ablation study; prediction.md has its results.</summary>
+    [Flags]
+    enum PredictionParts
+    {
+        /// <summary>The paper's pipeline: one forecaster on the samples as they are.</summary>
+        None = 0,
+
+        /// <summary>Stamps of a periodic source are corrected.</summary>
+        StampCorrection = 1,
+
+        /// <summary>Samples less than 5.5 ms apart are left out.</summary>
+        Thinning = 2,
+
+        /// <summary>Between samples the position is interpolated.</summary>
+        Interpolation = 4,
+
+        /// <summary>Treatment of samples by all predictors except the paper's polynomials.</summary>
+        Samples = StampCorrection | Thinning | Interpolation,
+
+        /// <summary>The quadratic through five samples.</summary>
+        Quadratic = 8,
+
+        Cubic = 16,
+
+        /// <summary>The Gaussian process.</summary>
+        Process = 32,
+
+        /// <summary>The parabola from velocity and acceleration in the samples, through three samples without them.</summary>
+        Reported = 64,
+
+        /// <summary>Template matching with the motion of the last two minutes.</summary>
+        Repetition = 128,
+
+        /// <summary>S-curve profiles where the drive's limits are known.</summary>
+        Profiles = 256,
+
+        /// <summary>Samples before a change point are not used.</summary>
+        ChangePoints = 512,
+
+        /// <summary>Separate weights at rest.</summary>
+        RestWeights = 1024,
+
+        /// <summary>Errors are limited by an outlier threshold.</summary>
+        OutlierThreshold = 2048,
+
+        /// <summary>A motion much faster than any before starts with a line and continues with the prior weights.</summary>
+        FirstMoves = 4096,
+
+        All = Samples | Quadratic | Cubic | Process | Reported | Repetition | Profiles | ChangePoints | RestWeights | OutlierThreshold | FirstMoves
+    }
+}

@@ -1,0 +1,205 @@
+using System;
+using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
+
+namespace Nowpose.Prediction.Repetition
+{
+    /// <summary>For machines that repeat themselves: the motion goes on as it did when it last was like this.</summary>
+    /// <remarks>
+    /// The newest samples are laid over the history at the lags where it resembles them most, each lag is refined until they
+    /// fit best, and the best three go on, weighted by their fit. It does not solve without such a place; a gate
+    /// decides whether its forecast is used.
+    /// </remarks>
+    sealed class TemplateForecaster : Forecaster
+    {
+        /// <summary>The motion after a match must be known for the span of a table and this many grid steps more.</summary>
+        const int StepsBesideSpan = 4;
+
+        /// <summary>Length of the newest motion that is compared with the history, s.</summary>
+        const double Window = 0.4;
+
+        /// <summary>Intervals of which the median makes the grid.</summary>
+        const int MinSamples = 8;
+
+        /// <summary>Finest step of the grid, s.</summary>
+        const double MinStep = 0.02;
+
+        /// <summary>Fewer moving samples do not tell one start from another: then what was before counts too.</summary>
+        const int MinMoving = 2;
+
+        /// <summary>After this many samples at rest another search finds nothing new.</summary>
+        const int LongRest = 16;
+
+        /// <summary>The history is not filled over a longer one, s.</summary>
+        const double MaxGap = 2;
+
+        /// <summary>Matches whose square exceeds the best one's by this factor are not used.</summary>
+        const double WorstMatch = 3;
+
+        /// <summary>A sampling interval that differs by this factor from the one the grid was made for starts a new history.</summary>
+        const double RhythmChange = 1.6;
+
+        /// <summary>Samples in quicker succession than this go on with the matches before, s.</summary>
+        const double MinMatchInterval = 0.035;
+
+        readonly double _maximumGap;
+        readonly MotionHistory _history = new MotionHistory();
+        readonly LagSearch _search = new LagSearch();
+        readonly MotionOverlay _overlay;
+        readonly int[] _found = new int[LagSearch.Kept];
+        readonly double[] _refined = new double[LagSearch.Kept];
+        readonly double[] _lags = new double[LagSearch.Kept];
+        readonly double[] _errors = new double[LagSearch.Kept];
+        readonly double[] _offsets = new double[LagSearch.Kept];
+        readonly double[] _weights = new double[LagSearch.Kept];
+        readonly double[] _intervals = new double[MinSamples];
+        double _rhythm;
+        double _newestTime;
+        double _newestPosition;
+        int _matches;
+        int _turn;
+        double _matchedAt;
+
+        /// <param name="limits">Bounds; the history restarts after a longer gap than they allow.</param>
+        public TemplateForecaster(PredictionLimits limits)
+        {
+            _maximumGap = Math.Min(limits.MaximumGap, MaxGap);
+            _overlay = new MotionOverlay(_history);
+            Reset();
+        }
+
+        public override int Samples => 2;
+
+        /// <returns>False where the motion resembles nothing before.</returns>
+        public override bool Solve(MotionState motion)
+        {
+            // The history has passed a sample that was overtaken.
+            if (motion.IsNewest && motion.Samples.Count > 1) Follow(motion);
+            return _matches > 0;
+        }
+
+        public override double At(double ahead)
+        {
+            var position = 0.0;
+            for (var i = 0; i < _matches; i++)
+                if (_weights[i] > 0)
+                    position += _weights[i] * (_history.At(_history.IndexOf(_newestTime + ahead) - _lags[i], out _) + _offsets[i]);
+            return position - _newestPosition;
+        }
+
+        public override void Fill(double[] table, int start, int points)
+        {
+            for (var i = 0; i < points; i++) table[start + i] = -_newestPosition;
+            for (var match = 0; match < _matches; match++)
+            {
+                if (_weights[match] == 0) continue;
+                var index = _history.IndexOf(_newestTime) - _lags[match];
+                for (var i = 0; i < points; i++, index += ForecastTable.Step / _history.Step)
+                    table[start + i] += _weights[match] * (_history.At(index, out _) + _offsets[match]);
+            }
+        }
+
+        public override void Reset()
+        {
+            _rhythm = 0;
+            _history.Start(0);
+            _search.Reset();
+            Array.Clear(_found, 0, _found.Length);
+            _matches = 0;
+        }
+
+        // Nearer than this the history does not know yet what followed.
+        int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + StepsBesideSpan;
+
+        void Follow(MotionState motion)
+        {
+            var before = _matches;
+            _matches = 0;
+            if (motion.Interval > _maximumGap) Reset();
+            if (_rhythm == 0)
+            {
+                Begin(motion.Samples);
+                return;
+            }
+            // A single gap does not change the rhythm; a changed mean does.
+            if (motion.MeanInterval > RhythmChange * _rhythm || motion.MeanInterval * RhythmChange < _rhythm)
+            {
+                Reset();
+                return;
+            }
+            (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
+            _history.Add(_newestTime, _newestPosition);
+            _search.Follow(_history, MinLag);
+            var isSoon = _newestTime - _matchedAt < MinMatchInterval;
+            if (before > 0 && (isSoon || motion.Rest.StillSamples > LongRest)) GoOn(before);
+            else Match(motion);
+        }
+
+        // The matches stay what they were, and time goes on: between two searches, and after a while at rest, when nothing tells one
+        // place from another.
+        void GoOn(int matches)
+        {
+            for (var i = 0; i < matches; i++)
+                if (!KnowsWhatFollowed(_lags[i])) return;
+            _matches = matches;
+        }
+
+        // The grid takes the samples' own rhythm, so that it falls on them and interpolates nothing.
+        void Begin(SampleHistory samples)
+        {
+            if (samples.Count <= MinSamples || samples.CountWithoutGap(_maximumGap) <= MinSamples) return;
+            for (var i = 0; i < MinSamples; i++) _intervals[i] = samples[i].Time - samples[i + 1].Time;
+            Array.Sort(_intervals);
+            _rhythm = _intervals[MinSamples / 2];
+            _history.Start(_rhythm * Math.Ceiling(MinStep / _rhythm - 1e-6));
+            for (var i = MinSamples; i >= 0; i--) _history.Add(samples[i].Time, samples[i].Position);
+        }
+
+        void Match(MotionState motion)
+        {
+            _matchedAt = _newestTime;
+            _overlay.Take(motion.Samples, SamplesInWindow(motion));
+            _turn = (_turn + 1) % LagSearch.Kept;
+            var least = double.PositiveInfinity;
+            for (var i = 0; i < _search.Count; i++)
+            {
+                // A match goes on at its lag; one after the other is refined.
+                if (_found[i] != _search.Lags[i] || i == _turn)
+                    (_found[i], _refined[i]) = (_search.Lags[i], _overlay.Find(_search.Lags[i], MinLag));
+                if (!_overlay.Compare(_refined[i]) || !KnowsWhatFollowed(_refined[i])) continue;
+                _lags[_matches] = _refined[i];
+                _errors[_matches] = _overlay.MeanSquare;
+                // What the newest samples lie off the history goes on lying off.
+                _offsets[_matches] = _overlay.Offset;
+                least = Math.Min(least, _errors[_matches++]);
+            }
+            Weigh(least);
+        }
+
+        bool KnowsWhatFollowed(double lag) => _history.Covers(_history.IndexOf(_newestTime) - lag)
+            && _history.Covers(_history.IndexOf(_newestTime + ForecastTable.Span) - lag);
+
+        // In motion the samples since its start decide: how long the joint rested before is not how it moves now.
+        static int SamplesInWindow(MotionState motion)
+        {
+            var newest = motion.Samples;
+            var full = 1;
+            while (full < newest.Count && newest[0].Time - newest[full].Time <= Window) full++;
+            var moving = 0;
+            while (moving + 1 < full && Math.Abs(newest[moving].Position - newest[moving + 1].Position) > motion.Rest.StillDistance) moving++;
+            return moving < MinMoving ? full : Math.Min(full, moving + 2);
+        }
+
+        void Weigh(double least)
+        {
+            var total = 0.0;
+            for (var i = 0; i < _matches; i++)
+            {
+                var share = _errors[i] / (least + 1e-300) + 1;
+                _weights[i] = _errors[i] > WorstMatch * least ? 0 : 1 / (share * share);
+                total += _weights[i];
+            }
+            for (var i = 0; i < _matches; i++) _weights[i] /= total;
+        }
+    }
+}

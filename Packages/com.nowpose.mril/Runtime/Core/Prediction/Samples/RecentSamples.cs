@@ -1,0 +1,136 @@
+using System;
+
+namespace Nowpose.Prediction.Samples
+{
+    /// <summary>
+    /// Keeps the recent samples of a joint, to recognise a repeated one and one that contradicts them. Allocates
+    /// nothing once made.
+    /// </summary>
+    sealed class RecentSamples
+    {
+        /// <summary>A quarter of a second at 1 kHz, 2.5 s at 100 Hz.</summary>
+        const int Capacity = 256;
+
+        /// <summary>Samples whose times differ by less are of the same moment, s.</summary>
+        const double SameSeconds = 1e-6;
+
+        /// <summary>
+        /// Share of the displacement between its neighbours: an overtaken sample lies off their line by less, in a turn
+        /// too; one of a clock that went back by two intervals, by twice that displacement.
+        /// </summary>
+        const double MaxShareOfDisplacement = 1.5;
+
+        /// <summary>Share of the range of the recent samples below which a difference proves nothing: one count of an encoder, for example.</summary>
+        const double MinShareOfRange = 1e-3;
+
+        /// <summary>Number of newest samples whose second differences give the noise.</summary>
+        const int NoiseWindow = 8;
+
+        readonly bool _isEndless;
+        readonly double[] _orders = new double[Capacity];
+        readonly double[] _positions = new double[Capacity];
+        int _next;
+        int _count;
+
+        /// <param name="isEndless">Whether positions are angles in rad that may come back from π to −π.</param>
+        public RecentSamples(bool isEndless) => _isEndless = isEndless;
+
+        public void Add(in JointSample sample)
+        {
+            _orders[_next] = sample.Order;
+            _positions[_next] = sample.Position;
+            _next = (_next + 1) % Capacity;
+            if (_count < Capacity) _count++;
+        }
+
+        public bool Contains(in JointSample sample)
+        {
+            for (var i = 0; i < _count; i++)
+                if (IsSame(_orders[i], _positions[i], sample)) return true;
+            return false;
+        }
+
+        /// <summary>Whether one is of the same moment, wherever the joint was.</summary>
+        public bool ContainsTimeOf(in JointSample sample)
+        {
+            for (var i = 0; i < _count; i++)
+                if (IsSameTime(_orders[i], sample)) return true;
+            return false;
+        }
+
+        /// <summary>Whether the samples before and after say that the joint was elsewhere then; false where they are not known.</summary>
+        public bool Contradict(in JointSample sample)
+        {
+            var before = Neighbour(sample.Order, -1);
+            var after = Neighbour(sample.Order, 1);
+            if (before < 0 || after < 0) return false;
+            var displacement = Difference(_positions[after], _positions[before]);
+            var onLine = displacement * (sample.Order - _orders[before]) / (_orders[after] - _orders[before]);
+            var largest = Math.Max(Math.Abs(displacement), Math.Max(DisplacementFrom(before, -1), DisplacementFrom(after, 1)));
+            var distance = Math.Abs(Difference(sample.Position, _positions[before]) - onLine);
+            var range = Range;
+            // Before the joint has moved nothing can contradict.
+            return distance > MaxShareOfDisplacement * largest + Noise && distance > MinShareOfRange * range && range > 0;
+        }
+
+        public void Clear() => _next = _count = 0;
+
+        /// <summary>
+        /// Whether a sample is one sent again. The stamp alone does not tell: a clock that goes back by whole sampling intervals
+        /// repeats those of before, with other positions.
+        /// </summary>
+        public static bool IsSame(double order, double position, in JointSample sample) =>
+            IsSameTime(order, sample) && position == sample.Position;
+
+        public static bool IsSameTime(double order, in JointSample sample) => Math.Abs(order - sample.Order) < SameSeconds;
+
+        double DisplacementFrom(int index, int direction)
+        {
+            var next = Neighbour(_orders[index], direction);
+            return next < 0 ? 0 : Math.Abs(Difference(_positions[next], _positions[index]));
+        }
+
+        // Maximum second difference of the newest samples: much at rest with noise, little in a smooth motion.
+        double Noise
+        {
+            get
+            {
+                var noise = 0.0;
+                for (var age = 0; age + 2 < Math.Min(_count, NoiseWindow); age++)
+                    noise = Math.Max(noise, Math.Abs(Difference(Newest(age), Newest(age + 1)) - Difference(Newest(age + 1), Newest(age + 2))));
+                return noise;
+            }
+        }
+
+        double Range
+        {
+            get
+            {
+                double minimum = 0, maximum = 0;
+                for (var i = 1; i < _count; i++)
+                {
+                    var difference = Difference(_positions[i], _positions[0]);
+                    minimum = Math.Min(minimum, difference);
+                    maximum = Math.Max(maximum, difference);
+                }
+                return maximum - minimum;
+            }
+        }
+
+        double Newest(int age) => _positions[(_next - 1 - age + Capacity) % Capacity];
+
+        double Difference(double a, double b) => _isEndless ? a - b - SampleBuffer.WholeTurns(a - b) : a - b;
+
+        // The nearest one strictly before, -1, or after, 1; -1 where there is none.
+        int Neighbour(double order, int direction)
+        {
+            var nearest = -1;
+            for (var i = 0; i < _count; i++)
+            {
+                var distance = direction * (_orders[i] - order);
+                if (distance > 0 && (nearest < 0 || distance < direction * (_orders[nearest] - order))) nearest = i;
+            }
+            return nearest;
+        }
+    }
+}

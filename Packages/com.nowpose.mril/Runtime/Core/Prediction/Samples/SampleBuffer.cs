@@ -1,0 +1,89 @@
+using System;
+
+namespace Nowpose.Prediction.Samples
+{
+    /// <summary>
+    /// One joint's samples: sorted, without duplicates, angles unwrapped, stamps corrected, and thinned.
+    /// </summary>
+    /// <remarks>Allocates nothing once made.</remarks>
+    sealed class SampleBuffer
+    {
+        const double Turn = 2 * Math.PI;
+
+        /// <summary>
+        /// Samples closer together are left out, s: all of up to 180 Hz are used. Forecasts over a tenth of a second gain nothing from
+        /// samples a millisecond apart, and windows of a few samples would see their noise.
+        /// </summary>
+        const double MinInterval = 0.0055;
+
+        readonly bool _isEndless;
+        readonly bool _thins;
+        readonly StampCorrection _stamps;
+        double _newestOrder;
+        double _unwrapped;
+
+        /// <param name="capacity">Samples kept.</param>
+        /// <param name="isEndless">Whether positions are angles in rad that may come back from π to −π.</param>
+        /// <param name="corrects">Whether stamps of a periodic source are corrected.</param>
+        /// <param name="thins">Whether samples less than 5.5 ms apart are left out.</param>
+        public SampleBuffer(int capacity, bool isEndless, bool corrects, bool thins)
+        {
+            History = new SampleHistory(capacity);
+            _isEndless = isEndless;
+            _thins = thins;
+            _stamps = corrects ? new StampCorrection() : null;
+            Clear();
+        }
+
+        /// <summary>The samples for forecasts.</summary>
+        public SampleHistory History { get; }
+
+        /// <summary>Position of the newest sample, including those left out; 0 before the first.</summary>
+        public double NewestPosition { get; private set; }
+
+        /// <summary>Stamp of the newest sample, uncorrected, s; negative infinity before the first.</summary>
+        public double NewestTime { get; private set; }
+
+        /// <summary>Whole turns added to the newest position by unwrapping, rad.</summary>
+        public double Shift { get; private set; }
+
+        /// <summary>Whether a sample is newer than all before.</summary>
+        public bool IsNewer(in JointSample sample) => sample.Order > _newestOrder;
+
+        /// <returns>Whether the history has changed.</returns>
+        public bool Add(in JointSample sample)
+        {
+            var isNewest = IsNewer(sample);
+            var position = Unwrapped(sample);
+            var time = _stamps == null ? sample.Time : _stamps.Correct(sample.Time, position, isNewest);
+            // By its corrected stamp the newest may lie before the sample before; by its own it is newer.
+            if (isNewest)
+            {
+                (_newestOrder, _unwrapped) = (sample.Order, position);
+                (NewestTime, NewestPosition, Shift) = (sample.Time, sample.Position, position - sample.Position);
+            }
+            // The position of one left out is still what a display without prediction shows.
+            if (_thins && isNewest && time - History.NewestTime < MinInterval && time > History.NewestTime) return false;
+            var order = _stamps == null ? sample.Order : time;
+            return History.Add(new JointSample(time, position, order, sample.Velocity, sample.Acceleration));
+        }
+
+        public void Clear()
+        {
+            History.Clear();
+            _stamps?.Reset();
+            _newestOrder = NewestTime = double.NegativeInfinity;
+            NewestPosition = _unwrapped = Shift = 0;
+        }
+
+        /// <summary>Returns the whole turns nearest to an angle, rad.</summary>
+        public static double WholeTurns(double angle) => Turn * Math.Round(angle / Turn);
+
+        // Two samples more than half a turn apart moved the shorter way round.
+        double Unwrapped(in JointSample sample)
+        {
+            if (!_isEndless || double.IsNegativeInfinity(_newestOrder)) return sample.Position;
+            return sample.Position + WholeTurns(_unwrapped - sample.Position);
+        }
+    }
+}

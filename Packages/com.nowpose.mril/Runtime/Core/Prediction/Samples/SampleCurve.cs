@@ -1,0 +1,83 @@
+using System;
+
+namespace Nowpose.Prediction.Samples
+{
+    /// <summary>
+    /// A smooth curve through samples at any intervals: exact for quadratics, without overshoot where the samples are monotone.
+    /// </summary>
+    /// <remarks>
+    /// A cubic Hermite whose slopes are those of the parabolas through neighbours, with the
+    /// limit of Fritsch &amp; Carlson (1980). The limit acts only where samples rise or fall throughout: at a turning point it
+    /// would flatten what lies between the samples. Nothing is kept: what lies around a time is looked at when it is asked for.
+    /// </remarks>
+    readonly struct SampleCurve
+    {
+        /// <summary>A cubic whose end slopes are within three times the secant's is monotone: Fritsch &amp; Carlson.</summary>
+        const double MaxSlope = 3;
+
+        readonly SampleHistory _samples;
+        readonly int _count;
+
+        /// <param name="samples">Index 0 is the newest.</param>
+        /// <param name="count">How many of them, two at least; their times differ.</param>
+        public SampleCurve(SampleHistory samples, int count) => (_samples, _count) = (samples, count);
+
+        /// <summary>Time of its oldest sample, s.</summary>
+        public double Start => _samples[_count - 1].Time;
+
+        /// <param name="time">Between the oldest and the newest of them.</param>
+        public double At(double time)
+        {
+            // The interval lies between samples of this age and the one older by one.
+            var age = 0;
+            while (age < _count - 2 && time <= _samples[age + 1].Time) age++;
+            ref readonly var older = ref _samples[age + 1];
+            var length = _samples[age].Time - older.Time;
+            var x = (time - older.Time) / length;
+            var secant = Secant(age);
+            var (before, after) = ((Slope(age + 1) - secant) * length, (secant - Slope(age)) * length);
+            // The straight line, and what the slopes at both ends add to it.
+            return older.Position + x * (_samples[age].Position - older.Position) + x * (1 - x) * (before * (1 - x) + after * x);
+        }
+
+        // From the sample of this age to the one older by one.
+        double Secant(int age) => (_samples[age].Position - _samples[age + 1].Position) / (_samples[age].Time - _samples[age + 1].Time);
+
+        double Slope(int age)
+        {
+            if (_count < 3) return Secant(0);
+            var slope = Parabola(age);
+            if (age < _count - 1 && IsMonotone(age)) slope = Within(Secant(age), slope);
+            if (age > 0 && IsMonotone(age - 1)) slope = Within(Secant(age - 1), slope);
+            return slope;
+        }
+
+        // Slope at a sample of the parabola through it and its neighbours; at an end, of the last three.
+        double Parabola(int age)
+        {
+            var middle = Math.Min(Math.Max(age, 1), _count - 2);
+            var (older, newer) = (Secant(middle), Secant(middle - 1));
+            var bend = (newer - older) / (_samples[middle - 1].Time - _samples[middle + 1].Time);
+            return older + bend * (_samples[middle].Time - _samples[middle + 1].Time) + 2 * bend * (_samples[age].Time - _samples[middle].Time);
+        }
+
+        // The intervals beside this one do not change direction.
+        bool IsMonotone(int interval)
+        {
+            var (up, down) = (false, false);
+            for (var i = Math.Max(interval - 1, 0); i <= Math.Min(interval + 1, _count - 2); i++)
+            {
+                var secant = Secant(i);
+                up |= secant > 0;
+                down |= secant < 0;
+            }
+            return !(up && down);
+        }
+
+        static double Within(double secant, double slope)
+        {
+            var bound = MaxSlope * secant;
+            return bound >= 0 ? Math.Min(Math.Max(slope, 0), bound) : Math.Max(Math.Min(slope, 0), bound);
+        }
+    }
+}

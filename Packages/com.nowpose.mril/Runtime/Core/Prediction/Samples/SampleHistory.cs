@@ -1,0 +1,59 @@
+using System;
+
+namespace Nowpose.Prediction.Samples
+{
+    /// <summary>The newest samples of one joint, sorted by time; index 0 is the newest.</summary>
+    sealed class SampleHistory
+    {
+        /// <summary>
+        /// Minimum difference of corrected stamps, s. A sample closer to another one is dropped: the speed between them would be
+        /// meaningless.
+        /// </summary>
+        const double MinInterval = 1e-6;
+
+        readonly JointSample[] _newestFirst;
+
+        public SampleHistory(int capacity) => _newestFirst = new JointSample[capacity];
+
+        public int Count { get; private set; }
+
+        public ref readonly JointSample this[int age] => ref _newestFirst[age];
+
+        public double NewestTime => Count > 0 ? _newestFirst[0].Time : double.NegativeInfinity;
+
+        public double NewestPosition => Count > 0 ? _newestFirst[0].Position : 0;
+
+        /// <summary>Order of the oldest sample in a full history, s; negative infinity while older ones still fit.</summary>
+        public double Oldest => Count < _newestFirst.Length ? double.NegativeInfinity : _newestFirst[Count - 1].Order;
+
+        /// <returns>False for a sample that is older than all of a full history, or as old as another.</returns>
+        public bool Add(in JointSample sample)
+        {
+            var age = 0;
+            while (age < Count && _newestFirst[age].Order > sample.Order) age++;
+            if (IsAsOld(age - 1, sample) || IsAsOld(age, sample) || age == _newestFirst.Length) return false;
+            Insert(age, sample);
+            return true;
+        }
+
+        /// <summary>Returns the number of newest samples without a gap above the maximum.</summary>
+        public int CountWithoutGap(double maximumGap)
+        {
+            var count = Math.Min(Count, 1);
+            while (count < Count && _newestFirst[count - 1].Order - _newestFirst[count].Order <= maximumGap) count++;
+            return count;
+        }
+
+        public void Clear() => Count = 0;
+
+        bool IsAsOld(int age, in JointSample sample) =>
+            age >= 0 && age < Count && Math.Abs(_newestFirst[age].Order - sample.Order) < MinInterval;
+
+        void Insert(int age, in JointSample sample)
+        {
+            if (Count < _newestFirst.Length) Count++;
+            for (var i = Count - 1; i > age; i--) _newestFirst[i] = _newestFirst[i - 1];
+            _newestFirst[age] = sample;
+        }
+    }
+}

@@ -1,0 +1,61 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>Reads sensor_msgs/JointState. Allocates nothing for a source that repeats its names and whose messages are returned.</summary>
+    sealed class JointStateReader
+    {
+        static readonly JsonNames Fields = new JsonNames("header", "name", "position", "velocity", "acceleration");
+
+        readonly JointNamesReader _names = new JointNamesReader();
+        readonly JointStatePool _pool = new JointStatePool();
+        readonly List<double> _positions = new List<double>();
+        readonly List<double> _velocities = new List<double>();
+        readonly List<double> _accelerations = new List<double>();
+
+        /// <param name="isNamed">Whether the header says whose state it is.</param>
+        /// <returns>Null when it is refused.</returns>
+        public JointStateMessage Read(ref JsonUtf8Reader json, bool isNamed)
+        {
+            var stamp = default(ControlTime);
+            var frame = "";
+            var names = Array.Empty<string>();
+            var seen = 0;
+            _positions.Clear();
+            _velocities.Clear();
+            _accelerations.Clear();
+            if (!json.BeginObject()) return null;
+            while (json.NextField(Fields, ref seen, out var field))
+            {
+                switch (field)
+                {
+                    case 0 when isNamed: RosTime.ReadNamedHeader(ref json, out stamp, out frame); break;
+                    case 0: RosTime.ReadHeader(ref json, out stamp); break;
+                    case 1: _names.Read(ref json, out names); break;
+                    case 2: json.Numbers(_positions, areOptional: false); break;
+                    case 3: ReadRates(ref json, _velocities); break;
+                    default: ReadRates(ref json, _accelerations); break;
+                }
+            }
+
+            if (!json.EndObject(seen, 0b111) || !IsWhole(ref json, names.Length)) return null;
+            var message = _pool.Take(names.Length);
+            message.Fill(stamp, names, _positions, _velocities, _accelerations, frame);
+            return message;
+        }
+
+        /// <summary>Velocities or accelerations: null where there are none, null or NaN where one is absent.</summary>
+        public static bool ReadRates(ref JsonUtf8Reader json, List<double> into) => json.TakeNull() || json.Numbers(into, areOptional: true);
+
+        /// <summary>Whether there are as many velocities and accelerations as joints, or none.</summary>
+        public static bool HaveLength(int joints, List<double> velocities, List<double> accelerations) =>
+            (velocities.Count == 0 || velocities.Count == joints) && (accelerations.Count == 0 || accelerations.Count == joints);
+
+        bool IsWhole(ref JsonUtf8Reader json, int joints)
+        {
+            if (_positions.Count != joints || !HaveLength(joints, _velocities, _accelerations)) return json.Fail(DropReason.LengthMismatch);
+            return joints > 0 || json.Fail(DropReason.MissingField);
+        }
+    }
+}

@@ -1,0 +1,28 @@
+using System;
+using System.Text;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>A few texts that JSON is compared with as it was received: in UTF-8, without making a string.</summary>
+    sealed class JsonNames
+    {
+        readonly string[] _names;
+        readonly byte[][] _utf8;
+
+        public JsonNames(params string[] names)
+        {
+            _names = names;
+            _utf8 = Array.ConvertAll(names, Encoding.UTF8.GetBytes);
+        }
+
+        public string this[int index] => _names[index];
+
+        /// <returns>-1 for none of them.</returns>
+        public int IndexOf(ReadOnlySpan<byte> utf8)
+        {
+            for (var i = 0; i < _utf8.Length; i++)
+                if (utf8.SequenceEqual(_utf8[i])) return i;
+            return -1;
+        }
+    }
+}

@@ -1,0 +1,347 @@
+using System;
+using System.Collections.Generic;
+
+namespace Nowpose.Protocol
+{
+    /// <summary>
+    /// Reads one JSON object from UTF-8 in a single pass, and checks grammar, encoding and nesting on the way. <see cref="Fault"/> is the first
+    /// violation. Allocates only the strings that a caller asks for.
+    /// </summary>
+    /// <remarks>
+    /// It replaces the decoding to a string, a syntax check of that string, and two walks with Newtonsoft's JsonTextReader. A library does not
+    /// serve: JsonTextReader reads characters, makes a string of each name and number, and accepts comments, single quotes and trailing commas;
+    /// System.Text.Json is not in Unity 2021.3. Newtonsoft.Json still writes.
+    /// NaN, Infinity and -Infinity pass as numbers: real robots send them in fields that are not read, so the reader of each field checks
+    /// them. After a fault all methods return false and loops over fields and elements end, so a caller checks once, at the end.
+    /// </remarks>
+    ref struct JsonUtf8Reader
+    {
+        readonly ReadOnlySpan<byte> _text;
+        readonly int _maxDepth;
+        int _at;
+        int _depth;
+        bool _isFirst;
+
+        /// <param name="maxDepth">The outermost object is level 1.</param>
+        public JsonUtf8Reader(ReadOnlySpan<byte> text, int maxDepth)
+        {
+            _text = text;
+            _maxDepth = maxDepth;
+            _at = 0;
+            _depth = 0;
+            _isFirst = false;
+            Fault = DropReason.None;
+            SkipBlanks();
+        }
+
+        public DropReason Fault { get; private set; }
+
+        public bool IsObject => Peek() == '{';
+        public bool IsText => Peek() == '"';
+        public bool IsNumber => IsDigit(Peek()) || Peek() == '-' || Peek() == 'N' || Peek() == 'I';
+
+        /// <summary>Whether a number without fraction and exponent comes.</summary>
+        public bool IsInteger
+        {
+            get
+            {
+                var ahead = this;
+                return ahead.ScanNumber(out var number) && number.IsInteger;
+            }
+        }
+
+        /// <summary>Number of bytes that were read.</summary>
+        public int Position => _at;
+
+        /// <summary>Whether a text is exactly one JSON object, no deeper than allowed.</summary>
+        public static DropReason Check(ReadOnlySpan<byte> text, int maxDepth)
+        {
+            var json = new JsonUtf8Reader(text, maxDepth);
+            if (!json.IsObject) return DropReason.NotJson;
+            json.Skip();
+            json.End();
+            return json.Fault;
+        }
+
+        public bool Fail(DropReason reason)
+        {
+            if (Fault == DropReason.None) Fault = reason;
+            return false;
+        }
+
+        /// <summary>Requires that nothing follows.</summary>
+        public bool End()
+        {
+            SkipBlanks();
+            return Fault == DropReason.None && (_at == _text.Length || Fail(DropReason.NotJson));
+        }
+
+        public bool BeginObject() => Begin('{');
+
+        public bool BeginArray() => Begin('[');
+
+        /// <summary>Goes to the value of the next known field; skips others. False at the end of the object.</summary>
+        /// <param name="seen">The fields that were there, bit by bit; 0 at first.</param>
+        public bool NextField(JsonNames known, ref int seen, out int field)
+        {
+            field = -1;
+            while (Fault == DropReason.None && Next('}'))
+            {
+                if (!FieldName(out var name)) return false;
+                field = name.IsEscaped ? known.IndexOf(name.Unescaped()) : known.IndexOf(name.Raw);
+                if (field < 0)
+                {
+                    Skip();
+                    continue;
+                }
+
+                var isTwice = (seen & (1 << field)) != 0;
+                seen |= 1 << field;
+                return !isTwice || Fail(DropReason.DuplicateField);
+            }
+
+            return false;
+        }
+
+        /// <summary>Goes to the value of the next field of any name. False at the end of the object.</summary>
+        public bool NextField(out string name)
+        {
+            name = null;
+            if (Fault != DropReason.None || !Next('}') || !FieldName(out var text)) return false;
+            name = text.ToString();
+            return true;
+        }
+
+        /// <param name="required">Bit i: field i must have been there.</param>
+        public bool EndObject(int seen, int required) =>
+            Fault == DropReason.None && ((seen & required) == required || Fail(DropReason.MissingField));
+
+        /// <summary>Goes to the next element. False at the end of the array.</summary>
+        public bool NextElement() => Fault == DropReason.None && Next(']');
+
+        /// <summary>Passes over a value of any kind.</summary>
+        public bool Skip()
+        {
+            switch ((char)Peek())
+            {
+                case '{':
+                    Begin('{');
+                    while (Fault == DropReason.None && Next('}') && FieldName(out _)) Skip();
+                    break;
+                case '[':
+                    Begin('[');
+                    while (NextElement()) Skip();
+                    break;
+                case '"': ScanText(out _); break;
+                case 't': Require(Literal("true")); break;
+                case 'f': Require(Literal("false")); break;
+                case 'n': Require(Literal("null")); break;
+                default: Require(NotFinite(out _) || ScanNumber(out _)); break;
+            }
+
+            return Fault == DropReason.None;
+        }
+
+        /// <summary>Passes over bytes that were read as a value before, if just these come.</summary>
+        public bool TryTake(ReadOnlySpan<byte> value)
+        {
+            if (!_text.Slice(_at).StartsWith(value)) return false;
+            _at += value.Length;
+            return true;
+        }
+
+        /// <summary>Returns the bytes that were read since a position.</summary>
+        public ReadOnlySpan<byte> Since(int position) => _text.Slice(position, _at - position);
+
+        public bool TakeNull() => Literal("null");
+
+        public bool Text(out string text)
+        {
+            var isRead = ReadText(out var read);
+            text = isRead ? read.ToString() : null;
+            return isRead;
+        }
+
+        /// <summary>A text; one that is known makes no string.</summary>
+        /// <param name="index">-1 when it is not known.</param>
+        public bool Text(JsonNames known, out int index, out string text)
+        {
+            index = -1;
+            text = null;
+            if (!ReadText(out var read)) return false;
+            index = known.IndexOf(read.Raw);
+            text = index < 0 ? read.ToString() : known[index];
+            if (read.IsEscaped) index = known.IndexOf(read.Unescaped());
+            return true;
+        }
+
+        /// <summary>A text that names something: not empty, no longer than the protocol allows.</summary>
+        public bool Name(out string name)
+        {
+            if (!Text(out name)) return false;
+            if (name.Length == 0) return Fail(DropReason.MissingField);
+            return name.Length <= ProtocolLimits.NameLength || Fail(DropReason.NameTooLong);
+        }
+
+        /// <summary>A text, or null for null: what other languages write for a field they leave out.</summary>
+        public bool OptionalText(out string text)
+        {
+            text = null;
+            return TakeNull() || Text(out text);
+        }
+
+        /// <inheritdoc cref="OptionalText(out string)"/>
+        public bool OptionalText(JsonNames known, out string text)
+        {
+            text = null;
+            return TakeNull() || Text(known, out _, out text);
+        }
+
+        public bool OptionalCount(out int count)
+        {
+            count = 0;
+            if (TakeNull()) return true;
+            if (!Integer(out var value)) return false;
+            count = (int)Math.Min(Math.Max(value, 0), int.MaxValue);
+            return value == count || Fail(DropReason.OutOfRange);
+        }
+
+        public bool Flag(out bool value)
+        {
+            value = Literal("true");
+            return value || Literal("false") || Fail(DropReason.WrongType);
+        }
+
+        public bool Integer(out long value)
+        {
+            value = 0;
+            if (!IsNumber || NotFinite(out _)) return Fail(DropReason.WrongType);
+            if (!ScanNumber(out var number)) return false;
+            return number.IsInteger ? number.TryGetInteger(out value) || Fail(DropReason.OutOfRange) : Fail(DropReason.WrongType);
+        }
+
+        /// <summary>A number, NaN for null: rosbridge writes null for a number that is none.</summary>
+        public bool Number(out double value)
+        {
+            if (NotFinite(out value)) return true;
+            if (!IsNumber) return TakeNull() || Fail(DropReason.WrongType);
+            if (!ScanNumber(out var number)) return false;
+            value = number.ToDouble();
+            return true;
+        }
+
+        /// <summary>The numbers of an array, none of them infinite.</summary>
+        /// <param name="areOptional">Whether some may be absent, null or NaN; they become NaN.</param>
+        public bool Numbers(List<double> into, bool areOptional)
+        {
+            if (!BeginArray()) return false;
+            while (NextElement())
+            {
+                if (!Number(out var value)) return false;
+                if (double.IsInfinity(value) || (double.IsNaN(value) && !areOptional)) return Fail(DropReason.NotFinite);
+                into.Add(value);
+                if (into.Count > ProtocolLimits.Joints) return Fail(DropReason.TooManyJoints);
+            }
+
+            return Fault == DropReason.None;
+        }
+
+        static bool IsDigit(byte value) => value >= '0' && value <= '9';
+
+        bool Begin(char start)
+        {
+            if (!Take(start)) return Fail(DropReason.WrongType);
+            _isFirst = true;
+            return ++_depth <= _maxDepth || Fail(DropReason.TooDeep);
+        }
+
+        // To the next name or element; false behind the end.
+        bool Next(char end)
+        {
+            SkipBlanks();
+            var isFirst = _isFirst;
+            _isFirst = false;
+            if (Take(end))
+            {
+                _depth--;
+                return false;
+            }
+
+            if (!isFirst && !Take(',')) return Fail(DropReason.NotJson);
+            SkipBlanks();
+            return true;
+        }
+
+        bool FieldName(out JsonText name)
+        {
+            if (!ScanText(out name)) return false;
+            SkipBlanks();
+            if (!Take(':')) return Fail(DropReason.NotJson);
+            SkipBlanks();
+            return true;
+        }
+
+        bool ReadText(out JsonText text)
+        {
+            text = default;
+            return IsText ? ScanText(out text) : Fail(DropReason.WrongType);
+        }
+
+        bool ScanText(out JsonText text)
+        {
+            text = default;
+            if (!Take('"')) return Fail(DropReason.NotJson);
+            if (!JsonText.TryScan(_text.Slice(_at), out text)) return Fail(DropReason.NotJson);
+            _at += text.Raw.Length + 1;
+            return true;
+        }
+
+        bool ScanNumber(out JsonNumber number)
+        {
+            if (!JsonNumber.TryScan(_text.Slice(_at), out number)) return Fail(DropReason.NotJson);
+            _at += number.Length;
+            return true;
+        }
+
+        bool NotFinite(out double value)
+        {
+            value = double.NaN;
+            if (Literal("NaN")) return true;
+            value = double.PositiveInfinity;
+            if (Literal("Infinity")) return true;
+            value = double.NegativeInfinity;
+            if (Literal("-Infinity")) return true;
+            value = double.NaN;
+            return false;
+        }
+
+        bool Literal(string word)
+        {
+            if (_text.Length - _at < word.Length) return false;
+            for (var i = 0; i < word.Length; i++)
+                if (_text[_at + i] != word[i]) return false;
+            _at += word.Length;
+            return true;
+        }
+
+        void Require(bool isValid)
+        {
+            if (!isValid) Fail(DropReason.NotJson);
+        }
+
+        bool Take(char c)
+        {
+            if (Peek() != c) return false;
+            _at++;
+            return true;
+        }
+
+        // Zero at the end, and for a zero in the text, which is valid nowhere.
+        byte Peek() => _at < _text.Length ? _text[_at] : (byte)0;
+
+        void SkipBlanks()
+        {
+            while (Peek() == ' ' || Peek() == '\t' || Peek() == '\n' || Peek() == '\r') _at++;
+        }
+    }
+}

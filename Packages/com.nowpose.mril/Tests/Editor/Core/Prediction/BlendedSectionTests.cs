@@ -1,0 +1,259 @@
+using System;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Planning;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class BlendedSectionTests
+    {
+        const double Interval = 0.05;
+        const double TimeConstant = 0.01;
+        const double Frame = 1 / 60.0;
+
+        static readonly PredictionLimits Limits = new PredictionLimits();
+
+        // A joint at 1 rad/s, its samples 100 ms late, up to the one at `newest`; two frames have been shown.
+        static (DisplayedJoint Blended, JointPredictor Bare) Moving(double newest, PredictionLimits limits = null, string predictor = "linear")
+        {
+            var bare = Predictors.Create(predictor, limits ?? Limits);
+            var blended = new DisplayedJoint(Predictors.Create(predictor, limits ?? Limits, TimeConstant));
+            for (var i = 10; i >= 0; i--) Add(blended, bare, newest - i * Interval, newest - i * Interval);
+            blended.Show(newest + 0.1 - Frame);
+            blended.Show(newest + 0.1);
+            return (blended, bare);
+        }
+
+        static void Add(DisplayedJoint one, JointPredictor other, double time, double position)
+        {
+            one.Add(time, position);
+            other.Add(time, position);
+        }
+
+        [Test]
+        public void At_NewSection_StartsFromWhatWasShownAndDecaysByE()
+        {
+            var (blended, bare) = Moving(1);
+            var shown = blended.Show(1.1).Position;
+            Add(blended, bare, 1 + Interval, 1);
+
+            var residual = shown - bare.At(1.1).Position;
+
+            Assert.That(residual, Is.EqualTo(0.1).Within(1e-12), "the joint stopped: the effect is there");
+            foreach (var after in new[] { 0, 0.005, TimeConstant, 0.02, 0.04 })
+                Assert.That(
+                    blended.Predictor.At(1.1 + after).Position - bare.At(1.1 + after).Position,
+                    Is.EqualTo(residual * Math.Exp(-after / TimeConstant)).Within(1e-12), after + " s after");
+        }
+
+        [TestCase("linear")]
+        [TestCase("cubic")]
+        [TestCase("gp")]
+        [TestCase("adaptive")]
+        public void At_FirstFrameAfterAnySample_ShowsWhatWouldHaveBeenShown(string predictor)
+        {
+            const int seed = 17;
+            var random = new Random(seed);
+            var joint = new DisplayedJoint(Predictors.Create(predictor, Limits, TimeConstant));
+            for (var k = 0; k < 400; k++)
+            {
+                var shown = joint.Show(k * Interval + 0.06).Position;
+                // Sometimes none comes between two frames, sometimes up to three, and one of them out of order.
+                var samples = k < 5 ? 1 : random.Next(4);
+                for (var i = 0; i < samples; i++) joint.Add(k * Interval + (i * 2 % 3 + 1) * 0.015, Math.Sin(2 * (k * Interval + (i * 2 % 3 + 1) * 0.015)));
+
+                if (k > 8) Assert.That(joint.Predictor.At(k * Interval + 0.06).Position, Is.EqualTo(shown).Within(1e-9), "seed " + seed + ", frame " + k);
+            }
+        }
+
+        [Test]
+        public void At_SeveralSamplesBetweenTwoFrames_AreBlendedAsOne()
+        {
+            var (blended, bare) = Moving(1);
+            var shown = blended.Show(1.1).Position;
+            for (var i = 1; i <= 3; i++) Add(blended, bare, 1 + i * 0.03, 1);
+
+            Assert.That(shown - bare.At(1.1).Position, Is.EqualTo(0.1).Within(1e-12), "the joint stopped: the effect is there");
+            Assert.That(blended.Show(1.1).Position, Is.EqualTo(shown).Within(1e-12));
+            Assert.That(blended.Show(1.1 + 20 * TimeConstant).Position, Is.EqualTo(1).Within(1e-6));
+        }
+
+        // The plan lies beside where the joint is predicted to be: in the least time nothing may move faster than the blend.
+        [TestCase(1.2, 0.02, TestName = "Follow_PlanForLater_StartsAndEndsWithoutAJump")]
+        [TestCase(1.05, 0.02, TestName = "Follow_PlanThatHasBegun_StartsAndEndsWithoutAJump")]
+        public void Follow_Plan_StartsAndEndsWithoutAJump(double start, double beside)
+        {
+            const double step = 1e-4;
+            var (blended, _) = Moving(1);
+            var path = new PlannedPath(new[] { 0.0, 0.25 }, new[] { start + beside, start + beside + 0.25 }, new[] { 1.0, 1 });
+            var last = blended.Show(1.1);
+            blended.Follow(path, start);
+            var (kinds, greatest) = (0, 0.0);
+            for (var (i, k) = (0, 1); i * step < 0.6; i++)
+            {
+                var time = 1.1 + i * step;
+                for (; 1 + k * Interval + 0.1 <= time; k++) blended.Add(1 + k * Interval, 1 + k * Interval);
+                var shown = blended.Show(time);
+                greatest = Math.Max(greatest, Math.Abs(shown.Position - last.Position));
+                if (shown.Kind != last.Kind) kinds++;
+                last = shown;
+            }
+
+            Assert.That(kinds, Is.EqualTo(2), "to the plan and back");
+            Assert.That(greatest, Is.LessThan(1.05 * (1 + beside / TimeConstant) * step));
+            Assert.That(last.Position, Is.EqualTo(1.1 + 0.6 - step).Within(1e-3));
+        }
+
+        [Test]
+        public void DropPlan_JointIsShownByThePlan_DoesNotJump()
+        {
+            var (blended, bare) = Moving(1);
+            blended.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.07, 2.07 }, new[] { 1.0, 1 }), 1.05);
+            var shown = blended.Show(1.12);
+            Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Planned));
+
+            blended.DropPlan();
+
+            Assert.That(blended.Show(1.12).Position, Is.EqualTo(shown.Position).Within(1e-12));
+            Assert.That(blended.Show(1.12).Kind, Is.EqualTo(PredictionKind.Predicted));
+            Assert.That(blended.Show(1.2).Position, Is.EqualTo(bare.At(1.2).Position).Within(1e-4));
+        }
+
+        // The second look of a frame comes with the newer time, and may come after a sample that the first did not know.
+        [Test]
+        public void At_SampleBetweenTwoLooksOfOneFrame_ContinuesTheFirst()
+        {
+            var (blended, bare) = Moving(1);
+            var first = blended.Show(1.1 + Frame).Position;
+            Add(blended, bare, 1 + Interval, 1);
+
+            Assert.That(blended.Show(1.1 + Frame).Position, Is.EqualTo(first).Within(1e-12));
+            Assert.That(blended.Show(1.1 + Frame + 0.003).Position, Is.EqualTo(first).Within(0.3 * (first - bare.At(1.1 + Frame).Position)));
+        }
+
+        [Test]
+        public void At_NextSectionWhileBlending_ContinuesWhatIsShown()
+        {
+            var (blended, bare) = Moving(1);
+            Add(blended, bare, 1 + Interval, 1);
+            var shown = blended.Show(1.1 + 0.001).Position;
+
+            Add(blended, bare, 1 + 2 * Interval, 1);
+
+            Assert.That(blended.Show(1.1 + 0.001).Position, Is.EqualTo(shown).Within(1e-12));
+        }
+
+        [Test]
+        public void At_LateSample_IsBlendedToo()
+        {
+            var (blended, bare) = Moving(1, predictor: "quadratic");
+            Add(blended, bare, 1 + 2 * Interval, 1.02);
+            var shown = blended.Show(1.15).Position;
+
+            Add(blended, bare, 1 + Interval, 1.02);
+
+            Assert.That(blended.Show(1.15).Position, Is.EqualTo(shown).Within(1e-12));
+            Assert.That(blended.Show(1.15 + 20 * TimeConstant).Position, Is.EqualTo(bare.At(1.15 + 20 * TimeConstant).Position).Within(1e-6));
+        }
+
+        [Test]
+        public void At_SamplesInQuickSuccession_BlendWithinAFifthOfTheirInterval()
+        {
+            var blended = new DisplayedJoint(Predictors.Create("linear", Limits, 1));
+            for (var i = 0; i <= 20; i++) blended.Add(i * 0.01, i * 0.01);
+            var shown = blended.Show(0.3).Position;
+            blended.Add(0.21, 0.2);
+
+            var left = blended.Show(0.3 + 0.002).Position - 0.2;
+
+            Assert.That(left / (shown - 0.2), Is.EqualTo(Math.Exp(-1)).Within(1e-9));
+        }
+
+        [Test]
+        public void At_AngleWraps_IsShownAtOnce()
+        {
+            var (blended, bare) = Moving(1);
+            for (var i = 1; i <= 4; i++)
+            {
+                Add(blended, bare, 1 + i * Interval, 1 + i * Interval - 2 * Math.PI);
+
+                Assert.That(blended.Show(1.1 + i * Interval).Position, Is.EqualTo(bare.At(1.1 + i * Interval).Position), "sample " + i);
+            }
+        }
+
+        [Test]
+        public void At_SetElsewhereWhileAtRest_IsShownAtOnce()
+        {
+            var blended = new DisplayedJoint(Predictors.Create("hold", Limits, TimeConstant));
+            for (var i = 0; i <= 20; i++) blended.Add(i * Interval, 0.001 * (i % 2));
+            blended.Show(1.1);
+            blended.Add(1 + Interval, 0.8);
+
+            Assert.That(blended.Show(1.1 + Frame).Position, Is.EqualTo(0.8));
+        }
+
+        [Test]
+        public void At_AfterAPauseOfTheDisplay_IsTheSection()
+        {
+            var (blended, bare) = Moving(1);
+            Add(blended, bare, 1 + Interval, 1);
+
+            Assert.That(blended.Show(1.1 + 0.26).Position, Is.EqualTo(bare.At(1.1 + 0.26).Position).Within(1e-12));
+            Assert.That(blended.Show(1.1 + 0.27).Position, Is.EqualTo(bare.At(1.1 + 0.27).Position).Within(1e-12));
+        }
+
+        [Test]
+        public void At_SectionBeyondTheHorizon_StaysHeldAndBlends()
+        {
+            var (blended, bare) = Moving(1);
+            var shown = blended.Show(1.32);
+            Add(blended, bare, 1 + Interval, 1);
+
+            Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Held));
+            Assert.That(blended.Show(1.32).Position, Is.EqualTo(shown.Position).Within(1e-12));
+        }
+
+        [Test]
+        public void At_ResidualBeyondTheJointsLimit_StaysWithinIt()
+        {
+            var limits = new PredictionLimits(lower: -1, upper: 1.05);
+            var (blended, bare) = Moving(1, limits);
+            Add(blended, bare, 1 + Interval, 1.05);
+            Add(blended, bare, 1 + 2 * Interval, 1.05);
+
+            for (var t = 1.1; t < 1.2; t += 0.001) Assert.That(blended.Show(t).Position, Is.InRange(-1, 1.05));
+        }
+
+        [Test]
+        public void Reset_WhileBlending_ForgetsWhatWasShown()
+        {
+            var (blended, bare) = Moving(1);
+            Add(blended, bare, 1 + Interval, 1);
+            blended.Predictor.Reset();
+
+            Assert.That(blended.Show(1.1).Kind, Is.EqualTo(PredictionKind.None));
+            blended.Add(1.06, 0.3);
+            Assert.That(blended.Show(1.11).Position, Is.EqualTo(0.3));
+        }
+
+        [Test]
+        public void At_TimeConstantZero_IsTheSection()
+        {
+            var bare = Predictors.Create("quadratic", Limits);
+            var blended = new DisplayedJoint(Predictors.Create("quadratic", Limits));
+            for (var i = 0; i < 40; i++)
+            {
+                Add(blended, bare, i * Interval, Math.Sin(i * Interval * 9));
+                Assert.That(blended.Show(i * Interval + 0.1).Position, Is.EqualTo(bare.At(i * Interval + 0.1).Position));
+            }
+        }
+
+        [TestCase(-0.001)]
+        [TestCase(double.NaN)]
+        [TestCase(double.PositiveInfinity)]
+        public void Create_TimeConstantOutOfRange_IsRefused(double seconds)
+        {
+            Assert.Throws<ArgumentOutOfRangeException>(() => Predictors.Create("linear", Limits, seconds));
+        }
+    }
+}

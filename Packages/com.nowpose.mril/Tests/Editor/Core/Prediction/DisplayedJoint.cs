@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Planning;
+
+namespace Nowpose.Tests
+{
+    /// <summary>A joint as a display shows it: each frame asks where it is, and each sample comes with the newest moment displayed.</summary>
+    sealed class DisplayedJoint
+    {
+        const double Latency = 0.1;
+
+        double _displayed = double.NaN;
+        int _next;
+        JointSample? _underWay;
+
+        public DisplayedJoint(JointPredictor predictor) => Predictor = predictor;
+
+        public JointPredictor Predictor { get; }
+
+        public SampleOutcome Add(double time, double position) => Add(new JointSample(time, position));
+
+        public SampleOutcome Add(in JointSample sample) => Predictor.Add(sample, _displayed);
+
+        public void Follow(PlannedPath path, double start) => Predictor.Follow(path, start, _displayed);
+
+        public void DropPlan() => Predictor.Follow(null, 0, _displayed);
+
+        /// <summary>A frame at a moment of control time, s.</summary>
+        public JointPrediction Show(double time)
+        {
+            _displayed = time;
+            return Predictor.At(time);
+        }
+
+        /// <summary>Shows frames; samples come 100 ms after their time.</summary>
+        /// <param name="sampleOf">Made once for each number, from 0 on and on from call to call.</param>
+        /// <param name="frame">From one frame to the next, s.</param>
+        public List<(double At, JointPrediction Shown)> Play(Func<int, JointSample> sampleOf, double from, double to, double frame = 1 / 60.0)
+        {
+            var shown = new List<(double, JointPrediction)>();
+            for (var i = 0; from + i * frame < to - 1e-9; i++)
+            {
+                var time = from + i * frame;
+                while ((_underWay ??= sampleOf(_next++)).Order + Latency <= time + 1e-9)
+                {
+                    Add(_underWay.Value);
+                    _underWay = null;
+                }
+                shown.Add((time, Show(time)));
+            }
+            return shown;
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using System;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    /// <summary>The forecaster that prediction.md adds, and that it can be mixed.</summary>
+    public class PredictionManualExamples
+    {
+        // A line whose speed fades: for drives that have just been switched off.
+        sealed class CoastingForecaster : Forecaster
+        {
+            const double TimeConstant = 0.2;
+
+            double _speed;
+
+            public override int Samples => 2;
+
+            public override bool Solve(MotionState motion)
+            {
+                _speed = motion.Speed;
+                return !motion.Rest.IsAtRest;
+            }
+
+            public override double At(double ahead) => _speed * TimeConstant * (1 - Math.Exp(-ahead / TimeConstant));
+        }
+
+        [Test]
+        public void Adaptive_WithAnotherForecaster_LearnsToUseIt()
+        {
+            var (usual, tried) = (Coasting(), Coasting(new CoastingForecaster()));
+
+            Assert.That(tried, Is.LessThan(0.5 * usual));
+        }
+
+        // Squared error 0.2 s ahead of an axis that is pushed every second and coasts; what happens at a push is not predictable.
+        static double Coasting(params Forecaster[] more)
+        {
+            const double interval = 0.1, ahead = 0.2;
+            var predictor = Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.All & ~PredictionParts.Repetition, 0, more);
+            var sum = 0.0;
+            for (var i = 0; i < 1200; i++)
+            {
+                var time = i * interval;
+                predictor.Add(new JointSample(time, Position(time)), time + ahead - interval);
+                var error = predictor.At(time + ahead).Position - Position(time + ahead);
+                if (i > 600 && i % 10 > 2 && i % 10 < 8) sum += error * error;
+            }
+            return sum;
+        }
+
+        static double Position(double time) => Math.Floor(time + 1e-9) + 1 - Math.Exp(-(time - Math.Floor(time + 1e-9)) / 0.2);
+    }
+}

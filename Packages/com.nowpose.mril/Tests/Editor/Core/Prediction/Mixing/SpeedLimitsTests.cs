@@ -1,0 +1,51 @@
+using System.Linq;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class SpeedLimitsTests
+    {
+        const double Interval = 0.05;
+
+        [Test]
+        public void At_SpeedLimit_NoPredictionIsFaster()
+        {
+            // It accelerates until it reaches its limit just after the newest sample.
+            var free = Fed(PredictionLimits.Unlimited);
+            var limited = Fed(With(velocity: 1.0));
+            var newest = free.NewestTime;
+
+            Assert.That(free.At(newest + 0.3).Position - free.At(newest + 0.1).Position, Is.GreaterThan(0.21));
+            Assert.That(limited.At(newest + 0.3).Position - limited.At(newest + 0.1).Position, Is.LessThan(0.2 + 1e-9));
+        }
+
+        [Test]
+        public void At_AccelerationLimit_SpeedChangesNoFaster()
+        {
+            var limited = Fed(With(acceleration: 0.2));
+            var newest = limited.NewestTime;
+            // The mean speed before the newest sample was 0.975 and lies 25 ms back, the one asked for 287.5 ms ahead.
+            var speedThen = (limited.At(newest + 0.3).Position - limited.At(newest + 0.275).Position) / 0.025;
+
+            Assert.That(speedThen, Is.LessThan(0.975 + 0.2 * (0.025 + 0.2875) + 1e-9));
+        }
+
+        [Test]
+        public void At_JointFasterThanItsLimit_IsBelieved()
+        {
+            var predictor = Predictors.Adaptive(With(velocity: 0.1), MixerTests.WithoutRepetition);
+            for (var k = 0; k < 40; k++) predictor.Add(k * Interval, 2 * k * Interval);
+
+            Assert.That(predictor.At(39 * Interval + 0.1).Position, Is.EqualTo(2 * (39 * Interval + 0.1)).Within(0.01));
+        }
+
+        static PredictionLimits With(double velocity = double.PositiveInfinity, double acceleration = double.PositiveInfinity) =>
+            new PredictionLimits(
+                horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity, velocity: velocity, acceleration: acceleration);
+
+        // Uniform acceleration of 1 per second squared for a second.
+        static JointPredictor Fed(PredictionLimits limits) => Predictors.Adaptive(limits, MixerTests.WithoutRepetition)
+            .Fed(Enumerable.Range(0, 21).Select(k => k * Interval), t => 0.5 * t * t);
+    }
+}

@@ -1,0 +1,190 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Planning;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class PlannedJointTests
+    {
+        const double Interval = 0.05;
+        static readonly PredictionLimits Limits = new PredictionLimits(lower: -10, upper: 10);
+
+        // From 0 to 1 within a second from t = 5 on, at rest at both ends.
+        static readonly PlannedPath Move = new PlannedPath(new[] { 0.0, 1 }, new[] { 0.0, 1 }, new[] { 0.0, 0 });
+
+        static double Planned(double t)
+        {
+            var x = Math.Min(Math.Max(t - 5, 0), 1);
+            return x * x * (3 - 2 * x);
+        }
+
+        // Samples 50 ms apart and a frame each 10 ms.
+        static List<(double At, JointPrediction Shown)> Play(DisplayedJoint joint, double from, double to, Func<double, double> truth) =>
+            joint.Play(k => new JointSample(k * Interval, truth(k * Interval)), from, to, 0.01);
+
+        static DisplayedJoint New(PredictionLimits limits = null) => new DisplayedJoint(Predictors.Create("quadratic", limits ?? Limits));
+
+        [Test]
+        public void At_WithinThePlan_IsThePlan()
+        {
+            var joint = New();
+            Play(joint, 4, 4.9, Planned);
+            joint.Follow(Move, 5);
+
+            foreach (var (at, shown) in Play(joint, 4.9, 6, Planned))
+            {
+                Assert.That(shown.Kind == PredictionKind.Planned, Is.EqualTo(at >= 5 - 1e-9), "at " + at);
+                Assert.That(shown.Position, Is.EqualTo(Planned(at)).Within(1e-3), "at " + at);
+            }
+        }
+
+        [TestCase(0.03, 0)]
+        [TestCase(0.15, 0.004)]
+        [TestCase(-0.02, -0.004)]
+        public void At_JointFollowsLateAndBeside_IsShownWhereItIs(double lag, double offset)
+        {
+            var joint = New();
+            double Truth(double t) => Planned(t - lag) + offset;
+            Play(joint, 4, 4.9, Truth);
+            joint.Follow(Move, 5);
+            // The first move tells how late it is; the second, back, is shown so from its beginning.
+            Play(joint, 4.9, 7, Truth);
+            joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 7.1);
+            double Back(double t) => 1 - Planned(t - 2.1 - lag) + offset;
+
+            foreach (var (at, shown) in Play(joint, 7, 8, Back))
+                if (at > 7.12 + Math.Max(lag, 0))
+                {
+                    Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Planned), "at " + at);
+                    Assert.That(shown.Position, Is.EqualTo(Back(at)).Within(0.01), "at " + at);
+                }
+        }
+
+        [Test]
+        public void At_PlanEndsAtRest_StandsThereUntilSamplesDo()
+        {
+            var joint = New();
+            Play(joint, 4, 4.9, Planned);
+            joint.Follow(Move, 5);
+            Play(joint, 4.9, 6, Planned);
+
+            var after = Play(joint, 6, 7, Planned);
+
+            Assert.That(after.TrueForAll(s => Math.Abs(s.Shown.Position - 1) < 2e-3), "it has arrived");
+            Assert.That(after[5].Shown.Kind, Is.EqualTo(PredictionKind.Planned), "samples still tell of the move");
+            Assert.That(after[40].Shown.Kind, Is.EqualTo(PredictionKind.Predicted), "and then of the rest");
+        }
+
+        [Test]
+        public void At_PlanEndsInMotion_PredictsFromThereOn()
+        {
+            var joint = New();
+            Play(joint, 4, 5, t => t);
+            joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 5.0, 6 }, new[] { 1.0, 1 }), 5);
+            Play(joint, 5, 6, t => t);
+
+            foreach (var (at, shown) in Play(joint, 6, 6.5, t => t))
+            {
+                if (at > 6.01) Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Predicted), "at " + at);
+                Assert.That(shown.Position, Is.EqualTo(at).Within(1e-3));
+            }
+        }
+
+        [Test]
+        public void At_JointStopsOnItsWay_LeavesThePlanWithinTwoSamples()
+        {
+            var joint = New();
+            double Truth(double t) => Planned(Math.Min(t, 5.5));
+            Play(joint, 4, 4.9, Truth);
+            joint.Follow(Move, 5);
+
+            foreach (var (at, shown) in Play(joint, 4.9, 6.5, Truth))
+                if (at > 5.7) Assert.That(shown.Kind, Is.Not.EqualTo(PredictionKind.Planned), "at " + at);
+        }
+
+        [Test]
+        public void At_NotFollowedBefore_ANewPlanHasToProveItself()
+        {
+            var joint = New();
+            double Truth(double t) => Planned(Math.Min(t, 5.5)) + 0.5 * Planned(t - 2);
+            Play(joint, 4, 4.9, Truth);
+            joint.Follow(Move, 5);
+            Play(joint, 4.9, 7, Truth);
+
+            joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 0.5, 1 }, new[] { 0.0, 0 }), 7);
+            var shown = Play(joint, 7, 8, Truth);
+
+            Assert.That(shown[10].Shown.Kind, Is.EqualTo(PredictionKind.Predicted));
+            Assert.That(shown[60].Shown.Kind, Is.EqualTo(PredictionKind.Planned), "five samples agree");
+        }
+
+        [Test]
+        public void Follow_PlanForLater_LetsTheOneBeforeEnd()
+        {
+            var joint = New();
+            Play(joint, 4, 4.9, Planned);
+            joint.Follow(Move, 5);
+            Play(joint, 4.9, 5.4, Planned);
+            joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 6);
+            double Truth(double t) => t < 6 ? Planned(t) : 1 - Planned(t - 1);
+
+            foreach (var (at, shown) in Play(joint, 5.4, 7, Truth))
+            {
+                Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Planned), "at " + at);
+                Assert.That(shown.Position, Is.EqualTo(Truth(at)).Within(2e-3), "at " + at);
+            }
+        }
+
+        [Test]
+        public void Follow_FirstSetPointLater_LeadsThereFromWhereTheJointIs()
+        {
+            var joint = New();
+            double Truth(double t) => t < 5 ? 0.4 : 0.4 + Math.Min(t - 5, 1) * 0.6;
+            Play(joint, 4, 4.9, Truth);
+            joint.Follow(new PlannedPath(new[] { 1.0 }, new[] { 1.0 }), 5);
+
+            foreach (var (at, shown) in Play(joint, 4.9, 6, Truth))
+                Assert.That(shown.Position, Is.EqualTo(Truth(at)).Within(2e-3), "at " + at);
+        }
+
+        [Test]
+        public void At_MomentBeforeThePlan_IsPredictedWhateverWasAskedBefore()
+        {
+            var joint = New();
+            Play(joint, 4, 5, Planned);
+            joint.Follow(Move, 5);
+            joint.Show(5.02);
+
+            Assert.That(joint.Show(4.99).Kind, Is.EqualTo(PredictionKind.Predicted));
+            Assert.That(joint.Show(4.99).Position, Is.EqualTo(0).Within(1e-3), "where it begins");
+        }
+
+        [Test]
+        public void At_PlanBeyondTheJointsLimit_StaysWithinIt()
+        {
+            var joint = New(new PredictionLimits(lower: 0, upper: 0.6));
+            Play(joint, 4, 5, Planned);
+            joint.Follow(Move, 5);
+
+            foreach (var (_, shown) in Play(joint, 5, 6, Planned)) Assert.That(shown.Position, Is.InRange(0, 0.6));
+        }
+
+        [Test]
+        public void DropPlanAndReset_PredictAsEver()
+        {
+            var joint = New();
+            Play(joint, 4, 5, Planned);
+            joint.Follow(Move, 5);
+            Play(joint, 5, 5.3, Planned);
+
+            joint.DropPlan();
+            Assert.That(joint.Show(5.31).Kind, Is.EqualTo(PredictionKind.Predicted));
+
+            joint.Follow(Move, 5);
+            joint.Predictor.Reset();
+            Assert.That(joint.Show(5.32).Kind, Is.EqualTo(PredictionKind.None));
+        }
+    }
+}

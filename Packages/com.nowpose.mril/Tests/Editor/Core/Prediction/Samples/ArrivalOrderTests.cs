@@ -1,0 +1,246 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Prediction;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class ArrivalOrderTests
+    {
+        const double Interval = 0.02;
+        const int Newest = 100;
+
+        static double PositionAt(double time) => Math.Sin(2 * time);
+
+        static JointSample Sample(double time) => new JointSample(time, PositionAt(time));
+
+        static JointPredictor NewJoint() => TestPredictors.Polynomial(2, 4);
+
+        // Up to two seconds, in order.
+        static JointPredictor FedJoint()
+        {
+            var joint = NewJoint();
+            for (var i = 0; i <= Newest; i++) joint.Add(Sample(i * Interval));
+            return joint;
+        }
+
+        [TestCase(1, 3, 2, 4)]
+        [TestCase(4, 1, 2, 3, 5)]
+        [TestCase(5, 1, 2, 3, 4, 6)]
+        [TestCase(4, 3, 2, 1, 5)]
+        [TestCase(6, 2, 5, 1, 4, 3, 7)]
+        public void Add_SamplesOvertaken_PredictAsInOrder(params int[] order)
+        {
+            JointPredictor shuffled = FedJoint(), inOrder = FedJoint();
+
+            foreach (var i in order)
+            {
+                Assert.That(shuffled.Add(Sample((Newest + i) * Interval)), Is.Not.EqualTo(SampleOutcome.StartedAnew), "at " + i);
+            }
+            foreach (var i in order.OrderBy(i => i)) inOrder.Add(Sample((Newest + i) * Interval));
+
+            var time = (Newest + order.Max() + 4) * Interval;
+            Assert.That(shuffled.At(time).Position, Is.EqualTo(inOrder.At(time).Position).Within(1e-12));
+            Assert.That(shuffled.NewestTime, Is.EqualTo(inOrder.NewestTime));
+        }
+
+        [TestCase(3600, 2)]
+        [TestCase(1, 2)]
+        [TestCase(0.45, 2)]
+        [TestCase(0.13, 2)]
+        [TestCase(0.12, 2, TestName = "Add_ClockWentBackByWholeIntervals_IsFollowed")]
+        public void Add_ClockWentBack_IsFollowedWithinAFewSamples(double seconds, int samples)
+        {
+            var joint = FedJoint();
+            var needed = 0;
+
+            // Where the joint is goes on; only its stamps are less.
+            var outcome = SampleOutcome.Accepted;
+            for (var i = 1; outcome != SampleOutcome.StartedAnew && i < 10; i++, needed++)
+                outcome = joint.Add(new JointSample((Newest + i) * Interval - seconds, PositionAt((Newest + i) * Interval)));
+
+            Assert.That(needed, Is.EqualTo(samples));
+            var now = (Newest + needed) * Interval;
+            Assert.That(joint.NewestTime, Is.EqualTo(now - seconds));
+            Assert.That(joint.Hold, Is.EqualTo(PositionAt(now)));
+            Assert.That(
+                joint.At(now - seconds + Interval).Position, Is.EqualTo(PositionAt(now + Interval)).Within(2e-3), "a straight line through two");
+        }
+
+        [TestCase(3600, 2)]
+        [TestCase(0.45, 2)]
+        [TestCase(0.13, 5)]
+        public void Add_ClockWentBackWhileTheJointRests_IsFollowedWithinAFewSamples(double seconds, int samples)
+        {
+            var joint = NewJoint();
+            for (var i = 0; i <= Newest; i++) joint.Add(new JointSample(i * Interval, 0.5));
+            var needed = 0;
+
+            var outcome = SampleOutcome.Accepted;
+            for (var i = 1; outcome != SampleOutcome.StartedAnew && i < 10; i++, needed++)
+                outcome = joint.Add(new JointSample((Newest + i) * Interval - seconds, 0.5));
+
+            Assert.That(needed, Is.EqualTo(samples));
+        }
+
+        [Test]
+        public void Add_ClockWentBackBehindAnOvertakenSample_IsFollowed()
+        {
+            var joint = FedJoint();
+            joint.Add(Sample((Newest - 0.5) * Interval));
+
+            joint.Add(new JointSample(Interval - 50, 0.1));
+            var outcome = joint.Add(new JointSample(2 * Interval - 50, 0.2));
+
+            Assert.That(outcome, Is.EqualTo(SampleOutcome.StartedAnew));
+            Assert.That(joint.NewestTime, Is.EqualTo(2 * Interval - 50));
+        }
+
+        [Test]
+        public void Add_SamplesSentAgain_AreDuplicatesHoweverMany()
+        {
+            var joint = FedJoint();
+            var before = joint.At((Newest + 5) * Interval).Position;
+
+            for (var i = Newest - 60; i <= Newest; i++)
+                Assert.That(joint.Add(Sample(i * Interval)), Is.EqualTo(SampleOutcome.Duplicate), "sample " + i);
+
+            Assert.That(joint.At((Newest + 5) * Interval).Position, Is.EqualTo(before));
+        }
+
+        [Test]
+        public void Add_WaitingSampleSentAgain_IsADuplicate()
+        {
+            var joint = NewJoint();
+            joint.Add(Sample(1));
+            joint.Add(Sample(0.9));
+
+            Assert.That(joint.Add(Sample(0.9)), Is.EqualTo(SampleOutcome.Duplicate));
+        }
+
+        // One count of an encoder, at rest after a move.
+        [Test]
+        public void Add_OvertakenAtRestByOneCount_NeverStartsAnew()
+        {
+            var joint = NewJoint();
+            for (var i = 0; i < 50; i++) joint.Add(i * Interval, Math.Min(0.5, 0.02 * i));
+            for (var i = 50; i <= Newest; i++) joint.Add(i * Interval, 0.5);
+
+            joint.Add((Newest + 3) * Interval, 0.5);
+            foreach (var i in new[] { 1, 2 })
+                Assert.That(joint.Add((Newest + i) * Interval, 0.5001), Is.EqualTo(SampleOutcome.Late), "sample " + i);
+        }
+
+        [TestCase(false)]
+        [TestCase(true)]
+        public void Add_PairsOvertakenInTheNoiseAtRest_HardlyEverStartAnew(bool isEndless)
+        {
+            const int pairs = 2000;
+            var random = new Random(77);
+            var joint = TestPredictors.Polynomial(2, 4, new PredictionLimits(isEndless: isEndless));
+            // Noise about π comes back from −π.
+            double Position()
+            {
+                var position = (isEndless ? Math.PI : 0) + 1e-3 * (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5);
+                return isEndless ? Math.IEEERemainder(position, 2 * Math.PI) : position;
+            }
+            var restarts = 0;
+
+            for (var i = 0; i < pairs; i++)
+                foreach (var k in new[] { 0, 1, 2, 5, 3, 4 })
+                    if (joint.Add((6 * i + k) * Interval, Position()) == SampleOutcome.StartedAnew) restarts++;
+
+            Assert.That(restarts, Is.LessThan(0.005 * pairs), "seed 77");
+        }
+
+        [Test]
+        public void Add_SameStampWithAnotherPosition_IsDroppedAsItSays()
+        {
+            var joint = FedJoint();
+            var inOrder = FedJoint();
+
+            Assert.That(joint.Add((Newest - 1) * Interval, PositionAt((Newest - 1) * Interval) + 1e-6), Is.EqualTo(SampleOutcome.Duplicate));
+            joint.Add(Sample((Newest + 1) * Interval));
+
+            inOrder.Add(Sample((Newest + 1) * Interval));
+            Assert.That(joint.At(2.1).Position, Is.EqualTo(inOrder.At(2.1).Position));
+        }
+
+        [Test]
+        public void Add_AbsurdLateSample_ForgetsNothing()
+        {
+            var joint = FedJoint();
+            var inOrder = FedJoint();
+
+            joint.Add((Newest - 0.5) * Interval, 1e60);
+            joint.Add(Sample((Newest + 1) * Interval));
+
+            inOrder.Add(Sample((Newest + 1) * Interval));
+            Assert.That(joint.At(2.1).Position, Is.EqualTo(inOrder.At(2.1).Position));
+        }
+
+        [Test]
+        public void Add_SampleOfLongAgo_IsOfNoUse()
+        {
+            var joint = FedJoint();
+            var inOrder = FedJoint();
+
+            Assert.That(joint.Add(Sample(-20)), Is.EqualTo(SampleOutcome.TooOld));
+            Assert.That(joint.Add(Sample((Newest + 1) * Interval)), Is.EqualTo(SampleOutcome.Accepted));
+
+            inOrder.Add(Sample((Newest + 1) * Interval));
+            Assert.That(joint.At(2.1).Position, Is.EqualTo(inOrder.At(2.1).Position));
+        }
+
+        [Test]
+        public void Add_OvertakenSample_WaitsForTheNextOne()
+        {
+            var joint = TestPredictors.Polynomial(1, 1);
+            joint.Add(0, 0);
+            joint.Add(2, 2);
+
+            Assert.That(joint.Add(1, 1.5), Is.EqualTo(SampleOutcome.Late));
+            Assert.That(joint.At(3).Position, Is.EqualTo(3).Within(1e-12), "it may still be of a clock that went back");
+            Assert.That(joint.Hold, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Add_TwoSourcesOfWhichOneLags_NeverStartsAnew()
+        {
+            var joint = FedJoint();
+            for (var i = 1; i <= 500; i++)
+            {
+                joint.Add(Sample((Newest + i) * Interval));
+                var lagging = joint.Add(Sample((Newest + i) * Interval - 0.33 * Interval - 0.4));
+                Assert.That(lagging, Is.Not.EqualTo(SampleOutcome.StartedAnew), "sample " + i);
+            }
+        }
+
+        [TestCase(0.02)]
+        [TestCase(0.01)]
+        public void Add_DelaysOfAWirelessNetwork_NeverStartAnewAndKeepEverySample(double interval)
+        {
+            const int seed = 41;
+            var random = new Random(seed);
+            var joint = NewJoint();
+            var arrivals = new List<(double At, double Stamp)>();
+            for (var i = 0; i < 10_000; i++)
+            {
+                var normal = Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+                arrivals.Add((i * interval + Math.Min(0.120, 0.012 * Math.Exp(normal)), i * interval));
+            }
+            var (late, restarts) = (0, 0);
+
+            foreach (var (_, stamp) in arrivals.OrderBy(a => a.At))
+            {
+                var outcome = joint.Add(Sample(stamp));
+                if (outcome == SampleOutcome.Late || outcome == SampleOutcome.TooOld) late++;
+                if (outcome == SampleOutcome.StartedAnew) restarts++;
+            }
+
+            Assert.That(late, Is.GreaterThan(500), "samples overtake each other, seed " + seed);
+            Assert.That(restarts, Is.EqualTo(0), "seed " + seed);
+        }
+    }
+}

@@ -1,0 +1,82 @@
+using System;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Samples;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class SampleBufferTests
+    {
+        [TestCase(0.010, 100)]
+        [TestCase(0.050, 100)]
+        [TestCase(0.002, 34)]
+        public void Add_FastSource_KeepsWhatTellsSomething(double interval, int expected)
+        {
+            var buffer = new SampleBuffer(200, isEndless: false, corrects: false, thins: true);
+            var changes = 0;
+            for (var k = 0; k < 100; k++)
+            {
+                if (buffer.Add(new JointSample(k * interval, k))) changes++;
+            }
+
+            Assert.That(buffer.History.Count, Is.EqualTo(expected).And.EqualTo(changes));
+            Assert.That(buffer.NewestPosition, Is.EqualTo(99));
+            Assert.That(buffer.NewestTime, Is.EqualTo(99 * interval));
+        }
+
+        // Scatter alone can make a corrected stamp older than the one before; the stamp itself is kept.
+        [Test]
+        public void Add_ScatteredStamps_TheNewestIsAsItCame()
+        {
+            var random = new Random(21);
+            var buffer = new SampleBuffer(24, isEndless: false, corrects: true, thins: true);
+            for (var k = 0; k < 300; k++)
+            {
+                var told = k * 0.05 + 0.01 * (2 * random.NextDouble() - 1);
+                buffer.Add(new JointSample(told, Math.Sin(k), k * 0.05));
+                Assert.That((buffer.NewestTime, buffer.NewestPosition), Is.EqualTo((told, Math.Sin(k))), "seed 21");
+            }
+
+            buffer.Add(new JointSample(298.5 * 0.05, 5, 298.5 * 0.05));
+            Assert.That(buffer.NewestPosition, Is.EqualTo(Math.Sin(299)), "overtaken");
+        }
+
+        [Test]
+        public void Add_AngleThatComesBackFromPi_GoesOnByWholeTurns()
+        {
+            var buffer = new SampleBuffer(4, isEndless: true, corrects: false, thins: false);
+            foreach (var (time, position) in new[] { (0.0, 3.0), (0.1, -3.0), (0.2, -2.7) }) buffer.Add(new JointSample(time, position));
+
+            Assert.That(buffer.History.NewestPosition, Is.EqualTo(2 * Math.PI - 2.7).Within(1e-12));
+            Assert.That(buffer.Shift, Is.EqualTo(2 * Math.PI).Within(1e-12));
+            Assert.That(buffer.NewestPosition, Is.EqualTo(-2.7));
+        }
+
+        [TestCase(0.001)]
+        [TestCase(0.002)]
+        [TestCase(0.004)]
+        public void Adaptive_FastSource_LearnsToo(double interval)
+        {
+            var random = new Random(8);
+            var adaptive = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));
+            var linear = new DisplayedJoint(Predictors.Create("linear", PredictionLimits.Unlimited));
+            double squares = 0, squaresOfLinear = 0;
+            for (var k = 0; k * interval < 20; k++)
+            {
+                var t = k * interval;
+                var sample = new JointSample(t, Motion(t) + 1e-5 * (random.NextDouble() - 0.5));
+                adaptive.Add(sample);
+                linear.Add(sample);
+                if (k % 16 != 0) continue;
+                var (a, l) = (adaptive.Show(t + 0.1).Position, linear.Show(t + 0.1).Position);
+                if (t < 5) continue;
+                squares += Math.Pow(a - Motion(t + 0.1), 2);
+                squaresOfLinear += Math.Pow(l - Motion(t + 0.1), 2);
+            }
+
+            Assert.That(squares, Is.LessThan(0.6 * squaresOfLinear), "seed 8");
+        }
+
+        static double Motion(double t) => Math.Sin(2 * t) + 0.4 * Math.Sin(5.1 * t + 1);
+    }
+}

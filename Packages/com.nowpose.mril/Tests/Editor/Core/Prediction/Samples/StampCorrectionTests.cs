@@ -1,0 +1,136 @@
+using System;
+using Nowpose.Prediction.Samples;
+using NUnit.Framework;
+
+namespace Nowpose.Tests
+{
+    public class StampCorrectionTests
+    {
+        const int Seed = 21;
+
+        readonly StampCorrection _stamps = new StampCorrection();
+        Random _random;
+
+        [SetUp]
+        public void StartAnew()
+        {
+            _stamps.Reset();
+            _random = new Random(Seed);
+        }
+
+        [TestCase(0.050, 0.005, 0)]
+        [TestCase(0.050, 0.010, 0)]
+        [TestCase(0.020, 0.005, 0)]
+        [TestCase(0.100, 0.010, 0.01)]
+        [TestCase(0.050, 0.010, 0.02)]
+        [TestCase(0.0333, 0.004, 0.02)]
+        public void Correct_PeriodicSourceWithScatteredStamps_TakesMostOfTheScatterAway(double interval, double scatter, double loss)
+        {
+            // Uniform scatter has a deviation of its half-width over the root of three.
+            Assert.That(RmsErrorOfTheLast200(interval, scatter, 0, loss), Is.LessThan(0.32 * scatter / Math.Sqrt(3)), "seed " + Seed);
+        }
+
+        [Test]
+        public void Correct_JitteredSamplingWithTrueStamps_KeepsThem()
+        {
+            Assert.That(RmsErrorOfTheLast200(0.050, 0, 0.008, 0), Is.EqualTo(0), "seed " + Seed);
+        }
+
+        [Test]
+        public void Correct_ExactStamps_AreLeftAlone()
+        {
+            Assert.That(RmsErrorOfTheLast200(0.050, 0, 0, 0.05), Is.EqualTo(0));
+        }
+
+        [Test]
+        public void Correct_StampsWithoutABeat_AreLeftAlone()
+        {
+            var touched = 0;
+            for (double t = 0, i = 0; i < 500; i++)
+            {
+                t += 0.01 - 0.05 * Math.Log(1 - _random.NextDouble());
+                if (Correct(t, t) != t) touched++;
+            }
+
+            // Eight stamps at random may look like a beat by chance, until the ninth.
+            Assert.That(touched, Is.LessThan(25), "seed " + Seed);
+        }
+
+        [Test]
+        public void Correct_OvertakenSample_GoesToItsBeat()
+        {
+            for (var k = 0; k < 100; k++)
+                if (k != 97) Correct(Scattered(k * 0.05, 0.005), k * 0.05);
+
+            var corrected = _stamps.Correct(Scattered(97 * 0.05, 0.005), Motion(97 * 0.05), isNewest: false);
+
+            Assert.That(corrected, Is.EqualTo(97 * 0.05).Within(0.0015), "seed " + Seed);
+        }
+
+        [Test]
+        public void Correct_BeatThatStartsAnewAfterAPause_IsFoundAgain()
+        {
+            for (var k = 0; k < 100; k++) Correct(Scattered(k * 0.05, 0.005), k * 0.05);
+
+            Assert.That(WorstError(100, 30, k => 60.0173 + k * 0.02, t => Scattered(t, 0.004)), Is.LessThan(0.002), "seed " + Seed);
+        }
+
+        [TestCase(0.05, 0.02)]
+        [TestCase(0.1, 0.05)]
+        public void Correct_SourceBecomesFaster_IsFollowedAtOnce(double before, double after)
+        {
+            double TimeOf(int k) => Math.Min(k + 1, 200) * before + Math.Max(k - 199, 0) * after;
+
+            Assert.That(WorstError(400, 199, TimeOf, t => t + 0.001 * _random.NextDouble()), Is.LessThan(0.01), "seed " + Seed);
+        }
+
+        [Test]
+        public void Correct_StampThatIsLateNowAndThen_IsPutOnTheBeat()
+        {
+            Assert.That(WorstError(400, 100, k => k * 0.05, t => t + (_random.NextDouble() < 0.05 ? 0.02 : 0)), Is.LessThan(0.004), "seed " + Seed);
+        }
+
+        [Test]
+        public void Reset_ForgetsTheBeat()
+        {
+            for (var k = 0; k < 100; k++) Correct(Scattered(k * 0.05, 0.005), k * 0.05);
+
+            _stamps.Reset();
+
+            Assert.That(Correct(1.2345, 1), Is.EqualTo(1.2345));
+        }
+
+        static double Motion(double t) => 0.5 * Math.Sin(3 * t) + 0.2 * Math.Sin(7.1 * t);
+
+        double Scattered(double time, double scatter) => time + scatter * (2 * _random.NextDouble() - 1);
+
+        double Correct(double told, double time) => _stamps.Correct(told, Motion(time), isNewest: true);
+
+        // Of the samples after the first ones.
+        double WorstError(int samples, int first, Func<int, double> timeOf, Func<double, double> toldAt)
+        {
+            var worst = 0.0;
+            for (var k = 0; k < samples; k++)
+            {
+                var error = Math.Abs(Correct(toldAt(timeOf(k)), timeOf(k)) - timeOf(k));
+                if (k > first) worst = Math.Max(worst, error);
+            }
+            return worst;
+        }
+
+        double RmsErrorOfTheLast200(double interval, double stampError, double trueJitter, double loss)
+        {
+            const int samples = 500;
+            var squares = 0.0;
+            for (var k = 0; k < samples; k++)
+            {
+                var time = Scattered(3 + k * interval, trueJitter);
+                var told = Scattered(time, stampError);
+                if (_random.NextDouble() < loss) continue;
+                var error = Correct(told, time) - time;
+                if (k >= samples - 200) squares += error * error;
+            }
+            return Math.Sqrt(squares / 200);
+        }
+    }
+}

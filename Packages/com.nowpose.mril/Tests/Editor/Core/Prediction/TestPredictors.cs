@@ -1,0 +1,32 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
+
+namespace Nowpose.Tests
+{
+    /// <summary>Predictors as tests need them, and short ways to feed them.</summary>
+    static class TestPredictors
+    {
+        static readonly string[] Degrees = { "hold", "linear", "quadratic", "cubic" };
+
+        /// <summary>The paper's polynomial of a degree, with h samples besides the newest.</summary>
+        /// <param name="limits">Null for none.</param>
+        public static JointPredictor Polynomial(int degree, int history, PredictionLimits limits = null) =>
+            Predictors.Create(Degrees[degree] + "-h" + history, limits ?? PredictionLimits.Unlimited);
+
+        /// <summary>One forecaster and what parts of the pipeline it is to have; without a forecast the newest sample is held.</summary>
+        /// <param name="limits">Null for none.</param>
+        public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
+            new JointPredictor(forecaster, 24, parts, limits ?? PredictionLimits.Unlimited, 0);
+
+        public static SampleOutcome Add(this JointPredictor predictor, double time, double position) =>
+            predictor.Add(new JointSample(time, position));
+
+        public static JointPredictor Fed(this JointPredictor predictor, IEnumerable<double> times, Func<double, double> motion)
+        {
+            foreach (var time in times) predictor.Add(time, motion(time));
+            return predictor;
+        }
+    }
+}
