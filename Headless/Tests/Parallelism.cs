@@ -1,4 +1,5 @@
 using NUnit.Framework;
 
-// Those that run side by side wait, mostly: for a time-out, for the next attempt, for another process. Who needs the processor runs alone.
+// Fixtures marked so run side by side: most of them wait, for a time-out, for the next attempt, for another process. What shares Unity's
+// scene, the process' environment or a moment of real time runs alone.
 [assembly: LevelOfParallelism(4)]

@@ -152,9 +152,10 @@ describe('any window and any text', () => {
   it('keeps ours, the paper\u2019s and the uncompensated apart without hue, and all off the page', async () => {
     for (const colorScheme of ['light', 'dark']) {
       const page = await browser.open(figures(), { colorScheme });
-      const [adaptive, quadratic, cubic, linear, surface] = await luminance(page, ['--adaptive', '--quadratic', '--cubic', '--linear', '--surface']);
+      const [adaptive, gp, quadratic, cubic, linear, surface] = await luminance(
+        page, ['--adaptive', '--gp', '--quadratic', '--cubic', '--linear', '--surface']);
       assert.ok(contrast(adaptive, quadratic) > 1.5, `${colorScheme}: adaptive and quadratic`);
-      for (const [name, ink] of Object.entries({ adaptive, quadratic, cubic, linear })) {
+      for (const [name, ink] of Object.entries({ adaptive, gp, quadratic, cubic, linear })) {
         assert.ok(contrast(ink, surface) > 3, `${colorScheme}: ${name} on the page, ${contrast(ink, surface)}`);
       }
     }

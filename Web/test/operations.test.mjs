@@ -9,8 +9,19 @@ import { picture } from './pixels.mjs';
 import { readElement } from './qr.mjs';
 
 let browser, gateway;
-before(async () => { browser = await Browser.start('operations', WEBGL); });
-after(() => browser.stop());
+const browsers = new Map();
+before(async () => {
+  for (const graphics of [WEBGL, NO_WEBGL]) browsers.set(graphics, await Browser.start('operations', graphics));
+  browser = browsers.get(WEBGL);
+});
+after(() => Promise.all([...browsers.values()].map(each => each.stop())));
+
+/** For the tests around: where the robot is not looked at, its graphics would take a third of the time. */
+function withoutGraphics() {
+  before(() => { browser = browsers.get(NO_WEBGL); });
+  after(() => { browser = browsers.get(WEBGL); });
+}
+
 beforeEach(async () => { gateway = await FakeGateway.start(); });
 const contexts = [];
 afterEach(async () => {
@@ -19,8 +30,8 @@ afterEach(async () => {
 });
 
 /** @param isReady Waits for the first answer. */
-async function open(options = {}, isReady = true, by = browser) {
-  const context = await by.browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+async function open(options = {}, isReady = true) {
+  const context = await browser.browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
   contexts.push(context);
   const page = await context.newPage();
   page.setDefaultTimeout(60_000);
@@ -71,6 +82,25 @@ const weakestText = page => page.evaluate(() => {
   return weakest;
 });
 
+/** How many bodies one picture of the 3D view has: what is drawn between two times it is cleared. */
+const bodiesDrawn = async page => {
+  await page.locator('.stage').scrollIntoViewIfNeeded();
+  return page.evaluate(() => new Promise(done => {
+    const gl = WebGL2RenderingContext.prototype, { clear, drawElements, drawArrays } = gl;
+    let count = null;
+    const counted = draw => function (...all) { if (count !== null) count++; return draw.apply(this, all); };
+    gl.drawElements = counted(drawElements);
+    gl.drawArrays = counted(drawArrays);
+    gl.clear = function (...all) {
+      if (count > 0) {
+        Object.assign(gl, { clear, drawElements, drawArrays });
+        done(count);
+      } else count = 0;
+      return clear.apply(this, all);
+    };
+  }));
+};
+
 const becomes = (page, selector, part) => page.waitForFunction(
   ([selector, part]) => document.querySelector(selector)?.textContent.includes(part), [selector, part]);
 
@@ -91,6 +121,8 @@ it('runs its own script and none that was put into the page', async () => {
 });
 
 describe('what it shows', () => {
+  withoutGraphics();
+
   it('says what each headset says, in words and numbers', async () => {
     const page = await open();
 
@@ -229,6 +261,8 @@ describe('what it shows', () => {
 });
 
 describe('faults', () => {
+  withoutGraphics();
+
   const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
   const refused = { state: 'refused', since_utc: ago(95), age_s: 95.2, rate_hz: 0, reason: 'status Bad of node ns=2;s=Axis3' };
   const event = (id, level, more = {}) => ({
@@ -402,17 +436,17 @@ describe('the robot', () => {
     gateway.turned = 0;
     const page = await open({ reducedMotion: 'reduce' });
     await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
-    const whole = await picture(page, page.locator('.stage'));
+    const whole = await bodiesDrawn(page);
 
     gateway.turned = null;
     gateway.sets = [JOINTS.slice(0, 1)];
     await page.reload();
     await becomes(page, '#robot .level', 'arm_joint_2 has not been received');
     await becomes(page, '.apart', 'Where the tool was is not known');
-    const base = await picture(page, page.locator('.stage'));
+    const base = await bodiesDrawn(page);
 
-    assert.ok(base.grey > 100, `${base.grey} pixels of its base`);
-    assert.ok(base.grey < whole.grey, `${base.grey} of ${whole.grey} pixels`);
+    assert.ok((await picture(page, page.locator('.stage'))).grey > 100, 'its base');
+    assert.ok(base < whole, `${base} of ${whole} bodies`);
   });
 
   it('is not drawn below a joint whose data is not live, while the others go on', async () => {
@@ -562,21 +596,23 @@ describe('the robot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('without WebGL is missed in one sentence, and its distance told all the same', async () => {
-    const plain = await Browser.start('operations', NO_WEBGL);
-    try {
-      const page = await open({}, true, plain);
-      await becomes(page, '.robot .missing', 'no WebGL');
-      await page.waitForFunction(() => /shows the tool [\d.]+/.test(document.querySelector('.apart').textContent));
-      assert.equal(await page.locator('.stage').count(), 0);
-      assert.deepEqual(page.complaints, []);
-    } finally {
-      await plain.stop();
-    }
+});
+
+describe('the robot without WebGL', () => {
+  withoutGraphics();
+
+  it('is missed in one sentence, and its distance told all the same', async () => {
+    const page = await open();
+    await becomes(page, '.robot .missing', 'no WebGL');
+    await page.waitForFunction(() => /shows the tool [\d.]+/.test(document.querySelector('.apart').textContent));
+    assert.equal(await page.locator('.stage').count(), 0);
+    assert.deepEqual(page.complaints, []);
   });
 });
 
 describe('what can be done', () => {
+  withoutGraphics();
+
   it('switches the recorder on and off', async () => {
     const page = await open();
 
@@ -806,15 +842,16 @@ describe('any window, any eye', () => {
       await page.locator('.stage').scrollIntoViewIfNeeded();
       return page.evaluate(async () => {
         let count = 0;
-        const { drawElements } = WebGL2RenderingContext.prototype;
-        WebGL2RenderingContext.prototype.drawElements = function (...all) { count++; return drawElements.apply(this, all); };
+        const { clear } = WebGL2RenderingContext.prototype;
+        WebGL2RenderingContext.prototype.clear = function (...all) { count++; return clear.apply(this, all); };
         await new Promise(done => setTimeout(done, 2000));
         return count;
       });
     };
 
     const [calm, moving] = [await frames('reduce'), await frames('no-preference')];
-    assert.ok(moving > 3 * calm && calm > 0, `${calm} against ${moving} draws`);
+    // In two seconds, each picture cleared twice; a busy machine draws as many of the others as it can.
+    assert.ok(calm >= 1 && calm <= 8 && moving > calm, `${calm} against ${moving} clears`);
   });
 
   it('holds the licences of what it contains, and needs nothing from elsewhere', () => {

@@ -8,18 +8,8 @@ public class GatewayCommandLineTests
 {
     static async Task<(int Status, string[] Errors)> RunAsync(params string[] args)
     {
-        var errors = Console.Error;
-        using var captured = new StringWriter();
-        try
-        {
-            Console.SetError(captured);
-            var status = await Nowpose.Gateway.CommandLine.RunAsync(args).Bounded();
-            return (status, captured.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries));
-        }
-        finally
-        {
-            Console.SetError(errors);
-        }
+        var (status, _, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(args).Bounded());
+        return (status, CapturedConsole.Lines(errors));
     }
 
     [TestCase("--nonsense", "--nonsense")]

@@ -92,7 +92,7 @@ public class SessionReplayTests
     public void Replay_WithLimitsOfTheRobotAndOfTheSettings_SaysWhatWasDisplayed()
     {
         var prediction = new PredictionSettings("adaptive", speedShare: 0.9, accelerationLimit: 2.1, jerkLimit: 17);
-        VirtualRecording.To(_path, jitterMs: 20, loss: 0.02, stepAfter: 12, prediction: prediction);
+        VirtualRecording.To(_path, seconds: 60, jitterMs: 20, loss: 0.02, stepAfter: 12, prediction: prediction);
 
         var differences = Differences("adaptive");
 

@@ -5,6 +5,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Shaders;
 
 /// <summary>Every variant of every shader compiles, for both render pipelines, against stand-ins for Unity's includes.</summary>
+[Parallelizable]
 public sealed class ShaderCompileTests
 {
     const string Broken = """

@@ -5,7 +5,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
 /// <summary>The whole way from rendered pictures of a moving headset to a profile; needs Node.js, as the build does.</summary>
-[NonParallelizable]
+[Parallelizable]
 public sealed class HeadVerbTests : CalibrationFolder
 {
     async Task<string> TakenAsync(string name, params string[] more)

@@ -6,7 +6,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
 /// <summary>The whole way from pictures to a profile; needs Node.js, as the build does.</summary>
-[NonParallelizable]
+[Parallelizable]
 public sealed class VlcVerbTests
 {
     string _folder;

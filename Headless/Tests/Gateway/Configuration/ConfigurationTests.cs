@@ -26,25 +26,11 @@ public class ConfigurationTests
 
     async Task<(int Status, string[] Output, string[] Errors)> RunAsync(string text, bool isCheck, params string[] typed)
     {
-        var (output, errors) = (Console.Out, Console.Error);
-        using var said = new StringWriter();
-        using var complained = new StringWriter();
-        try
-        {
-            Console.SetOut(said);
-            Console.SetError(complained);
-            string[] check = isCheck ? ["--check"] : [];
-            var status = await Nowpose.Gateway.CommandLine.RunAsync(["serve", "--config", Save(text), .. check, .. typed]).Bounded();
-            return (status, Lines(said), Lines(complained));
-        }
-        finally
-        {
-            Console.SetOut(output);
-            Console.SetError(errors);
-        }
+        string[] check = isCheck ? ["--check"] : [];
+        var (status, output, errors) = await CapturedConsole.OfAsync(
+            () => Nowpose.Gateway.CommandLine.RunAsync(["serve", "--config", Save(text), .. check, .. typed]).Bounded());
+        return (status, CapturedConsole.Lines(output), CapturedConsole.Lines(errors));
     }
-
-    static string[] Lines(StringWriter text) => text.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries);
 
     [TestCase("bind: nowhere", "bind: 'nowhere' is not an address")]
     [TestCase("sync-port: 70000", "sync-port: 70000 is out of range; allowed are 0 to 65535")]

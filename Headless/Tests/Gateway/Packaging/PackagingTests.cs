@@ -165,19 +165,8 @@ public class PackagingTests
 
     static async Task<(int Status, string Errors)> CheckAsync(string[] command)
     {
-        var (output, errors) = (Console.Out, Console.Error);
-        using var complained = new StringWriter();
-        try
-        {
-            Console.SetOut(TextWriter.Null);
-            Console.SetError(complained);
-            var status = await Nowpose.Gateway.CommandLine.RunAsync([.. command, "--check", "--ws-port", "0", "--sync-port", "0"]).Bounded();
-            return (status, complained.ToString());
-        }
-        finally
-        {
-            Console.SetOut(output);
-            Console.SetError(errors);
-        }
+        var (status, _, errors) = await CapturedConsole.OfAsync(
+            () => Nowpose.Gateway.CommandLine.RunAsync([.. command, "--check", "--ws-port", "0", "--sync-port", "0"]).Bounded());
+        return (status, errors);
     }
 }

@@ -8,6 +8,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
 /// <summary>What a client sends is measured before it is kept, decoded or parsed.</summary>
+[Parallelizable]
 public class LimitTests
 {
     const int Clients = 64;
