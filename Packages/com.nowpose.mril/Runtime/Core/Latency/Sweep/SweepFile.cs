@@ -82,7 +82,9 @@ namespace Nowpose.Latency
             if (rows.Count == 0) return;
             var isNew = _written.Count == 0;
             if (isNew) Directory.CreateDirectory(System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(Path)));
-            using (var stream = new FileStream(Path, isNew ? FileMode.CreateNew : FileMode.Append, FileAccess.Write, FileShare.Read))
+            // Shared for writing, too: on Mono a reader that opens the file now holds on to the sharing that it found, and the next load would be
+            // refused.
+            using (var stream = new FileStream(Path, isNew ? FileMode.CreateNew : FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
             using (var writer = new StreamWriter(stream))
             {
                 if (isNew) SweepLog.WriteHeader(writer, _conditions);
