@@ -1,3 +1,4 @@
+using MathNet.Numerics;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli;
@@ -8,13 +9,18 @@ public static class CommandLine
     const string DefaultVerb = "demo";
 
     /// <summary>Runs one command and returns the exit status; never throws for what the user typed or gave.</summary>
-    public static Task<int> RunAsync(string[] args) => Invocation.RunAsync(
-        Invocation.Root(
-            "nowpose", "Shows a moving robot where it is, not where it was. Without a verb: demo.",
-            Demo.DemoVerb.Create(), Replay.ReplayVerb.Create(), Sync.SyncVerb.Create(), Recommend.RecommendVerb.Create(),
-            Kinematics.KinematicsVerb.Create(), Headset.HeadsetVerb.Create(), Figures.FiguresVerb.Create(), Calibrate.CalibrateVerb.Create(),
-            Unity.UnityVerb.Create()),
-        WithVerb(args));
+    public static Task<int> RunAsync(string[] args)
+    {
+        // Its loops over small matrices wait for a second core; where that one is busy they took a hundred times as long.
+        Control.UseSingleThread();
+        return Invocation.RunAsync(
+            Invocation.Root(
+                "nowpose", "Shows a moving robot where it is, not where it was. Without a verb: demo.",
+                Demo.DemoVerb.Create(), Replay.ReplayVerb.Create(), Sync.SyncVerb.Create(), Recommend.RecommendVerb.Create(),
+                Kinematics.KinematicsVerb.Create(), Headset.HeadsetVerb.Create(), Figures.FiguresVerb.Create(), Calibrate.CalibrateVerb.Create(),
+                Unity.UnityVerb.Create()),
+            WithVerb(args));
+    }
 
     static string[] WithVerb(string[] args)
     {

@@ -1,5 +1,6 @@
 using NUnit.Framework;
 
-// Fixtures marked so run side by side: most of them wait, for a time-out, for the next attempt, for another process. What shares Unity's
-// scene, the process' environment or a moment of real time runs alone.
-[assembly: LevelOfParallelism(4)]
+// Fixtures run side by side: most of them wait, for a time-out, for the next attempt, for another process. What shares the process'
+// environment, counts garbage or watches a moment of real time says NonParallelizable.
+[assembly: Parallelizable(ParallelScope.Fixtures)]
+[assembly: LevelOfParallelism(8)]

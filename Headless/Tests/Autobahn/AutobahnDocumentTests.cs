@@ -1,4 +1,3 @@
-using Nowpose.Headless.Tests.Repository;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Autobahn;

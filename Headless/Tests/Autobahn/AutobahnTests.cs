@@ -10,7 +10,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Autobahn;
 
 /// <summary>The cases of the Autobahn test-suite, against our server and both of our clients.</summary>
-[Parallelizable]
 public class AutobahnTests
 {
     const string Marker = "marker";

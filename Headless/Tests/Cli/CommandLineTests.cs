@@ -17,7 +17,7 @@ public class CommandLineTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Output, Is.Empty);
-        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(run.Complaints, Has.Length.EqualTo(1));
         Assert.That(run.Errors, Does.StartWith("nowpose: "));
     }
 

@@ -141,7 +141,7 @@ public class SyncVerbTests
         var run = await CliRun.OfAsync("sync", file.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(run.Complaints, Has.Length.EqualTo(1));
         Assert.That(run.Errors, Does.Contain(file.Path).And.Contain(named));
     }
 

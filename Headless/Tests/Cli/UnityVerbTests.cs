@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Nowpose.Editor;
-using Nowpose.Headless.Tests.Repository;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
@@ -608,7 +607,7 @@ public class UnityVerbTests
     {
         Assert.That(run.ExitStatus, Is.EqualTo(2), run.Output);
         Assert.That(run.Output, Is.Empty);
-        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(run.Complaints, Has.Length.EqualTo(1));
         Assert.That(run.Errors, Does.StartWith("nowpose: ").And.Contains(reason));
     }
 }

@@ -13,5 +13,5 @@ static class CodeVectors
             .Select(cells => new Row(int.Parse(cells[0], CultureInfo.InvariantCulture), cells[1], Convert.FromHexString(cells[2]))),
     ];
 
-    public static string PathOf(string file) => Path.Combine(Repository.RepositoryFiles.Root, Repository.RepositoryFiles.Package, "Documentation~", "led-matrix", file);
+    public static string PathOf(string file) => Path.Combine(RepositoryFiles.Root, RepositoryFiles.Package, "Documentation~", "led-matrix", file);
 }

@@ -11,6 +11,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Fuzz;
 
 /// <summary>A million malformed inputs at the readers of all that comes from outside: each is taken as it should be, or refused in order.</summary>
+[NonParallelizable] // counts what the whole process keeps
 public class ReaderFuzzTests
 {
     const int Messages = 400_000, Bytes = 100_000, Frames = 300_000, Exchanges = 100_000, Codes = 30_000, Robots = 20_000, Profiles = 20_000,

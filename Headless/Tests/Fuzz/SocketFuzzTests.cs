@@ -14,6 +14,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Fuzz;
 
 /// <summary>Tens of thousands of malformed inputs over real sockets: a gateway that runs, and a headset at a malicious server.</summary>
+[NonParallelizable] // counts what the whole process keeps
 public class SocketFuzzTests
 {
     const int Seed = 11;

@@ -5,7 +5,6 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-[Parallelizable]
 public class RosbridgeReadersTests
 {
     [Test]

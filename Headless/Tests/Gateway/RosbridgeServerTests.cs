@@ -5,7 +5,6 @@ using Nowpose.Gateway;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-[Parallelizable]
 public class RosbridgeServerTests
 {
     [Test]

@@ -9,7 +9,6 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-[Parallelizable]
 public class SyncServerTests
 {
     /// <summary>A limit that a busy machine keeps with what is to be answered, and that a test can wait for.</summary>

@@ -4,6 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Kinematics;
 
+[NonParallelizable] // counts garbage
 public class ForwardKinematicsAllocationTests
 {
     [Test]

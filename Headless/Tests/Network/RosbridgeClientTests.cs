@@ -9,7 +9,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Network;
 
 /// <summary>What the headset makes of whatever a server sends.</summary>
-[Parallelizable]
 public class RosbridgeClientTests
 {
     const string Good = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":5,"nsecs":0}},"name":["a"],"position":[1.5]}}""";

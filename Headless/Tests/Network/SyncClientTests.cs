@@ -6,7 +6,6 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-[Parallelizable]
 public class SyncClientTests
 {
     static readonly TimeSpan Quick = TimeSpan.FromMilliseconds(5);

@@ -8,7 +8,6 @@ namespace Nowpose.Headless.Tests.Prediction;
 /// What <c>adaptive</c> leaves of the error, on motions it was not tuned on: its constants were chosen on seeds 1000 to 1006
 /// and on recordings of real machines, these are seeds 9001 to 9003. Limits are those that the default stands for.
 /// </summary>
-[Parallelizable]
 public class AdaptiveAccuracyTests
 {
     static readonly int[] Seeds = [9001, 9002, 9003];

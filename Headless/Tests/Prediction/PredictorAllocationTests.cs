@@ -4,6 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests;
 
+[NonParallelizable] // counts garbage
 public class PredictorAllocationTests
 {
     static IReadOnlyList<string> Names => Predictors.Names;

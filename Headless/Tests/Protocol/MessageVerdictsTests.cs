@@ -1,5 +1,4 @@
 using System.Text;
-using Nowpose.Headless.Tests.Repository;
 using Nowpose.Protocol;
 using NUnit.Framework;
 

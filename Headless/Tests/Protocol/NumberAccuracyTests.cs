@@ -7,7 +7,6 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Protocol;
 
 /// <summary>Numbers of messages are the nearest doubles, as exact arithmetic and .NET's parser say.</summary>
-[Parallelizable]
 public class NumberAccuracyTests
 {
     const int Seed = 41;

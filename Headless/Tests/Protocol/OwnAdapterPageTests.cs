@@ -1,6 +1,5 @@
 using System.Text.RegularExpressions;
 using NUnit.Framework;
-using Nowpose.Headless.Tests.Repository;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Protocol;

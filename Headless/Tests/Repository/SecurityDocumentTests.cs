@@ -24,7 +24,7 @@ public sealed partial class SecurityDocumentTests
     [Test]
     public void Threats_EachNamesTestsThatExist()
     {
-        var known = RepositoryFiles.Under("Headless/Tests", ".cs").Concat(RepositoryFiles.Under(RepositoryFiles.Package + "/Tests", ".cs"))
+        var known = RepositoryFiles.Under("Headless/Tests", ".cs").Concat(RepositoryFiles.Under("Tests", ".cs")).Concat(RepositoryFiles.Under(RepositoryFiles.Package + "/Tests", ".cs"))
             .SelectMany(file => TestMethod().Matches(RepositoryFiles.Read(file))).Select(match => match.Groups[1].Value)
             .Concat(RepositoryFiles.Under("Gateway/Adapters/test", ".mjs")
                 .SelectMany(file => AdapterTest().Matches(RepositoryFiles.Read(file))).Select(match => match.Groups[1].Value)).ToHashSet();

@@ -16,7 +16,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Ros;
 
 /// <summary>A headset at a rosbridge server, without a gateway: clock by /rosapi/get_time.</summary>
-[Parallelizable]
 public class RosDirectTests
 {
     static readonly TimeSpan Bracket = TimeSpan.FromMicroseconds(50);

@@ -4,6 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
+[NonParallelizable] // counts garbage
 public class ExchangeAllocationTests
 {
     [Test]

@@ -12,7 +12,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>The gateway goes away in the middle of a session and comes back, as after an update or a power cut.</summary>
-[Parallelizable]
 public class GatewayRestartTests
 {
     // The longest pause between two attempts, and what dialling takes a loaded machine.

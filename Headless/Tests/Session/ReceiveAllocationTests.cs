@@ -12,6 +12,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>Garbage of a sample on the whole way: from what the socket hands over through reader, queue and frame to the predictors.</summary>
+[NonParallelizable] // counts garbage
 public class ReceiveAllocationTests
 {
     const int Warm = 500, Messages = 2000;

@@ -11,7 +11,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>As from another machine: headset and clients are processes of their own, over TLS, with tokens.</summary>
-[Parallelizable]
 public class SecondProcessTests
 {
     const string ObserverToken = "observer-3f9d2c";

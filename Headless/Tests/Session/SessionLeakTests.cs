@@ -10,6 +10,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Session;
 
 /// <summary>Each pause of the application ends a session, and none may leave anything behind.</summary>
+[NonParallelizable] // counts what the whole process keeps
 public class SessionLeakTests
 {
     readonly StopwatchHeadsetClock _clock = new();

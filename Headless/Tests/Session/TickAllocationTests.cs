@@ -12,6 +12,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
+[NonParallelizable] // counts garbage
 public class TickAllocationTests
 {
     [TestCase("hold", false)]

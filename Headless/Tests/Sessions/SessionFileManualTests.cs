@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Nowpose.Headless.Tests.Repository;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Sessions;

@@ -1,11 +1,9 @@
 using System.Text.RegularExpressions;
-using Nowpose.Headless.Tests.Repository;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
 /// <summary>Every variant of every shader compiles, for both render pipelines, against stand-ins for Unity's includes.</summary>
-[Parallelizable]
 public sealed class ShaderCompileTests
 {
     const string Broken = """

@@ -1,4 +1,3 @@
-using Nowpose.Headless.Tests.Repository;
 
 namespace Nowpose.Headless.Tests.Shaders;
 

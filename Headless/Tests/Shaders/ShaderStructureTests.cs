@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using Nowpose.Headless.Tests.Repository;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Shaders;

@@ -7,7 +7,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
 /// <summary>Whatever a calibration is given that is no good: one line that says so, and the last good profile stays to the byte.</summary>
-[Parallelizable]
 public sealed class BadInputTests : CalibrationFolder
 {
     const int Width = 640, Height = 360, Side = 128;

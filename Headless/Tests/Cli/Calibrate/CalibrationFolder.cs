@@ -32,8 +32,7 @@ public abstract class CalibrationFolder
 
         Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
         Assert.That(run.Output, Is.Empty);
-        var lines = run.Errors.TrimEnd().Split('\n');
-        Assert.That(lines, Has.Length.EqualTo(1), run.Errors);
-        return lines[0];
+        Assert.That(run.Complaints, Has.Length.EqualTo(1), run.Errors);
+        return run.Complaints[0];
     }
 }

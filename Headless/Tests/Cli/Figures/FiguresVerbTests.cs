@@ -90,7 +90,7 @@ public partial class FiguresVerbTests
         var run = await CliRun.OfAsync(arguments);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors.TrimEnd().Split('\n'), Has.Length.EqualTo(1), run.Errors);
+        Assert.That(run.Complaints, Has.Length.EqualTo(1), run.Errors);
         Assert.That(run.Errors, Does.Contain(named));
     }
 

@@ -10,7 +10,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
 /// <summary>Runs of 20 s in virtual time whose samples stop once, scored as `headset` does.</summary>
-[Parallelizable]
 public class HeadsetOutageTests
 {
     const int Seed = 3;

@@ -4,7 +4,6 @@ using Spectre.Console;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
-[Parallelizable]
 public class HeadsetTableTests
 {
     static HeadsetResult Result(double skewPpm = 12.34) => new(

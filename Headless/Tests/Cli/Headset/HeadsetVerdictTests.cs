@@ -5,7 +5,6 @@ using Nowpose.Session;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
-[Parallelizable]
 public class HeadsetVerdictTests
 {
     const double FramesPerSecond = 60;

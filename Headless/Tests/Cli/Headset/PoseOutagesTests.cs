@@ -3,7 +3,6 @@ using Nowpose.Cli.Headset;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
-[Parallelizable]
 public class PoseOutagesTests
 {
     readonly List<string> _lines = [];

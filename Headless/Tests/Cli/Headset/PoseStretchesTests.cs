@@ -4,7 +4,6 @@ using Nowpose.Session;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
-[Parallelizable]
 public class PoseStretchesTests
 {
     const double FramesPerSecond = 60;

@@ -7,7 +7,6 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
 /// <summary>Over real sockets: the gateway serves the clock of the control system that an adapter tells.</summary>
-[Parallelizable]
 public class PlantTimeTests
 {
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(900_000);

@@ -5,7 +5,6 @@ using Nowpose.Sync;
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
 /// <summary>In virtual time: two clocks of one control system against a counter, each with a rate of its own.</summary>
-[Parallelizable]
 public class ServedClockTests
 {
     static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(0.4);

@@ -8,7 +8,6 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
 /// <summary>Over real sockets: the system clock is stepped while a source publishes samples that are stamped with system time.</summary>
-[Parallelizable]
 public class SystemClockStepTests
 {
     static readonly TimeSpan Acquisition = TimeSpan.FromMilliseconds(70);

@@ -259,7 +259,7 @@ public class ConfigurationTests
     [Test]
     public async Task Example_IsGood()
     {
-        var example = File.ReadAllText(Path.Combine(Repository.RepositoryFiles.Root, "Gateway", "Packaging", "gateway.yaml"));
+        var example = File.ReadAllText(Path.Combine(RepositoryFiles.Root, "Gateway", "Packaging", "gateway.yaml"));
 
         var (status, _, errors) = await CheckAsync(example, "--ws-port", "0", "--sync-port", "0");
 
@@ -269,7 +269,7 @@ public class ConfigurationTests
     [Test]
     public async Task Example_WithEverythingInIt_IsGoodButForWhatItNames()
     {
-        var example = File.ReadAllText(Path.Combine(Repository.RepositoryFiles.Root, "Gateway", "Packaging", "gateway.yaml"));
+        var example = File.ReadAllText(Path.Combine(RepositoryFiles.Root, "Gateway", "Packaging", "gateway.yaml"));
         var keys = example.Split('\n').Select(line => line.StartsWith("#   - ", StringComparison.Ordinal) || IsKey(line) ? line[2..] : line);
 
         var (_, _, errors) = await CheckAsync(string.Join('\n', keys), "--ws-port", "0", "--sync-port", "0");

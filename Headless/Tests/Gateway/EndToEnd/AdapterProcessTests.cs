@@ -4,13 +4,11 @@ using Nowpose.Gateway;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Status.Events;
-using Nowpose.Headless.Tests.Repository;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
 /// <summary>What a gateway does with the adapters that it starts. The plant is never there: a port on which nobody listens.</summary>
-[Parallelizable]
 public class AdapterProcessTests
 {
     const string Good = """

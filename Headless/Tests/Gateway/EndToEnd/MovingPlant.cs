@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
 using NUnit.Framework;
-using Nowpose.Headless.Tests.Repository;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;

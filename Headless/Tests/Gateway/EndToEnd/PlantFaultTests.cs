@@ -10,7 +10,6 @@ namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 /// Runs an OPC UA server, the gateway with its adapter, and a headset as processes, and reads how they show a joint whose data stops, and a
 /// robot that rests.
 /// </summary>
-[Parallelizable]
 public class PlantFaultTests
 {
     const string Joint = "arm_joint_3";

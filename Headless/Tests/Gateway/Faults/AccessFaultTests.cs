@@ -10,7 +10,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>What lets a headset in ends while it is connected.</summary>
-[Parallelizable]
 public class AccessFaultTests
 {
     readonly ConcurrentQueue<string> _log = [];

@@ -7,7 +7,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>One end dies, or its clock steps.</summary>
-[Parallelizable]
 public class EndFaultTests
 {
     static readonly string[] Joints = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];

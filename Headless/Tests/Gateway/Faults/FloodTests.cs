@@ -12,7 +12,6 @@ namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>Very many connections, fast or slow; a headset that is connected notices nothing.</summary>
 /// <remarks>Alone in the process, whose handles and threads are counted; and nobody else's test has to bear the flood.</remarks>
-[Parallelizable]
 public class FloodTests
 {
     const int Connects = 10_000;

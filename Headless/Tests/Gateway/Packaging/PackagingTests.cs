@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
-using Nowpose.Headless.Tests.Repository;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Packaging;

@@ -8,7 +8,6 @@ namespace Nowpose.Headless.Tests.Gateway.Recording;
 
 /// <summary>A gateway as a service manager runs it: asked to end while messages come, it ends well, and has lost nothing.</summary>
 [Platform(Exclude = "Win")]
-[Parallelizable]
 public class GracefulEndTests
 {
     string _folder;

@@ -12,7 +12,6 @@ using Nowpose.Gateway.Status.Events;
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
 /// <summary>The recordings of a gateway: list, download, and files that are deleted.</summary>
-[Parallelizable]
 public class RecordingsTests
 {
     const string Secret = "not for download";

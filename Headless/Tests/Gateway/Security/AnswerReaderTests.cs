@@ -54,22 +54,25 @@ public class AnswerReaderTests
     // Completes when the gateway has had enough of it.
     static async Task AskAndReadNothingAsync()
     {
+        var isBegun = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         var isEnded = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         await using var web = GatewayWeb.Build(
             Options, new PendingPlaces(new PendingConnections(Options.MaxPendingConnections), new ConnectionCounters(), _ => { }), _ => { },
-            context => AnswerAsync(context, isEnded));
+            context => AnswerAsync(context, isBegun, isEnded));
         await web.StartAsync().Bounded();
         using var reader = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { ReceiveBufferSize = 4096 };
         await reader.ConnectAsync(IPAddress.Loopback, PortOf(web));
 
         await reader.SendAsync(Encoding.ASCII.GetBytes("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"));
 
+        await isBegun.Task.Bounded();
         await isEnded.Task.Bounded();
     }
 
     // Endless: longer than whatever lies between.
-    static async Task AnswerAsync(HttpContext context, TaskCompletionSource isEnded)
+    static async Task AnswerAsync(HttpContext context, TaskCompletionSource isBegun, TaskCompletionSource isEnded)
     {
+        isBegun.SetResult();
         using var aborted = context.RequestAborted.Register(isEnded.SetResult);
         var piece = new byte[Piece];
         while (!context.RequestAborted.IsCancellationRequested)

@@ -8,7 +8,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
 /// <summary>What a client sends is measured before it is kept, decoded or parsed.</summary>
-[Parallelizable]
+[NonParallelizable] // counts what the whole process keeps
 public class LimitTests
 {
     const int Clients = 64;

@@ -11,7 +11,6 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
 /// <summary>Tokens come and go while the gateway runs and connections are open.</summary>
-[Parallelizable]
 public class RevocationTests
 {
     readonly ConcurrentQueue<string> _log = [];

@@ -14,7 +14,6 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
 /// <summary>Faults as a gateway shows them: in its state, in /readyz, in metrics and in the list of events.</summary>
-[Parallelizable]
 public class FaultStatusTests
 {
     readonly List<string> _log = [];

@@ -4,7 +4,6 @@ using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Nowpose.Gateway.Status;
 using Nowpose.Gateway.Status.Events;
-using Nowpose.Headless.Tests.Repository;
 using YamlDotNet.Serialization;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;

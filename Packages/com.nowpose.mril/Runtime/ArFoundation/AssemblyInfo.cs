@@ -4,4 +4,4 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.OpenXR.Anchoring")]
 
 // Only this package's repository has it.
-[assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
+[assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]

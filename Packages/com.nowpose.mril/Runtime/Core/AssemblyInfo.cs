@@ -14,6 +14,7 @@ using System.Runtime.CompilerServices;
 
 // Only this package's repository has it: the same in the studies' simulated conditions.
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
+[assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
 // Only this package's repository has it: it emulates links by the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]

@@ -1,5 +1,0 @@
-namespace Nowpose.Headless.Tests.Engine;
-
-sealed class Derived : HiddenMessages
-{
-}

@@ -1,8 +1,0 @@
-using UnityEngine;
-
-namespace Nowpose.Headless.Tests.Engine;
-
-[DefaultExecutionOrder(-10)]
-sealed class EarlyRecorder : Recorder
-{
-}

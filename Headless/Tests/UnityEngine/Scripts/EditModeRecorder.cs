@@ -1,8 +1,0 @@
-using UnityEngine;
-
-namespace Nowpose.Headless.Tests.Engine;
-
-[ExecuteAlways]
-sealed class EditModeRecorder : Recorder
-{
-}

@@ -1,9 +1,0 @@
-using UnityEngine;
-
-namespace Nowpose.Headless.Tests.Engine;
-
-/// <summary>Has no message for frames, so that Start shows for itself.</summary>
-sealed class Starter : MonoBehaviour
-{
-    void Start() => Journal.Note($"{name}.Start");
-}

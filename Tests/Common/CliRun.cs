@@ -1,0 +1,19 @@
+using System.Text.RegularExpressions;
+using Nowpose.Cli;
+
+namespace Nowpose.Tests.Common;
+
+/// <summary>One run of the command line in this process, with what it printed.</summary>
+sealed record CliRun(int ExitStatus, string Output, string Errors)
+{
+    public static async Task<CliRun> OfAsync(params string[] args)
+    {
+        var (status, output, errors) = await CapturedConsole.OfAsync(() => CommandLine.RunAsync(args));
+        return new CliRun(status, output, errors);
+    }
+
+    public string[] Lines => CapturedConsole.Lines(Output);
+
+    /// <summary>Lines on stderr but for those of progress, which come when the machine is slow.</summary>
+    public string[] Complaints => [.. CapturedConsole.Lines(Errors).Where(line => !Regex.IsMatch(line, @"^\d+ (of \d+ )?pictures$"))];
+}

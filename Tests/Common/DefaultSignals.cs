@@ -1,0 +1,52 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+
+namespace Nowpose.Tests.Common;
+
+/// <summary>Gives the programs that are started meanwhile the default reaction to SIGHUP and SIGINT. On Linux only.</summary>
+/// <remarks>A program that nohup or the background of a script started ignores these signals, and so does every program that it starts.</remarks>
+static class DefaultSignals
+{
+    const nint Default = 0, Ignored = 1;
+
+    static readonly int[] Signals = [1, 2];
+    static readonly Lock Gate = new();
+
+    /// <summary>Lasts until the same thread disposes of what is returned.</summary>
+    public static IDisposable Restore()
+    {
+        Gate.Enter();
+        return new Restored();
+    }
+
+    // A reaction other than Ignored is left alone: signal() cannot put back a handler of the runtime.
+    static int[] FindIgnored()
+    {
+        const string Field = "SigIgn:";
+        if (!OperatingSystem.IsLinux()) return [];
+        var line = File.ReadLines("/proc/self/status").First(line => line.StartsWith(Field, StringComparison.Ordinal));
+        var mask = ulong.Parse(line[Field.Length..].Trim(), NumberStyles.HexNumber, CultureInfo.InvariantCulture);
+        return [.. Signals.Where(signal => (mask >> (signal - 1) & 1) != 0)];
+    }
+
+    [DllImport("libc", EntryPoint = "signal")]
+    static extern nint SetReaction(int signal, nint reaction);
+
+    sealed class Restored : IDisposable
+    {
+        readonly int[] _ignored = FindIgnored();
+
+        public Restored() => Set(Default);
+
+        public void Dispose()
+        {
+            Set(Ignored);
+            Gate.Exit();
+        }
+
+        void Set(nint reaction)
+        {
+            foreach (var signal in _ignored) _ = SetReaction(signal, reaction);
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace Nowpose.Tests.Common;
+
+/// <summary>A TCP server on loopback that treats each connection as a test wants, one after another.</summary>
+sealed class FakeTcpServer : IDisposable
+{
+    readonly TcpListener _listener = new(IPAddress.Loopback, 0);
+    readonly Action<NetworkStream> _serve;
+    int _connections;
+
+    public FakeTcpServer(Action<NetworkStream> serve)
+    {
+        _serve = serve;
+        _listener.Start();
+        new Thread(Serve) { IsBackground = true }.Start();
+    }
+
+    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+
+    /// <summary>Connections accepted so far.</summary>
+    public int Connections => Volatile.Read(ref _connections);
+
+    public void Dispose() => _listener.Stop();
+
+    void Serve()
+    {
+        try
+        {
+            while (true)
+            {
+                using var client = _listener.AcceptTcpClient();
+                Interlocked.Increment(ref _connections);
+                ServeOne(client);
+            }
+        }
+        catch (Exception end) when (end is SocketException or InvalidOperationException)
+        {
+            // Stopped.
+        }
+    }
+
+    void ServeOne(TcpClient client)
+    {
+        try
+        {
+            _serve(client.GetStream());
+        }
+        catch (IOException)
+        {
+            // The client went away; the next one may come.
+        }
+    }
+}

@@ -1,0 +1,15 @@
+namespace Nowpose.Tests.Common;
+
+/// <summary>Time that goes on when a test says so.</summary>
+sealed class SteppedTime : TimeProvider
+{
+    static readonly DateTimeOffset Start = new(2026, 11, 20, 12, 0, 0, TimeSpan.Zero);
+
+    TimeSpan _now;
+
+    public override long TimestampFrequency => TimeSpan.TicksPerSecond;
+    public override DateTimeOffset GetUtcNow() => Start + _now;
+    public override long GetTimestamp() => _now.Ticks;
+
+    public void Advance(TimeSpan by) => _now += by;
+}

@@ -1,0 +1,62 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using Nowpose.Prefabs.Pictures;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Assets;
+
+/// <summary>The manual's pictures of the prefabs, as the tool draws them now.</summary>
+public sealed class ManualPicturesTests
+{
+    static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
+
+    [Test]
+    public void Appearance_OfAHeldPose_IsStripedAndFainterAndHasWords()
+    {
+        var parts = XDocument.Parse(ManualPictures.Appearance(RepositoryFiles.Root)).Root.Elements(Svg + "svg").ToList();
+
+        var opacities = parts.Select(Opacities).ToList();
+        Assert.That(parts, Has.Count.EqualTo(3));
+        Assert.That(opacities[0], Is.EqualTo(new[] { 1.0 }), "a current pose is drawn in full");
+        Assert.That(opacities[1], Is.EqualTo(new[] { 0.4, 1 }), "and the ghost beside it");
+        Assert.That(opacities[2], Is.EqualTo(new[] { 0.09, 0.6, 1 }).Within(1e-9), "a fade leaves 0.6, a stripe 0.15 of that; the arm is in full");
+        Assert.That(parts.Select(part => part.Elements(Svg + "text").SingleOrDefault()?.Value), Is.EqualTo(new[] { null, null, "held" }));
+    }
+
+    static double[] Opacities(XElement part) => [.. part.Elements(Svg + "path")
+        .Select(path => double.Parse(path.Attribute("fill-opacity").Value, CultureInfo.InvariantCulture)).Distinct().Order()];
+
+    [Test]
+    public void Panel_Drawn_HasEachRowAndTheMessageAboveThem()
+    {
+        var texts = XDocument.Parse(ManualPictures.Panel(RepositoryFiles.Root)).Root.Elements(Svg + "text").ToList();
+
+        double HeightOf(string words) => double.Parse(
+            texts.First(t => t.Value.StartsWith(words, StringComparison.Ordinal)).Attribute("y").Value, CultureInfo.InvariantCulture);
+        Assert.That(HeightOf("! joint positions"), Is.LessThan(HeightOf("Pose")));
+        Assert.That(HeightOf("Pose"), Is.LessThan(HeightOf("Base")));
+        Assert.That(HeightOf("Base"), Is.LessThan(HeightOf("Stay")));
+    }
+
+    [Test]
+    public void Stripes_OfThePictures_AreThoseOfTheShader()
+    {
+        var shader = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime/Shaders", ".hlsl").Select(RepositoryFiles.Read)
+            .SingleOrDefault(text => text.Contains("#define NOWPOSE_STRIPE_METRES", StringComparison.Ordinal));
+        Assume.That(shader, Is.Not.Null);
+
+        var metres = Regex.Match(shader, @"#define NOWPOSE_STRIPE_METRES ([\d.]+)").Groups[1].Value;
+        Assert.That(HologramLook.StripeMetres, Is.EqualTo(float.Parse(metres, CultureInfo.InvariantCulture)));
+        Assert.That(shader, Does.Contain("(metres.x + metres.y + metres.z) * 0.70710678").And.Contain("diagonal / (2 * NOWPOSE_STRIPE_METRES)")
+            .And.Contain("(1 - 0.8 * fade) * (1 - 0.85 * hatch * NowposeStripe(metres))"));
+    }
+
+    [TestCase("pose-appearance")]
+    [TestCase("status-panel")]
+    public void Picture_InTheManual_IsOnItsPage(string name)
+    {
+        Assert.That(RepositoryFiles.Read($"{RepositoryFiles.Package}/Documentation~/{name}.md"), Does.Contain($"](images/{name}.svg)"));
+        Assert.That(RepositoryFiles.All, Does.Contain($"{RepositoryFiles.Package}/Documentation~/images/{name}.svg"));
+    }
+}

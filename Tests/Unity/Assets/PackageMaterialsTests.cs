@@ -1,0 +1,96 @@
+using System.Text.RegularExpressions;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Assets;
+
+/// <summary>Prefabs and scenes use materials of the package alone, in an order that hides nothing that should be visible.</summary>
+public sealed class PackageMaterialsTests
+{
+    const string Materials = RepositoryFiles.Package + "/Runtime/Materials/";
+
+    AssetLibrary _library;
+
+    /// <summary>Materials and scenes of the package and of the host project; the stand-ins for other packages' prefabs are theirs.</summary>
+    static IEnumerable<string> Files => RepositoryFiles.All
+        .Where(f => f.StartsWith("Packages/", StringComparison.Ordinal) || f.StartsWith("Assets/", StringComparison.Ordinal))
+        .Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".mat" or ".asset");
+
+    static IEnumerable<string> Hierarchies => Files.Where(f => Path.GetExtension(f) is ".prefab" or ".unity");
+
+    [SetUp]
+    public void SetUp() => _library = new AssetLibrary(RepositoryFiles.Root);
+
+    GameObject[] Roots(string path) =>
+        Path.GetExtension(path) == ".unity" ? _library.LoadScene(path).Roots.ToArray() : [_library.Load<GameObject>(path)];
+
+    IEnumerable<T> All<T>(string path)
+        where T : Component => Roots(path).SelectMany(r => r.GetComponentsInChildren<T>(true));
+
+    Material Load(string name) => _library.Load<Material>(Materials + name + ".mat");
+
+    /// <summary>URP draws the built-in default material (10303) and Standard shader (46) magenta.</summary>
+    [TestCaseSource(nameof(Files))]
+    public void File_BuiltInMaterials_AreNotUsed(string path)
+    {
+        var text = RepositoryFiles.Read(path);
+
+        Assert.That(Regex.Matches(text, @"fileID: 10303\b|fileID: 46, guid: 0000000000000000f"), Is.Empty);
+        Assert.That(Regex.Matches(text, @"guid: 0000000000000000f000000000000000"), Is.Empty, "nothing of Unity's extra resources");
+    }
+
+    [TestCaseSource(nameof(Hierarchies))]
+    public void Renderer_Materials_AreThePackages(string path)
+    {
+        var materials = All<Renderer>(path).SelectMany(r => r.sharedMaterials).ToList();
+
+        Assert.That(materials.Where(m => !m.shader.name.StartsWith("Nowpose/", StringComparison.Ordinal)).Select(m => m.name), Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Hierarchies))]
+    public void TextMesh_Material_IsHiddenByWhatIsBeforeItAndHasTheFontsTexture(string path)
+    {
+        foreach (var text in All<TextMesh>(path))
+        {
+            Assert.That(text.GetComponent<MeshRenderer>().sharedMaterial, Is.SameAs(Load("Text")), text.name);
+            Assert.That(text.GetComponent<FontTexture>(), Is.Not.Null, text.name);
+        }
+        foreach (var renderer in All<Renderer>(path).Where(r => !r.TryGetComponent<TextMesh>(out _)))
+            Assert.That(renderer.sharedMaterial.shader.name, Is.Not.EqualTo("Nowpose/Text"), renderer.name);
+    }
+
+    [TestCaseSource(nameof(Hierarchies))]
+    public void PoseAppearance_Substitute_IsThere(string path)
+    {
+        foreach (var appearance in All<PoseAppearance>(path))
+        {
+            var isGhost = appearance.GetComponent<Ghost>() != null;
+            var substitute = (Material)typeof(PoseAppearance)
+                .GetField("_substitute", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic).GetValue(appearance);
+
+            Assert.That(substitute, Is.SameAs(Load(isGhost ? "Ghost" : "Hologram")), appearance.name);
+            Assert.That(appearance.NeedsSubstitute, Is.False, "the package's own parts can show it themselves");
+        }
+    }
+
+    /// <summary>The ghost writes depth, so it comes after what it must not hide.</summary>
+    [Test]
+    public void Ghost_Queue_IsAfterAllOtherVirtualParts([Values("Hologram", "Arm", "Timestamp", "Text", "Panel", "Solid", "Occluder")] string other)
+    {
+        Assert.That(Load("Ghost").renderQueue, Is.GreaterThan(Load(other).renderQueue));
+    }
+
+    [TestCase("Occluder", 1990)]
+    [TestCase("Solid", 2000)]
+    [TestCase("Panel", 2900)]
+    [TestCase("Hologram", 3000)]
+    [TestCase("Text", 3000)]
+    [TestCase("Ghost", 3100)]
+    public void Material_Queue_IsThatOfTheManual(string name, int queue)
+    {
+        Assert.That(Load(name).renderQueue, Is.EqualTo(queue));
+        Assert.That(RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/shaders.md"), Does.Match($@"`{name}` {queue}|texts {queue}"));
+    }
+}

@@ -1,0 +1,257 @@
+using Nowpose.Latency;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Calibration;
+
+public sealed class LatencyProfileLoaderTests
+{
+    const string FileName = "latency-profile.json";
+
+    PlayedCell _cell;
+    MrilSession _session;
+    LatencyProfileLoader _loader;
+    string _folder;
+
+    [SetUp]
+    public void SetUp()
+    {
+        _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+        _cell = new PlayedCell();
+        _cell.Player.World.Host.PersistentDataPath = Path.Combine(_folder, "saved");
+        _cell.Player.World.Host.StreamingAssetsPath = Path.Combine(_folder, "shipped");
+    }
+
+    [TearDown]
+    public void TearDown()
+    {
+        _cell.Dispose();
+        if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
+    }
+
+    string Saved => Path.Combine(_folder, "saved", FileName);
+    string Shipped => Path.Combine(_folder, "shipped", FileName);
+
+    static LatencyProfile Profile(double visuMs, string device = "Stand-in", double displayHz = 60, double? limitMs = 15) => new(
+        visuMs, 1.1, device, displayHz, new DateTime(2026, 11, 20, 13, 0, 0, DateTimeKind.Utc), CalibrationMethod.VisibleLight, 300, limitMs,
+        RenderTimeSourceKind.DisplayGpuTime);
+
+    void Play(TextAsset shipped = null)
+    {
+        _session = _cell.NewSession();
+        _loader = _session.gameObject.AddComponent<LatencyProfileLoader>().With("_shipped", shipped);
+        _session.gameObject.SetActive(true);
+        _cell.Run(0.1, _session);
+    }
+
+    double VisuMs => _session.Session.Visualisation.Length.TotalMilliseconds;
+
+    [Test]
+    public void Enabled_NoProfileAnywhere_LeavesWhatTheSettingsSayInSilence()
+    {
+        Play();
+
+        Assert.That(VisuMs, Is.EqualTo(40));
+        Assert.That(_loader.Profile, Is.Null);
+        Assert.That(_loader.Problem, Is.Null);
+        Assert.That(_cell.Messages, Has.None.Contains("latency profile"));
+    }
+
+    [Test]
+    public void Enabled_ProfilesEverywhere_TakesTheOneThatWasSavedHere()
+    {
+        LatencyProfileFile.Save(Saved, Profile(51));
+        LatencyProfileFile.Save(Shipped, Profile(52));
+
+        Play(new TextAsset(LatencyProfileJson.Write(Profile(53))));
+
+        Assert.That(VisuMs, Is.EqualTo(51));
+        Assert.That(_loader.From, Is.EqualTo(Saved));
+        Assert.That(_session.Statistics.Profile, Is.SameAs(_loader.Profile));
+        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] latency profile: L_visu 51.0 ms ± 1.1 ms by visible light, 2026-11-20; "
+            + "up to 15.0 ms render time, GPU time by headset; from " + Saved));
+    }
+
+    [Test]
+    public void Enabled_ShippedOnly_TakesTheFileAndElseTheAsset()
+    {
+        LatencyProfileFile.Save(Shipped, Profile(52));
+        Play(new TextAsset(LatencyProfileJson.Write(Profile(53))));
+        var file = VisuMs;
+        File.Delete(Shipped);
+
+        _loader.Reload();
+        _cell.Frame(_session);
+
+        Assert.That(file, Is.EqualTo(52));
+        Assert.That(VisuMs, Is.EqualTo(53));
+    }
+
+    [Test]
+    public void Pause_ANewSessionAfterwards_IsCalibratedBeforeItsFirstFrame()
+    {
+        LatencyProfileFile.Save(Saved, Profile(51));
+        Play();
+        var first = _session.Session;
+
+        _cell.Player.Pause(true);
+        _cell.Run(0.1, _session);
+        _cell.Player.Pause(false);
+        _cell.Frame(_session);
+
+        Assert.That(_session.Session, Is.Not.Null.And.Not.SameAs(first));
+        Assert.That(VisuMs, Is.EqualTo(51));
+        Assert.That(_session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.NoRenderTime), "a limit is known");
+    }
+
+    [Test]
+    public void Enabled_SavedOneIsOfAnotherDevice_IsRefusedInOneLineAndTheNextIsTaken()
+    {
+        LatencyProfileFile.Save(Saved, Profile(51, device: "HoloLens 2"));
+        LatencyProfileFile.Save(Shipped, Profile(52));
+
+        Play();
+
+        Assert.That(VisuMs, Is.EqualTo(52));
+        Assert.That(_loader.Problem, Is.EqualTo(Saved + ": latency profile is of device 'HoloLens 2', this one is 'Stand-in'; calibrate this one"));
+        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + _loader.Problem));
+    }
+
+    [Test]
+    public void Reload_WhatIsThereNowCannotBeUsed_TheLastGoodOneStays()
+    {
+        LatencyProfileFile.Save(Saved, Profile(51));
+        Play();
+        File.WriteAllText(Saved, LatencyProfileJson.Write(Profile(52)).Replace("\"version\": 1", "\"version\": 2", StringComparison.Ordinal));
+
+        _loader.Reload();
+        _cell.Frame(_session);
+
+        Assert.That(VisuMs, Is.EqualTo(51));
+        Assert.That(_loader.Problem, Does.StartWith(Saved + ": latency profile of version 2"));
+    }
+
+    [Test]
+    public void Display_TellsAnotherRateOnceItRuns_TheProfileIsTakenBack()
+    {
+        LatencyProfileFile.Save(Saved, Profile(51));
+        Play();
+        var before = VisuMs;
+
+        _cell.Player.World.Gpu.ConnectDisplay();
+        _cell.Player.World.Gpu.DisplayHz = 90;
+        _cell.Run(2, _session);
+
+        Assert.That(before, Is.EqualTo(51), "not compared while it was not known");
+        Assert.That(VisuMs, Is.EqualTo(40));
+        Assert.That(_loader.Problem, Does.EndWith("latency profile was measured at 60 Hz, this display shows 90 Hz; calibrate at this rate"));
+    }
+
+    [Test]
+    public void Enabled_ProfileOfAnotherGraphicsApi_IsUsedAndWarnedOfOnce()
+    {
+        LatencyProfileFile.Save(Saved, new LatencyProfile(
+            51, 1, new DisplayConditions("Stand-in", 60, "Direct3D12"), DateTime.UtcNow, CalibrationMethod.VisibleLight, 300));
+
+        Play();
+        _cell.Run(3, _session);
+
+        Assert.That(VisuMs, Is.EqualTo(51));
+        Assert.That(_session.Statistics.ProfileMismatches.Single().Field, Is.EqualTo("graphics_api"));
+        Assert.That(_cell.Messages, Has.Exactly(1).EqualTo(
+            "[Nowpose] latency profile was measured with graphics API 'Direct3D12', this device has 'Direct3D11'; calibrate again, or set it back "
+            + "(Project Settings, Player)"));
+    }
+
+    [Test]
+    public void Reprojection_ChangedWhileRunning_IsWarnedOf()
+    {
+        LatencyProfileFile.Save(Saved, new LatencyProfile(
+            51, 1, new DisplayConditions("Stand-in", reprojection: ReprojectionMode.Depth), DateTime.UtcNow, CalibrationMethod.VisibleLight, 300));
+        Play();
+        _session.Reprojection = ReprojectionMode.Depth;
+        _cell.Run(0.1, _session);
+        var before = _session.Statistics.ProfileMismatches.Count;
+
+        _session.Reprojection = ReprojectionMode.None;
+        _cell.Run(0.1, _session);
+
+        Assert.That(before, Is.Zero);
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("reprojection mode 'depth', this device has 'none'"));
+    }
+
+    [Test]
+    public void StreamingAssets_InsideAnArchive_IsSaidOnlyWhereNothingElseIsFound()
+    {
+        _cell.Player.World.Host.StreamingAssetsPath = "jar:file:///data/app/base.apk!/assets";
+        Play();
+        var problem = _loader.Problem;
+
+        LatencyProfileFile.Save(Saved, Profile(51));
+        _loader.Reload();
+
+        Assert.That(problem, Is.EqualTo("latency profile: StreamingAssets is inside the app's archive here, where no file can be opened; assign the "
+            + "profile as a text asset, or copy it to " + Saved));
+        Assert.That(_loader.Problem, Is.Null);
+    }
+
+    [Test]
+    public void Save_Profile_IsUsedAtOnceAndFoundAgain()
+    {
+        Play();
+        var session = _session.Session;
+
+        var isKept = _loader.Save(Profile(47));
+        _cell.Frame(_session);
+
+        Assert.That(isKept);
+        Assert.That(VisuMs, Is.EqualTo(47));
+        Assert.That(_session.Session, Is.SameAs(session));
+        Assert.That(LatencyProfileFile.Load(Saved).Visualisation.Length.TotalMilliseconds, Is.EqualTo(47));
+    }
+
+    [Test]
+    public void Save_CannotBeKept_IsUsedAllTheSameAndSaysSo()
+    {
+        Directory.CreateDirectory(Saved + ".new");
+        Play();
+
+        var isKept = _loader.Save(Profile(47));
+        _cell.Frame(_session);
+
+        Assert.That(isKept, Is.False);
+        Assert.That(_loader.Problem, Does.StartWith(Saved + ": the latency profile cannot be saved: "));
+        Assert.That(_loader.From, Is.EqualTo("a calibration that is not kept"));
+        Assert.That(_cell.Messages, Has.None.EndsWith("; from " + Saved), "nothing is there");
+        Assert.That(VisuMs, Is.EqualTo(47));
+    }
+
+    [Test]
+    public void Save_OfAnotherDevice_IsRefused()
+    {
+        Play();
+
+        Assert.That(_loader.Save(Profile(47, device: "HoloLens 2")), Is.False);
+        _cell.Frame(_session);
+
+        Assert.That(VisuMs, Is.EqualTo(40));
+        Assert.That(File.Exists(Saved), Is.False);
+    }
+
+    [Test]
+    public void Frames_WithAProfile_AllocateNothing()
+    {
+        Play();
+        _cell.Run(11, _session);
+        _loader.enabled = false;
+        _cell.Run(1, _session);
+        var without = _cell.AllocatedIn(() => _cell.Run(3, _session));
+
+        _loader.enabled = true;
+        _cell.Run(11, _session);
+        var allocated = _cell.AllocatedIn(() => _cell.Run(3, _session));
+
+        Assert.That(allocated, Is.EqualTo(without));
+    }
+}

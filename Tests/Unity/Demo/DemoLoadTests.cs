@@ -1,0 +1,77 @@
+using Nowpose.Cli.Demo;
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Demo;
+
+/// <summary>The paper's Fig. 10 on the main job: a load that holds frames back raises the alarm and the error, one that does not neither.</summary>
+public class DemoLoadTests
+{
+    [Test]
+    public void Demo_LoadThatHoldsFramesBack_RaisesTheAlarmOnceAndTheErrorWhileItLasts([Values(1, 2, 3)] int seed)
+    {
+        var run = VirtualDemo.Play(1_500_000, seed);
+
+        var score = new DemoScore(run);
+        var range = score.Result().Range;
+        Assert.That(run.Failure(), Is.Null);
+        Assert.That(range.Alarms, Is.EqualTo(1));
+        Assert.That(range.LeftS, Is.InRange(6.67, 7.0), "the load comes at 6.67 s");
+        Assert.That(range.FoundS, Is.InRange(15, 16), "and goes at 15 s");
+        Assert.That(
+            score.Range.VisualisationMs(isOutside: true), Is.GreaterThan(score.Range.VisualisationMs(isOutside: false) + 15), "frames miss a refresh");
+        Assert.That(score.Range.RmsOutsideMm, Is.GreaterThan(1.5 * score.Range.RmsInTimeMm.Value), "than the same frames in time");
+        Assert.That(WhileLoaded(score, run), Is.GreaterThan(1.5 * WhileLoaded(seed)), "than the same motion without a load");
+    }
+
+    [Test]
+    public void Demo_LoadThatIsRenderedInTime_RaisesNeither([Values(1, 2, 3)] int seed)
+    {
+        var run = VirtualDemo.Play(300_000, seed);
+
+        var score = new DemoScore(run);
+        var range = score.Result().Range;
+        Assert.That(run.Failure(), Is.Null);
+        Assert.That((range.Alarms, range.FramesOutside, range.LeftS), Is.EqualTo((0, 0, (double?)null)));
+        Assert.That(range.LimitRenderMs, Is.Not.Null, "it was watched");
+        Assert.That(run.Frames.Rows[^1].Range, Is.EqualTo(RangeState.Inside));
+        Assert.That(WhileLoaded(score, run), Is.EqualTo(WhileLoaded(seed)).Within(10).Percent, "of the same motion without a load");
+    }
+
+    [Test]
+    public void Demo_FramesThatBeginLate_AreSaidWithHowLate()
+    {
+        var frames = new DemoFrames(0, 4);
+        foreach (var (second, delayMs) in new[] { (2.0, 90), (3.5, 9), (4.0, 8), (4.5, 41) })
+            frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(second), Delay = TimeSpan.FromMilliseconds(delayMs) });
+
+        var (label, value) = new DemoDelayWords(frames).Rows.Single();
+
+        Assert.That(label, Is.EqualTo("frames that began late"));
+        Assert.That(value, Does.StartWith("2 of 3, by up to 41 ms: this machine was busy"));
+    }
+
+    [TestCase(1)]
+    [TestCase(0)]
+    public void Demo_HardlyAnyFrameLate_NothingIsSaid(int late)
+    {
+        var frames = new DemoFrames(0, 200);
+        for (var i = 0; i < 200; i++)
+            frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(4), Delay = TimeSpan.FromMilliseconds(i < late ? 50 : 1) });
+
+        Assert.That(new DemoDelayWords(frames).Rows, Is.Empty);
+    }
+
+    static double WhileLoaded(int seed)
+    {
+        var run = VirtualDemo.Play(null, seed);
+        return WhileLoaded(new DemoScore(run), run);
+    }
+
+    /// <summary>RMS of the tool's error from the load's coming to its going, mm.</summary>
+    static double WhileLoaded(DemoScore score, DemoRun run)
+    {
+        var load = new DemoLoad(1, run.Settings.Seconds);
+        return Math.Sqrt(score.Errors.Where(e => load.VerticesAt(run.Frames.Rows[e.Frame].Elapsed) > 0).Average(e => e.Mm * e.Mm));
+    }
+}

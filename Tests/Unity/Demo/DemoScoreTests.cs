@@ -1,0 +1,165 @@
+using Nowpose.Cli.Demo;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Demo;
+
+/// <summary>The scoring of a run, on frames whose errors are known beforehand: a slider of one joint, 1 m of travel is 1000 mm of error.</summary>
+public class DemoScoreTests
+{
+    const double CycleSeconds = 4;
+    static readonly TimeSpan Converged = TimeSpan.FromSeconds(5);
+
+    static readonly RobotModel Slider = UrdfReader.Read(
+        """
+        <robot name="slider"><link name="base"/><link name="tool0"/>
+        <joint name="s" type="prismatic"><parent link="base"/><child link="tool0"/><axis xyz="1 0 0"/></joint></robot>
+        """, "slider");
+
+    /// <summary>Errors of one frame; the truth stands at 0.</summary>
+    readonly record struct Wrong(double HeldMm, double Mm, double LightMs = 0, double OffsetUs = 0);
+
+    static DemoResult Score(double seconds, Func<double, Wrong> wrongAt, TimeSpan? converged = null, double skewErrorPpm = 0) =>
+        new DemoScore(Run(seconds, wrongAt, converged ?? Converged, skewErrorPpm)).Result();
+
+    static DemoRun Run(double seconds, Func<double, Wrong> wrongAt, TimeSpan converged, double skewErrorPpm = 0, double? nan = null)
+    {
+        var frames = new DemoFrames(1, 100);
+        for (var i = 0; i < (int)(seconds * 60); i++)
+        {
+            var elapsed = TimeSpan.FromSeconds(i / 60.0);
+            var wrong = wrongAt(elapsed.TotalSeconds);
+            var light = new ControlTime(elapsed);
+            var state = elapsed >= converged ? ClockState.Synchronised : ClockState.Converging;
+            // The joints say something else: what counts is where the scene shows the tool.
+            frames.Add([nan ?? 7], [7], new DemoFrames.Row(
+                elapsed, new HeadsetTime(elapsed), light, light + TimeSpan.FromMilliseconds(wrong.LightMs),
+                new ClockModel(default, default, (Truth.SkewPpm + skewErrorPpm) * 1e-6, default, state), PoseState.Current, wrong.OffsetUs,
+                new ToolPosition(wrong.Mm / 1000, 0, 0), new ToolPosition(wrong.HeldMm / 1000, 0, 0),
+                elapsed.TotalSeconds < 3 ? 1000 : 2, elapsed.TotalSeconds < 3 ? 500 : 0));
+        }
+        var settings = new DemoSettings
+        {
+            Seconds = seconds, Robot = Slider, Network = NetworkProfile.Lan, Predictor = "quadratic", VisualisationMs = 40, VisualisationErrorMs = 3,
+        };
+        return new DemoRun(settings, new Truth(), frames, [.. Enumerable.Range(0, 101).Select(ms => TimeSpan.FromMilliseconds(ms))], Statistics());
+    }
+
+    [Test]
+    public void Score_FramesBeforeTheClockConverged_DoNotCount()
+    {
+        var result = Score(10, s => s < 5 ? new Wrong(999, 999, 99, 9999) : new Wrong(10, 2, 1, 50));
+
+        Assert.That(result.ToolErrorMm.HoldMax, Is.EqualTo(10).Within(1e-9));
+        Assert.That(result.ToolErrorMm.Max, Is.EqualTo(2).Within(1e-9));
+        Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(1).Within(1e-4));
+        Assert.That(result.Clock.OffsetErrorUsMax, Is.EqualTo(50).Within(1e-9));
+        Assert.That(result.Clock.ConvergedS, Is.EqualTo(5).Within(0.02));
+        Assert.That(result.Frames, Is.EqualTo(600), "all of them");
+    }
+
+    [Test]
+    public void Score_ClockConvergesAtOnce_FramesOfTheFirstThreeSecondsDoNotCountButTheClockDoes()
+    {
+        var result = Score(10, s => s < 3 ? new Wrong(999, 999, 99, 700) : new Wrong(10, 2, 1, 50), TimeSpan.FromSeconds(1));
+
+        Assert.That(result.ToolErrorMm.HoldMax, Is.EqualTo(10).Within(1e-9));
+        Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(1).Within(1e-4));
+        Assert.That(result.Clock.OffsetErrorUsMax, Is.EqualTo(700), "over all instants after it converged");
+    }
+
+    [Test]
+    public void Score_Reduction_IsOneMinusTheRatioOfTheRms()
+    {
+        // Half the scored frames at 30 and 3 mm, half at 40 and 4.
+        var result = Score(15, s => s < 10 ? new Wrong(30, 3) : new Wrong(40, 4));
+
+        Assert.That(result.ToolErrorMm.HoldRms, Is.EqualTo(Math.Sqrt((900 + 1600) / 2.0)).Within(1e-6));
+        Assert.That(result.ToolErrorMm.Rms, Is.EqualTo(Math.Sqrt((9 + 16) / 2.0)).Within(1e-6));
+        Assert.That(result.ToolErrorMm.Reduction, Is.EqualTo(0.9).Within(1e-9));
+    }
+
+    [Test]
+    public void Score_Percentiles_AreInterpolatedBetweenOrderStatistics()
+    {
+        // 0 to 1 mm and back to the sign, evenly over the 600 scored frames.
+        var result = Score(15, s => new Wrong(1, (s - 5) / 10, -(s - 5) / 10, -(s - 5) * 100));
+
+        Assert.That(result.ToolErrorMm.P95, Is.EqualTo(0.95).Within(2e-3));
+        Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(0.95).Within(2e-3), "of the magnitude");
+        Assert.That(result.Clock.OffsetErrorUsP50, Is.EqualTo(500).Within(2));
+        Assert.That(result.Clock.OffsetErrorUsP95, Is.EqualTo(950).Within(2));
+        Assert.That(result.LatencyMs.AppP50, Is.EqualTo(50));
+        Assert.That(result.LatencyMs.AppP95, Is.EqualTo(95));
+        Assert.That(result.LatencyMs.Visu, Is.EqualTo(40), "the true one");
+    }
+
+    [Test]
+    public void Score_Cycles_FirstIsTheFirstAndRepeatedIsFromTheThirdOn()
+    {
+        // Cycles of 4 s: scored from 5 s, so the first is over; error ratio .5 in the second, .2 in the third, .1 in the fourth.
+        var result = Score(16, s => new Wrong(10, s < 8 ? 5 : s < 12 ? 2 : 1));
+
+        Assert.That(result.ToolErrorMm.ReductionFirstCycle, Is.Null);
+        Assert.That(result.ToolErrorMm.ReductionRepeated, Is.EqualTo(1 - Math.Sqrt((4 + 1) / 2.0) / 10).Within(1e-4));
+
+        result = Score(6, s => new Wrong(10, s < 4 ? 3 : 1), TimeSpan.FromSeconds(1));
+
+        Assert.That(result.ToolErrorMm.ReductionFirstCycle, Is.EqualTo(0.7).Within(1e-9));
+        Assert.That(result.ToolErrorMm.ReductionRepeated, Is.Null);
+    }
+
+    [Test]
+    public void Score_SkewError_IsEstimateMinusTruth()
+    {
+        Assert.That(Score(10, _ => new Wrong(1, 1), skewErrorPpm: 7).Clock.SkewErrorPpm, Is.EqualTo(7).Within(0.05));
+    }
+
+    [Test]
+    public void Score_FrameCost_LeavesOutTheFirstThreeSeconds()
+    {
+        var result = Score(10, _ => new Wrong(1, 1));
+
+        Assert.That(result.Frame.CpuUsP99, Is.EqualTo(2));
+        Assert.That(result.Frame.AllocatedBytesPerFrame, Is.EqualTo(0));
+    }
+
+    [Test]
+    public void Score_NothingConverged_MeasuresNothing()
+    {
+        var result = Score(4, _ => new Wrong(1, 1));
+
+        Assert.That(result.ToolErrorMm.Reduction, Is.Null);
+        Assert.That(result.Clock.ConvergedS, Is.Null);
+        Assert.That(DemoResultJson.Of(result), Does.Contain("\"reduction\": null"));
+    }
+
+    [Test]
+    public void Failure_OfARun_NamesItsCause()
+    {
+        Assert.That(Run(10, _ => new Wrong(1, 1), Converged, nan: double.NaN).Failure(), Does.StartWith("frame 0: moving joint 0"));
+        Assert.That(Run(4, _ => new Wrong(1, 1), Converged).Failure(), Does.Contain("no sample was used"));
+    }
+
+    static SessionStatistics Statistics()
+    {
+        var settings = new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(TimeSpan.FromMilliseconds(40)));
+        using var session = new CompensationSession(settings, Slider, new StopwatchHeadsetClock());
+        return session.Statistics(default);
+    }
+
+    sealed class Truth : IDemoTruth
+    {
+        public const double SkewPpm = -37;
+
+        public ControlTime ControlAt(HeadsetTime t) => new(t.SinceEpoch - TimeSpan.FromTicks((long)(t.SinceEpoch.Ticks * SkewPpm * 1e-6)));
+
+        public void JointsAt(ControlTime t, Span<double> positions) => positions.Clear();
+
+        public int CycleAt(ControlTime t) => (int)(t.SinceEpoch.TotalSeconds / CycleSeconds);
+    }
+}

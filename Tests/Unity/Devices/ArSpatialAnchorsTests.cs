@@ -1,0 +1,226 @@
+using Nowpose.Anchoring;
+using Nowpose.ArFoundation;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.XR.ARFoundation;
+using UnityEngine.XR.ARSubsystems;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Unity.Tests.Devices;
+
+public sealed class ArSpatialAnchorsTests
+{
+    static readonly RigidTransform Place = RigidTransform.FromXyzRpy(1.5, -0.4, 0.8, 0.1, 0.2, 0.3);
+
+    PlayedCell _cell;
+    PlayedOrigin _origin;
+    XRAnchorSubsystem _device;
+    GameObject _object;
+    ArSpatialAnchors _anchors;
+
+    [SetUp]
+    public void SetUp()
+    {
+        _cell = new PlayedCell();
+        _origin = new PlayedOrigin();
+        _device = _origin.Device.Offer<XRAnchorSubsystem>();
+        _object = new GameObject("Anchors");
+        _anchors = _object.AddComponent<ArSpatialAnchors>();
+        Run(0.1);
+    }
+
+    [TearDown]
+    public void TearDown()
+    {
+        _cell.Dispose();
+        _origin.Dispose();
+    }
+
+    void Run(double seconds) => _cell.Run(seconds, null);
+
+    static double Metres(RigidTransform? a, in RigidTransform b)
+    {
+        var apart = a.Value.Inverse * b;
+        return Math.Sqrt(apart.X * apart.X + apart.Y * apart.Y + apart.Z * apart.Z);
+    }
+
+    // The only one that the device holds.
+    TrackableId IdOfTheOnlyOne()
+    {
+        foreach (var anchor in _anchors.Manager.trackables) return anchor.trackableId;
+        return TrackableId.invalidId;
+    }
+
+    [Test]
+    public void Hold_DeviceThatTakesIt_IsHeldThere()
+    {
+        var anchor = _anchors.Hold(Place);
+        var before = anchor.State;
+
+        Run(0.1);
+
+        Assert.That(before, Is.EqualTo(SpatialAnchorState.Pending));
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
+        Assert.That(Metres(anchor.Pose, Place), Is.LessThan(1e-5));
+        Assert.That(anchor.Problem, Is.Null);
+        Assert.That(anchor.KeptAs, Is.Null);
+        Assert.That(_device.Count, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Pose_DeviceCorrectsItsMap_Follows()
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+        var corrected = Place * RigidTransform.FromXyzRpy(0.01, 0.02, 0, 0, 0, 0);
+        var world = UnityPoses.ToWorld(corrected);
+
+        _device.Place(IdOfTheOnlyOne(), _origin.InSession(world.position, world.rotation), TrackingState.Tracking);
+        Run(0.1);
+
+        Assert.That(Metres(anchor.Pose, corrected), Is.LessThan(1e-5));
+    }
+
+    [Test]
+    public void State_DeviceThatLosesItsWay_IsLostWithTheLastPoseAndFoundAgain()
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+        var id = IdOfTheOnlyOne();
+        var world = UnityPoses.ToWorld(Place);
+
+        _device.Place(id, new Pose(Vector3.zero, Quaternion.identity), TrackingState.Limited);
+        Run(0.1);
+        var (lost, pose) = (anchor.State, anchor.Pose);
+        _device.Place(id, _origin.InSession(world.position, world.rotation), TrackingState.Tracking);
+        Run(0.1);
+
+        Assert.That(lost, Is.EqualTo(SpatialAnchorState.Lost));
+        Assert.That(Metres(pose, Place), Is.LessThan(1e-5), "what it was last");
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
+    }
+
+    [Test]
+    public void Hold_DeviceThatTakesNone_FailsAfterAWhileAndSaysSo()
+    {
+        _device.Accepts = false;
+        var anchor = _anchors.Hold(Place);
+        Run(5);
+        var early = anchor.State;
+
+        Run(6);
+
+        Assert.That(early, Is.EqualTo(SpatialAnchorState.Pending));
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
+        Assert.That(anchor.Problem, Is.EqualTo("the device takes no anchor here"));
+    }
+
+    [Test]
+    public void Hold_NewerAnchorThatSwitchesItselfOff_FailsAtOnce()
+    {
+        _device.Accepts = false;
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+
+        Object.FindObjectOfType<ARAnchor>().enabled = false;
+        Run(0.1);
+
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
+    }
+
+    [Test]
+    public void Hold_DeviceWithoutAnchors_FailsWithTheReason()
+    {
+        _origin.Device.Dispose();
+        var manager = _anchors.Manager;
+        manager.enabled = false;
+        manager.enabled = true;
+
+        var anchor = _anchors.Hold(Place);
+        Run(11);
+
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
+        Assert.That(anchor.Problem, Does.Contain("offers none"));
+        Assert.That(_cell.Messages.Count(m => m.Contains("spatial anchors 'Anchors'")), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void State_DeviceDropsTheAnchor_Fails()
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+
+        _device.Remove(IdOfTheOnlyOne());
+        Run(0.1);
+
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
+        Assert.That(anchor.Problem, Is.EqualTo("the device has dropped it"));
+    }
+
+    [Test]
+    public void Dispose_HeldAnchor_LetsTheDeviceGoOfIt()
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+
+        anchor.Dispose();
+        anchor.Dispose();
+        Run(0.1);
+
+        Assert.That(_device.Count, Is.Zero);
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
+        Assert.That(Object.FindObjectOfType<ARAnchor>(), Is.Null);
+    }
+
+    [Test]
+    public void Dispose_BeforeTheDeviceHeardOfIt_NothingIsMade()
+    {
+        _anchors.Hold(Place).Dispose();
+        Run(0.1);
+
+        Assert.That(_device.Count, Is.Zero);
+    }
+
+    [Test]
+    public void OnDestroy_AnchorsAreHeld_TheyFailAndGo()
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+
+        Object.Destroy(_object);
+        Run(0.1);
+
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
+        Assert.That(_device.Count, Is.Zero);
+    }
+
+    [Test]
+    public void Keep_NoStore_SaysSoAndGoesOnHolding()
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+
+        anchor.Keep("cell");
+        Run(0.1);
+
+        Assert.That(_anchors.IsReady, Is.False);
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
+        Assert.That(anchor.KeptAs, Is.Null);
+        Assert.That(anchor.Problem, Does.StartWith("nothing keeps anchors over restarts"));
+        Assert.That(_anchors.Find("cell"), Is.Null);
+    }
+
+    [Test]
+    public void Update_OnceWarm_AllocatesNothing()
+    {
+        var anchor = (ArSpatialAnchor)_anchors.Hold(Place);
+        Run(1);
+
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        for (var i = 0; i < 100; i++) anchor.Follow();
+
+        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+    }
+}

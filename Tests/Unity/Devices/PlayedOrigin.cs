@@ -1,0 +1,31 @@
+using Unity.XR.CoreUtils;
+using UnityEngine;
+using UnityEngine.XR.ARSubsystems;
+
+namespace Nowpose.Unity.Tests.Devices;
+
+/// <summary>A headset on the stand-ins: a camera below an XR Origin that is not where the room's origin is, and what the runtime offers.</summary>
+sealed class PlayedOrigin : IDisposable
+{
+    public PlayedOrigin()
+    {
+        Device = new ArDevice();
+        Origin = new GameObject("XR Origin").AddComponent<XROrigin>();
+        Origin.transform.SetPositionAndRotation(new Vector3(1, 0.5f, -2), Quaternion.Euler(0, 30, 0));
+        Head = new GameObject("Camera") { tag = "MainCamera" }.AddComponent<Camera>().transform;
+        Head.SetParent(Origin.transform, false);
+    }
+
+    public ArDevice Device { get; }
+    public XROrigin Origin { get; }
+    public Transform Head { get; }
+
+    /// <summary>A place in the room as the device has it, in its own space.</summary>
+    public Pose InSession(Vector3 position, Quaternion rotation)
+    {
+        var space = Origin.TrackablesParent;
+        return new Pose(space.InverseTransformPoint(position), Quaternion.Inverse(space.rotation) * rotation);
+    }
+
+    public void Dispose() => Device.Dispose();
+}

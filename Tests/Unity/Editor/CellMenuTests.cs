@@ -1,0 +1,80 @@
+using System.Reflection;
+using Nowpose.Editor;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+public sealed class CellMenuTests : EditorFixture
+{
+    static IEnumerable<TestCaseData> Items => new[]
+    {
+        new TestCaseData("GameObject/Nowpose/Robot Cell", PackageAsset.RobotCell),
+        new TestCaseData("GameObject/Nowpose/Robot Cell UR5", PackageAsset.RobotCellUr5),
+        new TestCaseData("GameObject/Nowpose/Virtual Gripper", PackageAsset.VirtualGripper),
+    };
+
+    [TestCaseSource(nameof(Items))]
+    public void Item_PrefabThere_PlacesAnInstanceUndoablyAndSelectsIt(string item, object of)
+    {
+        var prefab = Put((PackageAsset)of);
+
+        Choose(item);
+
+        var instance = Keep((GameObject)Selection.activeObject);
+        Assert.That(PrefabUtility.GetCorrespondingObjectFromSource(instance), Is.SameAs(prefab));
+        Assert.That(instance.name, Is.EqualTo(prefab.name));
+        Assert.That(Undo.Steps, Is.EqualTo(new[] { "Create " + prefab.name }));
+        Assert.That(Undo.Created, Is.EqualTo(new[] { instance }));
+    }
+
+    [Test]
+    public void Place_WithAContext_PutsItUnderThatObject()
+    {
+        Put(PackageAsset.VirtualGripper);
+        var parent = Keep(new GameObject("parent"));
+        parent.transform.position = new Vector3(1, 2, 3);
+
+        var instance = CellMenu.Place(PackageAsset.VirtualGripper, new MenuCommand(parent));
+
+        Assert.That(instance.transform.parent, Is.SameAs(parent.transform));
+        Assert.That(instance.transform.localPosition, Is.EqualTo(Vector3.zero));
+    }
+
+    [Test]
+    public void Place_PrefabMissing_SaysWhichAndWhatToDo()
+    {
+        using var folder = new ProjectFolder();
+        folder.Write("Packages/manifest.json", "{}");
+        Project.Open(folder.Root);
+        var logs = new List<string>();
+        Application.LogCallback listen = (message, _, type) => logs.Add(type + ": " + message);
+        Application.logMessageReceived += listen;
+        try
+        {
+            Assert.That(CellMenu.Place(PackageAsset.RobotCell, new MenuCommand(null)), Is.Null);
+        }
+        finally
+        {
+            Application.logMessageReceived -= listen;
+        }
+
+        Assert.That(logs, Is.EqualTo(new[]
+        {
+            $"Error: [Nowpose] The prefab 'Nowpose Robot Cell' (GUID {PackageAsset.RobotCell.Guid}) is not in this project; "
+            + "reinstall the package com.nowpose.mril.",
+        }));
+        Assert.That(Undo.Steps, Is.Empty);
+    }
+
+    static void Choose(string item) => typeof(CellMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+        .Single(m => m.GetCustomAttribute<MenuItem>()?.menuItem == item).Invoke(null, new object[] { new MenuCommand(null) });
+
+    GameObject Put(PackageAsset prefab)
+    {
+        var made = Keep(new GameObject(prefab.Name));
+        Project.PutAs(prefab.Guid, prefab.Name + ".prefab", made);
+        return made;
+    }
+}

@@ -1,0 +1,143 @@
+using Nowpose.Gateway.Robots;
+using Nowpose.Unity.Tests;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+/// <summary>What inspectors show and do while nothing plays.</summary>
+public sealed class EditModeInspectorTests : EditorFixture
+{
+    const string BuildButton = "Build 'youBot' here";
+
+    [Test]
+    public void Rig_ButtonClicked_BuildsTheSessionsRobotUndoably()
+    {
+        var rig = NewRig("youbot");
+
+        Click(rig, BuildButton);
+
+        var root = rig.transform.GetChild(0);
+        Assert.That(Undo.Created, Is.EqualTo(new[] { root.gameObject }));
+        Assert.That(Undo.Steps, Is.EqualTo(new[] { "Build youBot" }));
+        rig.Bind(RobotFiles.Load("youbot"));
+        Assert.That(rig.Link(rig.Model.Root.Name), Is.SameAs(root), "it is found, not built again");
+    }
+
+    [Test]
+    public void Rig_BuiltByTheButton_IsNotTakenAwayForAnotherRobot()
+    {
+        var rig = NewRig("youbot");
+        Click(rig, BuildButton);
+        var root = rig.transform.GetChild(0);
+        rig.Bind(RobotFiles.Load("youbot"));
+
+        Assert.That(() => rig.Bind(RobotFiles.Load("ur5")), Throws.Exception);
+
+        Assert.That(root != null);
+    }
+
+    [Test]
+    public void Rig_ButtonClickedTwice_BuildsOnceAndSaysSo()
+    {
+        var rig = NewRig("youbot");
+        Click(rig, BuildButton);
+
+        var editor = Click(rig, BuildButton);
+        editor.OnInspectorGUI();
+
+        Assert.That(Undo.Created, Has.Count.EqualTo(1));
+        Assert.That(rig.transform.childCount, Is.EqualTo(1));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Its links are there already. Delete them to have the robot built anew."));
+    }
+
+    [Test]
+    public void Rig_OnADescriptionThatIsNone_SaysWhatIsWrong()
+    {
+        var rig = NewRig("youbot");
+        rig.GetComponentInParent<MrilSession>().With("_robot", Keep(RobotDescriptionAsset.Create("youBot", "<robot")));
+
+        Click(rig, BuildButton).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts.Any(text => text.Contains("not well-formed XML")), string.Join("\n", GuiRecorder.Texts));
+        Assert.That(Undo.Steps, Is.Empty);
+        Assert.That(rig.transform.childCount, Is.Zero);
+    }
+
+    [Test]
+    public void Rig_WhoseSessionHasNoRobot_HasNoButton()
+    {
+        Inspect(NewRig(null)).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Buttons, Is.Empty);
+    }
+
+    [Test]
+    public void Anchor_Placed_TellsItsPoseInTheTermsOfTheUrdf()
+    {
+        var anchor = NewAnchor();
+        // A quarter turn to the left, seen from above, then the nose 30° up: 3 m forward, 1 m left, 2 m up.
+        anchor.transform.SetPositionAndRotation(new Vector3(-1, 2, 3), Quaternion.Euler(0, -90, 0) * Quaternion.Euler(-30, 0, 0));
+
+        Inspect(anchor).OnInspectorGUI();
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("Base in the room, m: x 3.000   y 1.000   z 2.000"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Turned to the left: 90.0°").And.Contain("Tilted: 30.0°"));
+    }
+
+    [TestCase("x + 5 mm, forward", 0, 0, 0.005f)]
+    [TestCase("x − 5 mm, back", 0, 0, -0.005f)]
+    [TestCase("y + 5 mm, left", -0.005f, 0, 0)]
+    [TestCase("y − 5 mm, right", 0.005f, 0, 0)]
+    [TestCase("z + 5 mm, up", 0, 0.005f, 0)]
+    [TestCase("z − 5 mm, down", 0, -0.005f, 0)]
+    public void Anchor_Nudged_MovesAlongItsOwnAxesUndoably(string button, float x, float y, float z)
+    {
+        var anchor = NewAnchor();
+        var moved = 0;
+        anchor.Moved += () => moved++;
+        anchor.transform.SetPositionAndRotation(new Vector3(1, 2, 3), Quaternion.Euler(0, 40, 0));
+
+        Click(anchor, button);
+
+        var step = Quaternion.Inverse(anchor.transform.rotation) * (anchor.transform.position - new Vector3(1, 2, 3));
+        Assert.That(Vector3.Distance(step, new Vector3(x, y, z)), Is.LessThan(1e-6));
+        Assert.That(Undo.Steps, Is.EqualTo(new[] { "Nudge Anchor" }));
+        Assert.That(moved, Is.EqualTo(1));
+    }
+
+    [TestCase("0.5° to the left", -0.5f)]
+    [TestCase("0.5° to the right", 0.5f)]
+    public void Anchor_Turned_TurnsAboutUp(string button, float degrees)
+    {
+        var anchor = NewAnchor();
+
+        Click(anchor, button);
+
+        Assert.That(anchor.transform.eulerAngles.y, Is.EqualTo((360 + degrees) % 360).Within(1e-3));
+    }
+
+    RobotRig NewRig(string robot)
+    {
+        var session = Keep(new GameObject("Cell")).AddComponent<MrilSession>();
+        if (robot != null) session.With("_robot", Keep(RobotDescriptionAsset.Create("youBot", RobotFiles.LoadText(robot))));
+        var rig = new GameObject("Robot").AddComponent<RobotRig>();
+        rig.transform.SetParent(session.transform);
+        return rig;
+    }
+
+    BaseAnchor NewAnchor() => Keep(new GameObject("Anchor")).AddComponent<BaseAnchor>();
+
+    UnityEditor.Editor Inspect(Component component) => Keep(UnityEditor.Editor.CreateEditor(component));
+
+    UnityEditor.Editor Click(Component component, string button)
+    {
+        var editor = Inspect(component);
+        GuiRecorder.Click = button;
+        editor.OnInspectorGUI();
+        Assert.That(GuiRecorder.Click, Is.Null, "no such button");
+        return editor;
+    }
+}

@@ -1,0 +1,47 @@
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.PackageManager;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+/// <summary>Each test finds the editor as it is in a new project.</summary>
+public abstract class EditorFixture
+{
+    /// <summary>What is destroyed after the test.</summary>
+    protected List<Object> Made { get; } = new();
+
+    [SetUp]
+    public void ResetTheEditor()
+    {
+        GuiRecorder.Clear();
+        PlayerSettings.Reset();
+        EditorUserBuildSettings.Reset();
+        Client.Reset();
+        UnityEditor.PackageManager.PackageInfo.Registered.Clear();
+        EditorApplication.MenuItems.Clear();
+        EditorApplication.Now = 0;
+        EditorApplication.delayCall = null;
+        EditorUtility.Chosen = "";
+        Undo.Clear();
+        PrefabUtility.Recorded.Clear();
+        QualitySettings.renderPipeline = null;
+        Selection.activeObject = null;
+        Project.Open(null);
+    }
+
+    [TearDown]
+    public void DestroyWhatWasMade()
+    {
+        foreach (var made in Made.Where(o => o)) Object.DestroyImmediate(made, true);
+        Made.Clear();
+        Project.Open(null);
+    }
+
+    protected T Keep<T>(T made) where T : Object
+    {
+        Made.Add(made);
+        return made;
+    }
+}

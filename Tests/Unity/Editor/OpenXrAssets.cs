@@ -1,0 +1,63 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+/// <summary>Settings of OpenXR with the serialised fields of com.unity.xr.openxr 1.13, as a new project has them: nothing ticked.</summary>
+static class OpenXrAssets
+{
+    public const string HoloLens = "com.microsoft.openxr.feature.hololens";
+
+    static readonly string[] Features =
+    {
+        "com.microsoft.openxr.feature.appremoting", HoloLens, "com.microsoft.openxr.feature.handtracking",
+        "com.unity.openxr.feature.input.handtracking", "com.unity.openxr.feature.input.eyetracking",
+    };
+
+    /// <summary>Puts them into the project that is open.</summary>
+    public static void Put(Func<ScriptableObject, ScriptableObject> keep, params BuildTargetGroup[] players)
+    {
+        var all = New<OpenXRPackageSettings>(keep);
+        all.Keys = [.. players];
+        all.Values = [.. players.Select(_ => Settings(keep))];
+        Project.Put("Assets/XR/Settings/OpenXR Package Settings.asset", all);
+    }
+
+    static OpenXRSettings Settings(Func<ScriptableObject, ScriptableObject> keep)
+    {
+        var settings = New<OpenXRSettings>(keep);
+        settings.m_renderMode = 0;
+        settings.m_depthSubmissionMode = 2;
+        settings.features = [null, .. Features.Select(id => Feature(keep, id))];
+        return settings;
+    }
+
+    static OpenXRFeature Feature(Func<ScriptableObject, ScriptableObject> keep, string id)
+    {
+        var feature = New<OpenXRFeature>(keep);
+        feature.featureIdInternal = id;
+        feature.m_enabled = false;
+        return feature;
+    }
+
+    static T New<T>(Func<ScriptableObject, ScriptableObject> keep) where T : ScriptableObject => (T)keep(ScriptableObject.CreateInstance<T>());
+
+    public sealed class OpenXRPackageSettings : ScriptableObject
+    {
+        public List<BuildTargetGroup> Keys;
+        public List<OpenXRSettings> Values;
+    }
+
+    public sealed class OpenXRSettings : ScriptableObject
+    {
+        public List<OpenXRFeature> features;
+        public int m_renderMode;
+        public int m_depthSubmissionMode;
+    }
+
+    public sealed class OpenXRFeature : ScriptableObject
+    {
+        public string featureIdInternal;
+        public bool m_enabled;
+    }
+}

@@ -1,0 +1,159 @@
+using System.Reflection;
+using Nowpose.Editor;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.PackageManager;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Editor;
+
+public sealed class SetupWindowTests : EditorFixture
+{
+    SetupWindow _window;
+
+    [SetUp]
+    public void SetUp() => _window = Keep(ScriptableObject.CreateInstance<SetupWindow>());
+
+    [Test]
+    public void Draw_NewProject_SaysWhatIsMissingAndChangesNothing()
+    {
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("15 points are missing for a HoloLens 2."));
+        Assert.That(GuiRecorder.Texts, Does.Contain("✗ Scripting backend is IL2CPP"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("missing: another backend is chosen"));
+        Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
+        Assert.That(Client.Asked, Is.Empty);
+    }
+
+    [Test]
+    public void Click_OnAFix_DoesThatOnly()
+    {
+        GuiRecorder.Click = "Declare WebCam";
+        Send("OnGUI");
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam), Is.False, "done while the window is drawn");
+        EditorApplication.RunDelayed();
+        GuiRecorder.Clear();
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts[2], Is.EqualTo("14 points are missing for a HoloLens 2."));
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Capability WebCam"));
+        Assert.That(GuiRecorder.Buttons, Does.Not.Contain("Declare WebCam"));
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam));
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.InternetClient), Is.False);
+    }
+
+    [Test]
+    public void Focus_AfterAChangeElsewhere_ShowsIt()
+    {
+        PlayerSettings.enableFrameTimingStats = true;
+
+        Send("OnFocus");
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Frame Timing Stats are on"));
+    }
+
+    [Test]
+    public void Click_OnAFixOfAWindowClosedSince_DoesNothing()
+    {
+        GuiRecorder.Click = "Declare WebCam";
+        Send("OnGUI");
+        UnityEngine.Object.DestroyImmediate(_window);
+
+        EditorApplication.RunDelayed();
+
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam), Is.False);
+    }
+
+    [Test]
+    public void Click_OnTheOtherHeadset_ListsWhatThatNeeds()
+    {
+        GuiRecorder.Click = "Android headset (Quest, Magic Leap 2)";
+        Send("OnGUI");
+        Assert.That(GuiRecorder.Texts, Does.Contain("✗ Capability WebCam"), "changed between a layout and its event");
+        EditorApplication.RunDelayed();
+
+        var texts = Draw();
+
+        Assert.That(texts[2], Is.EqualTo("8 points are missing for an Android headset."));
+        Assert.That(texts, Does.Contain("✗ Internet Access is Require"));
+        Assert.That(texts, Has.None.Contains("Capability"));
+        Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64), "choosing what is listed switches nothing");
+    }
+
+    [Test]
+    public void Open_ProjectForAndroid_ListsWhatThatNeeds()
+    {
+        EditorUserBuildSettings.SwitchActiveBuildTarget(UnityEditor.Build.NamedBuildTarget.Android, BuildTarget.Android);
+
+        _window = Keep(ScriptableObject.CreateInstance<SetupWindow>());
+
+        Assert.That(Draw(), Does.Contain("✓ Build target is Android"));
+    }
+
+    [Test]
+    public void Click_OnCheckAgain_ShowsWhatHasChanged()
+    {
+        PlayerSettings.enableFrameTimingStats = true;
+        GuiRecorder.Click = "Check again";
+
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+        Send("OnGUI");
+
+        Assert.That(GuiRecorder.Texts, Does.Contain("✓ Frame Timing Stats are on"));
+    }
+
+    [Test]
+    public void Update_WhileAPackageIsAdded_ShowsItAndThenWhatCameOfIt()
+    {
+        GuiRecorder.Click = "Add com.unity.xr.openxr";
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+        var texts = Draw();
+        Assert.That(texts, Does.Contain("adding com.unity.xr.openxr …"));
+
+        Client.Newest.Fail("offline");
+        Assert.That(Draw(), Is.EqualTo(texts), "changed between a layout and its event");
+        Send("Update");
+
+        Assert.That(Draw(), Does.Contain("com.unity.xr.openxr could not be added: offline"));
+        Assert.That(_window.Repaints, Is.EqualTo(2));
+    }
+
+    [Test]
+    public void Update_NothingNewOfAPackage_DoesNotLookAgain()
+    {
+        GuiRecorder.Click = "Add com.unity.xr.openxr";
+        Send("OnGUI");
+        EditorApplication.RunDelayed();
+        PlayerSettings.enableFrameTimingStats = true;
+
+        for (var tick = 0; tick < 3; tick++) Send("Update");
+
+        Assert.That(Draw(), Does.Not.Contain("✓ Frame Timing Stats are on"));
+        Assert.That(_window.Repaints, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Menu_Opens_TheWindow()
+    {
+        var open = typeof(SetupWindow).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+            .Single(m => m.GetCustomAttribute<MenuItem>()?.menuItem == "Window/Nowpose/Project Setup");
+
+        open.Invoke(null, null);
+
+        Assert.That(_window.Title, Is.EqualTo("Nowpose Setup"));
+    }
+
+    List<string> Draw()
+    {
+        GuiRecorder.Clear();
+        Send("OnGUI");
+        return GuiRecorder.Texts.ToList();
+    }
+
+    void Send(string message) =>
+        typeof(SetupWindow).GetMethod(message, BindingFlags.Instance | BindingFlags.NonPublic).Invoke(_window, null);
+}

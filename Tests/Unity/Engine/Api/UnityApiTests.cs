@@ -1,0 +1,38 @@
+using System.Reflection;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Engine.Api;
+
+/// <summary>
+/// What a stand-in shows to scripts is Unity's, line by line, and no more: else code could compile here and not there. The lists hold the
+/// lines for the members in use, as they were read from Unity's own assemblies; a line is added by copying it from there.
+/// </summary>
+[TestFixture("UnityEngine", "Api/unity-api-used.txt")]
+[TestFixture("UnityEditor", "Api/unity-editor-api-used.txt")]
+[TestFixture("MixedReality.Toolkit", "Api/mrtk3-api-used.txt")]
+[TestFixture("Unity.XR.CoreUtils", "Api/core-utils-api-used.txt")]
+[TestFixture("Unity.XR.ARSubsystems", "Api/ar-subsystems-api-used.txt")]
+[TestFixture("Unity.XR.ARFoundation", "Api/ar-foundation-api-used.txt")]
+[TestFixture("Unity.XR.OpenXR", "Api/openxr-api-used.txt")]
+[TestFixture("Microsoft.MixedReality.OpenXR", "Api/mixed-reality-openxr-api-used.txt")]
+public sealed class UnityApiTests(string assembly, string list)
+{
+    (string Type, string Line)[] _listed = [];
+    (string Type, string Line)[] _made = [];
+
+    [OneTimeSetUp]
+    public void ReadBoth()
+    {
+        _listed = ListedApi.Read(Path.Combine(RepositoryFiles.Root, "Tests/Unity/Engine", list)).ToArray();
+        _made = Assembly.Load(assembly).GetExportedTypes().SelectMany(t => ApiLines.Of(t).Select(l => (TypeLines.Of(t), l))).ToArray();
+    }
+
+    [Test]
+    public void EveryPublicMember_IsUnitys() => Assert.That(_made.Except(_listed), Is.Empty);
+
+    [Test]
+    public void EveryLine_HasItsMember() => Assert.That(_listed.Except(_made), Is.Empty);
+
+    [Test]
+    public void EveryLine_IsInTheOldestUnity() => Assert.That(_listed.Where(l => l.Line.Contains("# not in", StringComparison.Ordinal)), Is.Empty);
+}

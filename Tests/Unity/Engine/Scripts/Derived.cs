@@ -1,0 +1,5 @@
+namespace Nowpose.Unity.Tests.Engine;
+
+sealed class Derived : HiddenMessages
+{
+}

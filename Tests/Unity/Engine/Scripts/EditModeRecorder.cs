@@ -1,0 +1,8 @@
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Engine;
+
+[ExecuteAlways]
+sealed class EditModeRecorder : Recorder
+{
+}

@@ -1,0 +1,9 @@
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Engine;
+
+abstract class HiddenMessages : MonoBehaviour
+{
+    // Private in a base class: Unity calls it all the same.
+    void Update() => Journal.Note("base.Update");
+}

@@ -1,0 +1,25 @@
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Engine;
+
+/// <summary>Notes each message it gets, with its object's name, and does what the test asks for in it.</summary>
+class Recorder : MonoBehaviour
+{
+    public Dictionary<string, Action> On { get; } = [];
+
+    void Awake() => Note("Awake");
+    void OnEnable() => Note("OnEnable");
+    void Start() => Note("Start");
+    void Update() => Note("Update");
+    void LateUpdate() => Note("LateUpdate");
+    void OnDisable() => Note("OnDisable");
+    void OnDestroy() => Note("OnDestroy");
+
+    protected virtual string Label => name;
+
+    void Note(string message)
+    {
+        Journal.Note($"{Label}.{message}");
+        if (On.TryGetValue(message, out var action)) action();
+    }
+}

@@ -1,0 +1,68 @@
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using Nowpose.Editor;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Manual;
+
+/// <summary>What the way to a HoloLens tells people to install and declare is what the package looks for.</summary>
+public sealed partial class DeploymentPageTests
+{
+    static readonly string Page = RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/deploy-hololens2.md");
+
+    static IEnumerable<TestCaseData> Ranges =>
+        from path in RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef")
+        from define in JsonDocument.Parse(RepositoryFiles.Read(path)).RootElement.GetProperty("versionDefines").EnumerateArray()
+        let package = define.GetProperty("name").GetString()
+        let expression = define.GetProperty("expression").GetString()
+        from version in VersionsOf(package)
+        select new TestCaseData(Path.GetFileNameWithoutExtension(path), package, version, expression);
+
+    [TestCaseSource(nameof(Ranges))]
+    public void Version_OnThePage_SwitchesTheAssemblyOn(string assembly, string package, string version, string expression)
+    {
+        Assert.That(Contains(expression, Version.Parse(version)), $"{assembly} wants {package} {expression}");
+    }
+
+    [Test]
+    public void Packages_OfTheDevices_AreNamedWithTheirVersions()
+    {
+        var named = Ranges.Select(r => (string)r.Arguments[1]).Distinct();
+
+        Assert.That(named, Is.SupersetOf(new[] { "com.microsoft.mixedreality.openxr", "com.unity.xr.arfoundation" }));
+    }
+
+    [Test]
+    public void Capabilities_OnThePage_AreThoseOfTheSetupWindow()
+    {
+        var looked = ProjectChecks.ForHoloLens().OfType<CapabilityCheck>().Select(c => c.Title["Capability ".Length..]);
+        var table = Page[Page.IndexOf("| Capability | Why |", StringComparison.Ordinal)..];
+
+        var named = Rows().Matches(table[..table.IndexOf("\n\n", StringComparison.Ordinal)]).Select(row => row.Groups[1].Value).Skip(1);
+
+        Assert.That(named, Is.EquivalentTo(looked));
+    }
+
+    [TestCase("1.9.0", "1.11.2", true)]
+    [TestCase("1.9.0", "1.8.3", false)]
+    [TestCase("[5.0.0,7.0.0-pre)", "5.1.5", true)]
+    [TestCase("[5.0.0,7.0.0-pre)", "7.0.0", false)]
+    [TestCase("[5.0.0,7.0.0-pre)", "4.2.9", false)]
+    public void Range_OfVersions_IsRead(string expression, string version, bool contains)
+    {
+        Assert.That(Contains(expression, Version.Parse(version)), Is.EqualTo(contains));
+    }
+
+    static IEnumerable<string> VersionsOf(string package) =>
+        Regex.Matches(Page, $@"`{Regex.Escape(package)}` (\d+\.\d+\.\d+)").Select(m => m.Groups[1].Value).Distinct();
+
+    // Unity's expressions: a version alone is the least; an upper bound that is a preview leaves its release out, too.
+    static bool Contains(string expression, Version version)
+    {
+        var bounds = expression.Trim('[', ')').Split(',').Select(b => Version.Parse(b.Split('-')[0])).ToArray();
+        return version >= bounds[0] && (bounds.Length == 1 || version < bounds[1]);
+    }
+
+    [GeneratedRegex(@"^\| (\w+) \|", RegexOptions.Multiline)]
+    private static partial Regex Rows();
+}

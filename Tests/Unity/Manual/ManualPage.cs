@@ -1,0 +1,37 @@
+using System.Text.RegularExpressions;
+
+namespace Nowpose.Unity.Tests.Manual;
+
+/// <summary>A page of the package's manual: its tables, by the headings they stand under.</summary>
+sealed partial class ManualPage
+{
+    public const string Folder = RepositoryFiles.Package + "/Documentation~";
+
+    readonly string _text;
+
+    ManualPage(string text) => _text = text;
+
+    public static IEnumerable<string> Names => RepositoryFiles.Under(Folder, ".md").Select(p => Path.GetFileName(p));
+
+    public static ManualPage Read(string name) => new(RepositoryFiles.Read(Folder + "/" + name));
+
+    public static bool Exists(string name) => RepositoryFiles.Exists(Folder + "/" + name);
+
+    public string Title => _text.Split('\n')[0].TrimStart('#', ' ');
+
+    /// <summary>Pages that this one links to, by name.</summary>
+    public IReadOnlyList<string> Linked => Links().Matches(_text).Select(m => m.Groups[1].Value).Distinct().ToList();
+
+    /// <summary>Rows of the first table below a heading, without its head; a cell is trimmed. Empty where there is none.</summary>
+    public IReadOnlyList<string[]> TableUnder(string heading)
+    {
+        var lines = _text.Split('\n').SkipWhile(l => l.Trim() != "## " + heading).Skip(1)
+            .TakeWhile(l => !l.StartsWith("## ", StringComparison.Ordinal));
+        return lines.SkipWhile(l => !l.StartsWith('|')).TakeWhile(l => l.StartsWith('|')).Skip(2)
+            .Select(l => l.Trim().Trim('|').Split('|').Select(c => c.Trim()).ToArray())
+            .ToList();
+    }
+
+    [GeneratedRegex(@"\]\(([\w-]+\.md)(?:#[^)]*)?\)")]
+    private static partial Regex Links();
+}

@@ -1,0 +1,97 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Manual;
+
+/// <summary>What the manual says of fields and members is what the components have.</summary>
+public sealed partial class ManualTests
+{
+    const string Index = "index.md";
+
+    static IEnumerable<Type> Types => InspectedType.All;
+
+    [TestCaseSource(nameof(Types))]
+    public void Type_OfThePackage_HasAMenuEntryAndAPageOfItsName(Type type)
+    {
+        var inspected = new InspectedType(type);
+
+        Assert.That(inspected.Title, Is.Not.Null, "no menu entry below Nowpose/");
+        Assert.That(ManualPage.Exists(inspected.PageName), inspected.PageName + " is missing");
+        Assert.That(ManualPage.Read(inspected.PageName).Title, Is.EqualTo(inspected.Title).IgnoreCase);
+    }
+
+    [TestCaseSource(nameof(Types))]
+    public void Page_Fields_AreThoseOfTheInspectorInItsOrder(Type type)
+    {
+        var inspected = new InspectedType(type);
+
+        var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields");
+
+        Assert.That(rows.Select(r => r[0]), Is.EqualTo(inspected.Fields.Select(f => f.Label)));
+    }
+
+    [TestCaseSource(nameof(Types))]
+    public void Page_Defaults_AreThoseOfANewOne(Type type)
+    {
+        var inspected = new InspectedType(type);
+        var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields").ToDictionary(r => r[0]);
+
+        // A unit may follow.
+        var wrong = inspected.Fields.Where(f => !(rows[f.Label][1] + " ").StartsWith(f.Default + " ", StringComparison.Ordinal));
+
+        Assert.That(wrong.Select(f => f.Label + ": " + rows[f.Label][1] + " is " + f.Default), Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Types))]
+    public void Page_Ranges_AreThoseOfTheSliders(Type type)
+    {
+        var inspected = new InspectedType(type);
+        var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields").ToDictionary(r => r[0]);
+
+        foreach (var field in inspected.Fields.Where(f => f.Range != null))
+            Assert.That(
+                rows[field.Label][2], Does.StartWith(string.Format(CultureInfo.InvariantCulture, "{0} to {1}", field.Range.min, field.Range.max)),
+                field.Label);
+    }
+
+    [TestCaseSource(nameof(Types))]
+    public void Page_EveryField_SaysWhatItIsFor(Type type)
+    {
+        var rows = ManualPage.Read(new InspectedType(type).PageName).TableUnder("Fields");
+
+        Assert.That(rows.Where(r => r.Length != 4 || r.Any(c => c.Length == 0)).Select(r => string.Join(" | ", r)), Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Types))]
+    public void Page_Members_AreThoseOfTheClass(Type type)
+    {
+        var inspected = new InspectedType(type);
+
+        var rows = ManualPage.Read(inspected.PageName).TableUnder("For scripts");
+
+        Assert.That(rows.Select(r => Member().Match(r[0]).Groups[1].Value), Is.EquivalentTo(inspected.Members));
+    }
+
+    [Test]
+    public void Index_Links_ReachEveryPage()
+    {
+        var pages = ManualPage.Names.Where(n => n != Index);
+
+        Assert.That(ManualPage.Read(Index).Linked, Is.SupersetOf(pages));
+    }
+
+    [TestCase("_visualisationMs", "Visualisation Ms")]
+    [TestCase("_webSocketPort", "Web Socket Port")]
+    [TestCase("m_URDFText", "URDF Text")]
+    [TestCase("GpuCompletion", "Gpu Completion")]
+    [TestCase("joint", "Joint")]
+    public void Label_OfAName_IsWhatUnityMakes(string name, string label)
+    {
+        Assert.That(InspectedType.Label(name), Is.EqualTo(label));
+    }
+
+    /// <summary>`event Shown`, `Connect()`, `Settings {get; set;}`: the name.</summary>
+    [GeneratedRegex(@"^`(?:event |static |const )*(\w+)")]
+    private static partial Regex Member();
+}

@@ -1,0 +1,63 @@
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Manual;
+
+/// <summary>The block that a user pastes into Packages/manifest.json: nothing resolves where it is wrong.</summary>
+public sealed partial class ReadmeManifestTests
+{
+    const string ModulePrefix = "com.unity.modules.";
+
+    static readonly JsonElement Block = Parse(Blocks().Match(RepositoryFiles.Read(RepositoryFiles.Package + "/README.md")).Groups[1].Value);
+    static readonly JsonElement Package = Parse(RepositoryFiles.Read(RepositoryFiles.Package + "/package.json"));
+    static readonly JsonElement Project = Parse(RepositoryFiles.Read("Packages/manifest.json"));
+
+    [Test]
+    public void Block_Package_IsTheFolderOfThisRepositoryAtItsVersion()
+    {
+        var url = Block.GetProperty("dependencies").GetProperty(Package.GetProperty("name").GetString()).GetString();
+
+        Assert.That(url, Is.EqualTo(
+            "https://github.com/OWNER/nowpose.git?path=/" + RepositoryFiles.Package + "#v" + Package.GetProperty("version").GetString()));
+    }
+
+    [Test]
+    public void Block_Dependencies_AreThePackagesOwnAtItsVersions()
+    {
+        var own = Package.GetProperty("name").GetString();
+
+        var named = Dependencies(Block).Where(d => !d.StartsWith(own + " ", StringComparison.Ordinal));
+
+        // Modules are part of every Unity: a package that names them switches them on.
+        Assert.That(named, Is.EquivalentTo(Dependencies(Package).Where(d => !d.StartsWith(ModulePrefix, StringComparison.Ordinal))));
+    }
+
+    [Test]
+    public void Block_Registries_AreThoseOfTheProject()
+    {
+        Assert.That(Registries(Block), Is.EquivalentTo(Registries(Project)));
+    }
+
+    [Test]
+    public void Block_DependenciesOutsideUnity_HaveARegistry()
+    {
+        var scopes = Block.GetProperty("scopedRegistries").EnumerateArray()
+            .SelectMany(r => r.GetProperty("scopes").EnumerateArray()).Select(s => s.GetString()).ToList();
+
+        var foreign = Dependencies(Package).Where(d => !d.StartsWith("com.unity.", StringComparison.Ordinal));
+
+        Assert.That(foreign.Where(d => !scopes.Any(s => d.StartsWith(s + ".", StringComparison.Ordinal))), Is.Empty);
+    }
+
+    static IEnumerable<string> Dependencies(JsonElement manifest) =>
+        manifest.GetProperty("dependencies").EnumerateObject().Select(d => d.Name + " " + d.Value.GetString());
+
+    static IEnumerable<string> Registries(JsonElement manifest) =>
+        manifest.GetProperty("scopedRegistries").EnumerateArray().Select(r => Regex.Replace(r.GetRawText(), @"\s", ""));
+
+    static JsonElement Parse(string json) => JsonDocument.Parse(json).RootElement;
+
+    [GeneratedRegex(@"```json\r?\n(.*?)```", RegexOptions.Singleline)]
+    private static partial Regex Blocks();
+}

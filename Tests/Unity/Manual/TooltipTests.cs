@@ -1,0 +1,56 @@
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Manual;
+
+/// <summary>Whoever fills in a component is told at every field what it is for and in which unit.</summary>
+public sealed partial class TooltipTests
+{
+    // In which a number, or three of them, may be given; a port is a name.
+    static readonly Dictionary<string, string> Units = new()
+    {
+        ["Ms"] = "ms", ["Seconds"] = "seconds", ["Metres"] = "metres", ["Degrees"] = "degrees", ["Port"] = "port",
+        ["Megabytes"] = "MB", ["Percent"] = "percent", ["Radians"] = "radians",
+        ["Vertices"] = "vertices", ["Steps"] = "steps",
+    };
+
+    static IEnumerable<Type> Types => InspectedType.All;
+
+    [TestCaseSource(nameof(Types))]
+    public void Field_InTheInspector_HasATooltip(Type type)
+    {
+        var without = new InspectedType(type).Fields.Where(f => string.IsNullOrWhiteSpace(f.Tooltip));
+
+        Assert.That(without.Select(f => f.Label), Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Types))]
+    public void Field_OfAQuantity_HasItsUnitInItsNameAndItsTooltip(Type type)
+    {
+        var wrong = new InspectedType(type).Fields.Where(f => IsQuantity(f.Type) && !NamesItsUnit(f.Label, f.Tooltip));
+
+        Assert.That(wrong.Select(f => f.Label + ": " + f.Tooltip), Is.Empty);
+    }
+
+    [TestCase("Glide Seconds", "Seconds in which it glides.", true)]
+    [TestCase("Glide Seconds", "How long it glides.", false)]
+    [TestCase("Glide Seconds", "Milliseconds in which it glides.", false)]
+    [TestCase("Glide", "Seconds in which it glides.", false)]
+    [TestCase("Visualisation Ms", "L_visu in ms.", true)]
+    [TestCase("Visualisation Ms", "L_visu of displays and forms.", false)]
+    [TestCase("Visualisation Ms", null, false)]
+    public void Unit_IsTakenForNamed_OnlyWhereBothNameIt(string label, string tooltip, bool expected)
+    {
+        Assert.That(NamesItsUnit(label, tooltip), Is.EqualTo(expected));
+    }
+
+    static bool IsQuantity(Type type) =>
+        type == typeof(int) || type == typeof(float) || type == typeof(double) || type == typeof(Vector2) || type == typeof(Vector3);
+
+    static bool NamesItsUnit(string label, string tooltip) => tooltip != null && Word().Matches(label)
+        .Any(word => Units.TryGetValue(word.Value, out var unit) && Regex.IsMatch(tooltip, $@"\b{unit}\b", RegexOptions.IgnoreCase));
+
+    [GeneratedRegex(@"\w+")]
+    private static partial Regex Word();
+}

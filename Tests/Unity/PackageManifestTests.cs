@@ -1,0 +1,96 @@
+using System.Text.Json;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests;
+
+public sealed class PackageManifestTests
+{
+    const string ModulePrefix = "com.unity.modules.";
+
+    static readonly JsonElement Manifest = Json(RepositoryFiles.Package + "/package.json");
+    static readonly JsonElement Project = Json("Packages/manifest.json");
+
+    [TestCase("name", "com.nowpose.mril")]
+    [TestCase("displayName", "Nowpose")]
+    [TestCase("version", "0.1.0")]
+    [TestCase("unity", "2021.3")]
+    [TestCase("license", "MIT")]
+    public void Package_Field_IsAsPublished(string field, string value)
+    {
+        Assert.That(Manifest.GetProperty(field).GetString(), Is.EqualTo(value));
+    }
+
+    [TestCase("documentationUrl", "/Documentation~/index.md")]
+    [TestCase("changelogUrl", "/CHANGELOG.md")]
+    [TestCase("licensesUrl", "/LICENSE.md")]
+    public void Package_Address_IsThatOfAFile(string field, string file)
+    {
+        var address = Manifest.GetProperty(field).GetString();
+
+        Assert.That(address, Does.StartWith("https://github.com/OWNER/nowpose/blob/").And.EndsWith("/" + RepositoryFiles.Package + file));
+        Assert.That(RepositoryFiles.Exists(RepositoryFiles.Package + file));
+    }
+
+    [Test]
+    public void Package_Dependencies_AreTheseAndNoOthers()
+    {
+        var others = Dependencies(Manifest).Where(d => !d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
+
+        Assert.That(others.Select(d => d.Key + " " + d.Value), Is.EquivalentTo(new[]
+        {
+            "com.unity.nuget.newtonsoft-json 3.2.1",
+            "org.nuget.mathnet.numerics 5.0.0",
+        }));
+    }
+
+    [Test]
+    public void Package_ModuleDependencies_AreTheModulesItsSourcesUse()
+    {
+        var declared = Dependencies(Manifest).Where(d => d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
+        // Colliders and canvases: XR Interaction Toolkit, without which that sample is nothing, brings their modules.
+        var used = UnityModules.UsedUnder(RepositoryFiles.Package, RepositoryFiles.Package + "/Samples~/HoloLens 2 (MRTK3)")
+            .Select(m => ModulePrefix + m + " 1.0.0");
+
+        Assert.That(declared.Select(d => d.Key + " " + d.Value), Is.EquivalentTo(used));
+    }
+
+    [Test]
+    public void Package_Samples_Exist()
+    {
+        if (!Manifest.TryGetProperty("samples", out var samples)) return;
+
+        foreach (var sample in samples.EnumerateArray())
+            Assert.That(RepositoryFiles.Exists(RepositoryFiles.Package + "/" + sample.GetProperty("path").GetString()), sample.ToString());
+    }
+
+    [Test]
+    public void Project_Dependencies_HoldThePackagesAtTheSameVersions()
+    {
+        var project = Dependencies(Project);
+
+        foreach (var (name, version) in Dependencies(Manifest))
+            Assert.That(project.GetValueOrDefault(name, version), Is.EqualTo(version), name);
+        Assert.That(project.Keys, Does.Contain("com.unity.test-framework"));
+    }
+
+    [Test]
+    public void Project_ModulesUsedByAssets_AreAvailable()
+    {
+        var available = Dependencies(Project).Keys.Concat(Dependencies(Manifest).Keys);
+
+        Assert.That(UnityModules.UsedUnder("Assets").Select(m => ModulePrefix + m), Is.SubsetOf(available));
+    }
+
+    [Test]
+    public void Project_Testables_ShowThePackagesTests()
+    {
+        Assert.That(Project.GetProperty("testables").EnumerateArray().Select(t => t.GetString()), Does.Contain("com.nowpose.mril"));
+    }
+
+    static Dictionary<string, string> Dependencies(JsonElement manifest)
+    {
+        return manifest.GetProperty("dependencies").EnumerateObject().ToDictionary(d => d.Name, d => d.Value.GetString());
+    }
+
+    static JsonElement Json(string path) => JsonDocument.Parse(RepositoryFiles.Read(path)).RootElement;
+}

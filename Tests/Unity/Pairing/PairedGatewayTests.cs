@@ -1,0 +1,133 @@
+using Nowpose.Network;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace Nowpose.Unity.Tests.Pairing;
+
+/// <summary>The whole set-up: a headset that knows nothing looks at two codes, and is connected over TLS with a token of its own.</summary>
+public class PairedGatewayTests
+{
+    PlayedCell _cell;
+    PairingGateway _gateway;
+    MrilSession _session;
+    CellPairing _pairing;
+    ShownCodes _shown;
+
+    [SetUp]
+    public async Task Start()
+    {
+        _gateway = await PairingGateway.StartAsync();
+        _cell = new PlayedCell();
+        Play();
+    }
+
+    [TearDown]
+    public async Task Stop()
+    {
+        _cell.Dispose();
+        await _gateway.DisposeAsync();
+    }
+
+    void Play()
+    {
+        _session = _cell.NewSession(robot: null);
+        _session.HeadsetClock = new StopwatchHeadsetClock();
+        _pairing = _session.gameObject.AddComponent<CellPairing>()
+            .With("_fileName", Path.Combine(_gateway.Folder, "cells.json")).With("_headsetName", "Anna's");
+        _shown = ShownCodes.Below(_session);
+        _session.gameObject.SetActive(true);
+    }
+
+    void PlayAnew()
+    {
+        UnityEngine.Object.Destroy(_session.gameObject);
+        _cell.Frame(null);
+        Play();
+    }
+
+    Task SoonAsync(Func<bool> condition, string what) => Soon.BecomesAsync(() =>
+    {
+        _shown.Seen = _session.HeadsetClock.Now;
+        _cell.Frame(null);
+        return condition();
+    }, what + ": " + _pairing.Words);
+
+    bool IsConnected => _session.Session is { } session
+        && session.SampleLink.State == LinkState.Connected && session.SyncLink.State == LinkState.Connected;
+
+    async Task PairAsync()
+    {
+        _shown.Texts.Add(_gateway.CellCode().Text);
+        await SoonAsync(() => _pairing.Question != null, "asked");
+        _pairing.Accept();
+        _shown.Texts.Add((await _gateway.ShownAsync()).Text);
+        await SoonAsync(() => IsConnected, "connected");
+    }
+
+    [Test]
+    public async Task TwoCodes_SeenOnce_ConnectTheHeadsetForGood()
+    {
+        var paired = 0;
+        var onPaired = new UnityEvent();
+        onPaired.AddListener(() => paired++);
+        _pairing.With("_onPaired", onPaired);
+
+        await PairAsync();
+
+        Assert.That(paired, Is.EqualTo(1));
+        Assert.That(_session.Settings.Connection.Security, Is.EqualTo(TransportSecurity.Pinned));
+        Assert.That(_pairing.Words, Does.Contain("paired"));
+        Assert.That(_gateway.Log, Has.Some.Contains("'Anna's' was given a token"));
+
+        PlayAnew();
+        await SoonAsync(() => IsConnected, "connected again");
+        Assert.That(_pairing.Question, Is.Null);
+        Assert.That(_gateway.Log.Count(line => line.Contains("was given")), Is.EqualTo(1), "with the token that it had");
+    }
+
+    [Test]
+    public async Task TokenRevoked_AnotherCode_BringsAnotherToken()
+    {
+        await PairAsync();
+        Assert.That(_pairing.Guidance, Is.Null);
+        File.WriteAllText(_gateway.ListPath, "");
+        PlayAnew();
+        await SoonAsync(() => _session.Session?.SampleLink.IsTokenRefused == true && _pairing.Guidance != null, "refused");
+        Assert.That(_pairing.Guidance, Does.Contain("does not accept this headset any more; look at the code"));
+
+        _shown.Texts.Add((await _gateway.ShownAsync()).Text);
+        await SoonAsync(() => IsConnected, "connected");
+
+        Assert.That(_pairing.Problem, Is.Null);
+    }
+
+    [Test]
+    public async Task UsedCode_IsSaidAndTheNextOneWorks()
+    {
+        var used = await _gateway.ShownAsync();
+        await _gateway.ExchangeAsync(used.Token, "another headset");
+        _shown.Texts.Add(_gateway.CellCode().Text);
+        await SoonAsync(() => _pairing.Question != null, "asked");
+        _pairing.Accept();
+
+        _shown.Texts.Add(used.Text);
+        await SoonAsync(() => _pairing.Problem != null, "a problem");
+
+        Assert.That(_pairing.Words, Does.Contain("was used, or is too old"));
+        _shown.Texts.Add((await _gateway.ShownAsync()).Text);
+        await SoonAsync(() => IsConnected, "connected");
+    }
+
+    [Test]
+    public async Task Console_NeverShowsASecret()
+    {
+        var code = await _gateway.ShownAsync();
+
+        await PairAsync();
+
+        var own = _session.Settings.Connection.Token;
+        Assert.That(string.Join('\n', _cell.Messages.Concat(_gateway.Log)), Does.Not.Contain(own).And.Not.Contain(code.Token));
+    }
+}

@@ -1,0 +1,264 @@
+using Nowpose.Latency;
+using Nowpose.Network;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Nowpose.Unity.Tests.Rendering;
+
+public class RenderTimeSourceTests
+{
+    const double FrameMs = 1000 / 60.0;
+
+    PlayedCell _cell;
+    MrilSession _session;
+    RenderTimeSource _source;
+
+    Gpu Gpu => _cell.Player.World.Gpu;
+
+    [SetUp]
+    public void Begin()
+    {
+        _cell = new PlayedCell();
+        _session = _cell.NewSession(settings: new SessionSettings(
+            new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40),
+            range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime)));
+        _source = _session.gameObject.AddComponent<RenderTimeSource>();
+        new GameObject("Camera").AddComponent<Camera>();
+    }
+
+    [TearDown]
+    public void End() => _cell.Dispose();
+
+    void Play(double seconds)
+    {
+        _session.gameObject.SetActive(true);
+        Run(seconds);
+    }
+
+    void Run(double seconds) => _cell.Run(seconds, _session);
+
+    void DisplayTakes(float? seconds)
+    {
+        Gpu.ConnectDisplay();
+        Gpu.DisplayGpuTime = seconds;
+    }
+
+    void EngineTakes(double ms)
+    {
+        Gpu.FrameTimings.Clear();
+        Gpu.FrameTimings.Add(new FrameTiming { gpuFrameTime = ms });
+    }
+
+    IEnumerable<string> Said() => _cell.Player.Logs.Select(l => l.Message).Where(m => m.StartsWith("[Nowpose] render time: ")).Select(m => m[23..]);
+
+    [Test]
+    public void LateUpdate_AllSourcesThere_TakesTheHeadsetsGpuTime()
+    {
+        DisplayTakes(0.009f);
+        EngineTakes(11);
+        Gpu.ReadbackFrames = 1;
+
+        Play(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
+        Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
+        Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
+        Assert.That(Said(), Is.EqualTo(new[] { "GPU time by headset" }), "once");
+        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "nobody needs them");
+    }
+
+    [TestCase(null)]
+    [TestCase(0f)]
+    [TestCase(float.NaN)]
+    [TestCase(12f)]
+    public void LateUpdate_HeadsetTellsNothingUseful_TakesTheEnginesGpuTime(float? seconds)
+    {
+        DisplayTakes(seconds);
+        EngineTakes(11);
+
+        Play(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(11).Within(1e-3));
+        Assert.That(_session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource), "the limit was found with the headset's");
+        Assert.That(Said(), Is.EqualTo(new[] { "GPU time by Unity" }));
+    }
+
+    [TestCase(1)]
+    [TestCase(3)]
+    public void LateUpdate_NoGpuTimes_MeasuresFromTriggerToCompletion(int framesUntilDone)
+    {
+        EngineTakes(0);
+        Gpu.ReadbackFrames = framesUntilDone;
+
+        Play(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+        Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * framesUntilDone).Within(0.01));
+        Assert.That(_session.Statistics.RangeDoubt, Is.EqualTo(RangeDoubt.OtherSource), "the limit was found with the GPU's time");
+        Assert.That(Said(), Is.EqualTo(new[] { "trigger to GPU done" }));
+    }
+
+    [Test]
+    public void LateUpdate_SlowGpu_HasFewReadbacksInFlight()
+    {
+        Gpu.ReadbackFrames = 20;
+
+        Play(4);
+
+        Assert.That(Gpu.PendingReadbacks, Is.LessThanOrEqualTo(4));
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+        Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * 20).Within(0.01));
+    }
+
+    [TestCase(-1, false)]
+    [TestCase(1, true)]
+    public void LateUpdate_NoReadbacksEither_TakesTheProcessorsTimeAndSaysUnverified(int readbackFrames, bool fail)
+    {
+        Gpu.ReadbackFrames = readbackFrames;
+        Gpu.ReadbacksFail = fail;
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(2);
+
+        Play(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.CameraCpu));
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "from before the camera to after it");
+        Assert.That(Said(), Is.EqualTo(new[] { "camera CPU, unverified" }));
+    }
+
+    [Test]
+    public void LateUpdate_SeveralCameras_AreTakenTogether()
+    {
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
+        new GameObject("second").AddComponent<Camera>();
+        new GameObject("third").AddComponent<Camera>();
+
+        Play(2);
+
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(5).Within(1e-3));
+    }
+
+    [Test]
+    public void LateUpdate_NothingMeasures_IsNone()
+    {
+        _cell.Clock.Step = TimeSpan.Zero;
+
+        Play(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None), "the clock stands still while the camera renders");
+        Assert.That(_source.RenderTime, Is.Null);
+        Assert.That(Said(), Is.Empty);
+    }
+
+    [Test]
+    public void LateUpdate_GpuTimesFallSilent_TheNextBestTakesOverAndItIsSaidOnce()
+    {
+        DisplayTakes(0.02f);
+        Gpu.ReadbackFrames = 1;
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
+        Play(10);
+        var before = _session.Statistics.Range;
+
+        Gpu.DisplayGpuTime = null;
+        Run(0.4);
+        var soon = _source.Source;
+        Run(2);
+
+        Assert.That(before, Is.EqualTo(RangeState.Outside));
+        Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime), "a few silent frames are none of its end");
+        Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
+        Assert.That(Said().First(), Is.EqualTo("GPU time by headset"));
+        Assert.That(Said().Last(), Is.EqualTo("trigger to GPU done"));
+        Assert.That(Said(), Has.None.Contains("CPU"), "a better one was on its way");
+        Assert.That(Said().Count(), Is.LessThanOrEqualTo(3));
+    }
+
+    [Test]
+    public void LateUpdate_LoadBeyondTheLimit_PoseIsNotCurrent()
+    {
+        DisplayTakes(0.01f);
+        Play(10);
+        var before = _session.Frame.State;
+
+        DisplayTakes(0.02f);
+        Run(0.2);
+
+        Assert.That(before, Is.EqualTo(Nowpose.Session.PoseState.Current));
+        Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.OutsideRange));
+    }
+
+    [Test]
+    public void OnDisable_WhileMeasuring_TellsTheSessionThatNothingMeasures()
+    {
+        DisplayTakes(0.02f);
+        Play(2);
+        var before = _session.Statistics.Range;
+
+        _source.enabled = false;
+        Run(0.1);
+
+        Assert.That(before, Is.EqualTo(RangeState.Outside));
+        Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
+        Assert.That(_session.Statistics.RenderTime, Is.Null);
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.None));
+    }
+
+    [Test]
+    public void OnEnable_Again_MeasuresAgain()
+    {
+        Gpu.ReadbackFrames = 2;
+        Play(2);
+
+        for (var i = 0; i < 5; i++)
+        {
+            _source.enabled = false;
+            _cell.Frame(_session);
+            _source.enabled = true;
+            _cell.Frame(_session);
+        }
+        Run(2);
+
+        Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
+        Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * 2).Within(0.01));
+    }
+
+    [Test]
+    public void OnDestroy_AtAnyFrame_LeavesNothingBehind([Values] bool byObject, [Values(0, 1, 7, 45)] int frames)
+    {
+        Gpu.ReadbackFrames = 3;
+        _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
+        var objects = _cell.Player.ObjectCount;
+        var other = new GameObject("Other");
+        other.AddComponent<RenderTimeSource>();
+        for (var i = 0; i < frames; i++) _cell.Frame(_session);
+
+        UnityEngine.Object.Destroy(byObject ? other : other.GetComponent<RenderTimeSource>());
+        Run(0.2);
+        if (!byObject) UnityEngine.Object.Destroy(other);
+        Run(0.2);
+
+        Assert.That(_cell.Player.SubscriberCount, Is.EqualTo(0));
+        Assert.That(_cell.Player.ObjectCount, Is.EqualTo(objects));
+        Assert.That(_cell.Player.Logs.Where(l => l.Exception != null), Is.Empty);
+    }
+
+    [Test]
+    public void Tell_SessionBeginsAnewAfterAPause_HearsOfRenderTimesAgain()
+    {
+        DisplayTakes(0.02f);
+        Play(2);
+
+        _cell.Player.Pause(true);
+        Run(0.1);
+        var whilePaused = _session.Session;
+        _cell.Player.Pause(false);
+        Run(0.5);
+
+        Assert.That(whilePaused, Is.Null);
+        Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Outside));
+    }
+}

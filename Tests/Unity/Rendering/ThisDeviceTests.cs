@@ -1,0 +1,96 @@
+using Nowpose.Latency;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Nowpose.Unity.Tests.Rendering;
+
+public sealed class ThisDeviceTests
+{
+    PlayedCell _cell;
+
+    [SetUp]
+    public void SetUp() => _cell = new PlayedCell();
+
+    [TearDown]
+    public void TearDown() => _cell.Dispose();
+
+    sealed class SomePipelineAsset : RenderPipelineAsset
+    {
+    }
+
+    enum Optimization
+    {
+        PrioritizeRendering,
+        PrioritizeInputPolling,
+    }
+
+    sealed class SettingsWithProperty
+    {
+        public static SettingsWithProperty Instance { get; } = new();
+
+        public Optimization latencyOptimization => Optimization.PrioritizeInputPolling;
+    }
+
+    // As stripping leaves it.
+    sealed class SettingsWithField
+    {
+#pragma warning disable CS0414
+        readonly Optimization m_latencyOptimization = Optimization.PrioritizeInputPolling;
+#pragma warning restore CS0414
+
+        public static SettingsWithField Instance { get; } = new();
+    }
+
+    sealed class SettingsWithoutNativeLibrary
+    {
+        public static SettingsWithoutNativeLibrary Instance { get; } = new();
+
+        public Optimization latencyOptimization => throw new DllNotFoundException("UnityOpenXR");
+    }
+
+    // Before version 1.15.
+    sealed class SettingsWithout
+    {
+        public static SettingsWithout Instance { get; } = new();
+    }
+
+    [Test]
+    public void Conditions_NoDisplayAndNoOpenXr_AreUnknownThere()
+    {
+        Assert.That(ThisDevice.Conditions, Is.EqualTo(
+            new DisplayConditions("Stand-in", null, "Direct3D11", "MultiThreaded", "built-in")));
+    }
+
+    [Test]
+    public void Conditions_PlayerWithAnotherSetup_AreRead()
+    {
+        var gpu = _cell.Player.World.Gpu;
+        gpu.ConnectDisplay();
+        gpu.DisplayHz = 72;
+        gpu.Api = GraphicsDeviceType.Vulkan;
+        gpu.Threading = RenderingThreadingMode.NativeGraphicsJobs;
+        gpu.RenderPipeline = ScriptableObject.CreateInstance<SomePipelineAsset>();
+
+        Assert.That(ThisDevice.Conditions, Is.EqualTo(new DisplayConditions("Stand-in", 72, "Vulkan", "NativeGraphicsJobs", "SomePipelineAsset")));
+    }
+
+    [Test]
+    public void OneLine_NameThatNoProfileMayHave_IsMadeUsable()
+    {
+        var name = ThisDevice.OneLine("PC\n" + new string('x', 200));
+
+        Assert.That(new DisplayConditions(name).Device, Is.EqualTo("PC " + new string('x', 125)));
+    }
+
+    [TestCase(typeof(SettingsWithProperty), "PrioritizeInputPolling")]
+    [TestCase(typeof(SettingsWithField), "PrioritizeInputPolling")]
+    [TestCase(typeof(SettingsWithout), null)]
+    [TestCase(typeof(SettingsWithoutNativeLibrary), null)]
+    [TestCase(null, null)]
+    public void LatencyOptimizationOf_SettingsOfAVersion_IsReadOrUnknown(Type settings, string expected)
+    {
+        Assert.That(OpenXrRenderSettings.LatencyOptimizationOf(settings), Is.EqualTo(expected));
+    }
+}

@@ -1,0 +1,157 @@
+using Nowpose.Anchoring;
+using Nowpose.Samples;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.InputSystem;
+
+namespace Nowpose.Unity.Tests.Samples;
+
+/// <summary>The scene as it is imported; a test is the headset and its controllers.</summary>
+public sealed class AnyOpenXrHeadsetTests
+{
+    const string Scene = "Packages/com.nowpose.mril/Samples~/Any OpenXR headset/Any OpenXR headset.unity";
+    const string Hand = "<XRController>{RightHand}/device", Grip = "<XRController>{RightHand}/{GripButton}";
+
+    PlayedCell _cell;
+    MrilSession _session;
+
+    [SetUp]
+    public void Begin()
+    {
+        Controls.Clear();
+        _cell = new PlayedCell(new AssetLibrary(RepositoryFiles.Root));
+        _cell.Player.LoadScene(Scene, roots =>
+        {
+            _session = roots.SelectMany(root => root.GetComponents<MrilSession>()).Single().With("_connectOnEnable", false);
+            _session.HeadsetClock = _cell.Clock;
+        });
+        Run(0.1);
+    }
+
+    [TearDown]
+    public void End()
+    {
+        _cell.Dispose();
+        Controls.Clear();
+    }
+
+    void Run(double seconds) => _cell.Run(seconds, _session);
+
+    void Press(string path)
+    {
+        Controls.Set(path, true);
+        Run(0.1);
+        Controls.Set(path, false);
+        Run(0.1);
+    }
+
+    static void MoveHand(Vector3 position, Quaternion rotation)
+    {
+        Controls.Set(Hand + "Position", position);
+        Controls.Set(Hand + "Rotation", rotation);
+    }
+
+    CellActions Actions => _session.GetComponent<CellActions>();
+    HandPlacedMarker Marker => _session.GetComponentInChildren<HandPlacedMarker>();
+
+    [Test]
+    public void Scene_Played_SaysNothingWrong()
+    {
+        Run(2);
+
+        Assert.That(_cell.Player.Logs.Where(log => log.Type is LogType.Error or LogType.Exception).Select(log => log.Message), Is.Empty);
+    }
+
+    [Test]
+    public void Head_Moves_TheCameraFollows()
+    {
+        Controls.Set("<XRHMD>/centerEyePosition", new Vector3(0.1f, 1.6f, -0.2f));
+        Controls.Set("<XRHMD>/centerEyeRotation", Quaternion.Euler(10, 20, 0));
+        Run(0.1);
+
+        var camera = _cell.Player.Find<Camera>().transform;
+        Assert.That(camera.position, Is.EqualTo(new Vector3(0.1f, 1.6f, -0.2f)));
+        Assert.That(Quaternion.Angle(camera.rotation, Quaternion.Euler(10, 20, 0)), Is.LessThan(0.1f));
+    }
+
+    [TestCase("<XRController>{LeftHand}/{PrimaryButton}")]
+    [TestCase("<Keyboard>/g")]
+    public void Button_OfTheGhost_TogglesItOncePerPress(string path)
+    {
+        Press(path);
+        Assert.That(Actions.IsGhostShown);
+
+        Press(path);
+        Assert.That(Actions.IsGhostShown, Is.False);
+    }
+
+    [Test]
+    public void Buttons_Others_DoWhatTheyAreFor()
+    {
+        Press("<Keyboard>/c");
+        Press("<XRController>{RightHand}/{SecondaryButton}");
+        Press("<XRController>{LeftHand}/{SecondaryButton}");
+        Press("<XRController>{RightHand}/{Primary2DAxis}/right");
+        Press("<XRController>{RightHand}/{Primary2DAxis}/right");
+        Press("<Keyboard>/downArrow");
+
+        Assert.That(Actions.IsConnecting);
+        Assert.That(Actions.IsPanelShown, Is.False);
+        Assert.That(Actions.IsOcclusionOn, Is.False);
+        Assert.That(Actions.NudgeMs, Is.EqualTo(2));
+        Assert.That(Actions.Opacity, Is.EqualTo(0.9f).Within(1e-6));
+    }
+
+    [Test]
+    public void Grip_Held_CarriesTheMarkerWithTheHand()
+    {
+        var before = Marker.transform.position;
+        MoveHand(new Vector3(0.3f, 1, 0.5f), Quaternion.identity);
+        Controls.Set(Grip, true);
+        Run(0.1);
+        Assert.That(Marker.IsMoving);
+        Assert.That((Marker.transform.position - before).magnitude, Is.LessThan(1e-5f), "it is taken where it is");
+
+        // A quarter to the right about the hand, which goes up by 10 cm.
+        MoveHand(new Vector3(0.3f, 1.1f, 0.5f), Quaternion.Euler(0, 90, 0));
+        Run(0.1);
+        Controls.Set(Grip, false);
+        Run(0.1);
+
+        var arm = before - new Vector3(0.3f, 1, 0.5f);
+        var expected = new Vector3(0.3f, 1.1f, 0.5f) + new Vector3(arm.z, arm.y, -arm.x);
+        Assert.That((Marker.transform.position - expected).magnitude, Is.LessThan(1e-4f));
+        Assert.That(Quaternion.Angle(Marker.transform.rotation, Quaternion.Euler(0, 90, 0)), Is.LessThan(0.1f));
+        Assert.That(Marker.IsMoving, Is.False);
+        var placed = _session.GetComponentInChildren<BaseAnchor>();
+        Assert.That((placed.transform.position - expected).magnitude, Is.LessThan(1e-4f), "the robot's base is where the marker was put");
+        Assert.That(Quaternion.Angle(placed.transform.rotation, Quaternion.Euler(0, 90, 0)), Is.LessThan(0.1f));
+        Assert.That(placed.State, Is.EqualTo(BaseAnchorState.Locked));
+    }
+
+    [Test]
+    public void Grip_HeldByAHandThatIsNotTracked_LeavesTheMarker()
+    {
+        var before = Marker.transform.position;
+        Controls.Set(Grip, true);
+
+        Run(0.2);
+
+        Assert.That(Marker.transform.position, Is.EqualTo(before));
+        Assert.That(Marker.IsMoving, Is.False);
+    }
+
+    [Test]
+    public void Scripts_SwitchedOffWhileCarrying_PutTheMarkerDown()
+    {
+        MoveHand(new Vector3(0.3f, 1, 0.5f), Quaternion.identity);
+        Controls.Set(Grip, true);
+        Run(0.1);
+
+        Marker.GetComponent<CarriedMarker>().enabled = false;
+
+        Assert.That(Marker.IsMoving, Is.False);
+    }
+}

@@ -1,0 +1,103 @@
+using Nowpose.Latency;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Samples;
+
+/// <summary>The scene as it is imported, with a sweep that is shorter, and fed by a test instead of a gateway.</summary>
+public sealed class DisplayCalibrationTests
+{
+    PlayedCell _cell;
+    MrilSession _session;
+    LoadSweep _sweep;
+    string _folder;
+
+    [SetUp]
+    public void Begin()
+    {
+        _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+        _cell = new PlayedCell(new AssetLibrary(RepositoryFiles.Root));
+        _cell.Player.LoadScene("Packages/com.nowpose.mril/Samples~/Display Calibration/Display Calibration.unity", roots =>
+        {
+            _session = roots.SelectMany(root => root.GetComponents<MrilSession>()).Single().With("_connectOnEnable", false);
+            _session.HeadsetClock = _cell.Clock;
+            _sweep = _session.GetComponentInChildren<LoadSweep>(true).With("_folder", _folder)
+                .With("_mostVertices", 300_000).With("_steps", 2).With("_secondsPerLoad", 0.5f).With("_settleSeconds", 0f);
+        });
+    }
+
+    [TearDown]
+    public async Task End()
+    {
+        _cell.Dispose();
+        // What a sweep logged until then is still written, by a thread that no frame waits for.
+        await _sweep.Closed.Bounded();
+        if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
+    }
+
+    void Run(double seconds) => _cell.Run(seconds, _session, () => _cell.Player.World.Gpu.FrameTimings.Clear());
+
+    [Test]
+    public async Task Scene_Played_SweepsByItselfAndLogsWhatItShows()
+    {
+        _cell.Player.World.Gpu.ConnectDisplay();
+        _cell.Player.World.Gpu.DisplayGpuTime = 0.006f;
+        Run(4.5);
+        Assert.That(_session.GetComponentInChildren<TimestampDisplay>().FrameStart, Is.Not.Null);
+        Run(8);
+        await Soon.BecomesAsync(
+            () =>
+            {
+                _cell.Frame(_session);
+                return _sweep.Verdict != null;
+            },
+            "the sweep is judged");
+
+        var rows = SweepLogReader.Read(_sweep.Path);
+        Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.SupersetOf(new[] { 0, 150_000, 300_000 }));
+        Assert.That(_sweep.Verdict.Words, Does.StartWith("this source cannot see load"), "its GPU is as fast with any");
+        Assert.That(WordsOf(_sweep), Is.EqualTo(_sweep.Words));
+        Assert.That(_cell.Player.Logs.Where(log => log.Type is LogType.Error or LogType.Exception).Select(log => log.Message), Is.Empty);
+    }
+
+    static string WordsOf(LoadSweep sweep) => sweep.transform.Find("Words").GetComponent<TextMesh>().text;
+
+    // A HoloLens 2's camera for pictures has a vertical field of view of some 40 degrees, of which a tenth can be read.
+    [Test]
+    public void Code_FromTheViewer_IsAsLargeAsACameraNeedsAndUpright()
+    {
+        Run(5);
+        var head = _cell.Player.Find<Camera>().transform;
+        var code = _session.GetComponentInChildren<TimestampDisplay>().transform.Find("Timestamp").GetComponent<MeshRenderer>().bounds;
+
+        var distance = Vector3.Distance(head.position, code.center);
+
+        Assert.That(distance, Is.EqualTo(1).Within(0.05));
+        Assert.That(code.size.y / (2 * distance * Math.Tan(21.5 * Math.PI / 180)), Is.GreaterThan(0.1));
+        Assert.That(code.size.x, Is.EqualTo(0.1).Within(1e-4), "seen from the front");
+    }
+
+    [Test]
+    public void Load_FromTheViewer_IsInViewAndBehindAllElse()
+    {
+        Run(5);
+        _sweep.StopSweep();
+        var load = _session.GetComponentInChildren<LoadGenerator>();
+        load.Vertices = LoadMesh.GreatestVertices;
+        Run(4);
+        var head = _cell.Player.Find<Camera>().transform;
+        var panel = _cell.Player.Find<StatusPanel>().transform;
+
+        Assert.That(load.IsReady);
+        foreach (var patch in load.GetComponentsInChildren<MeshRenderer>())
+        {
+            var place = head.InverseTransformPoint(patch.bounds.center);
+            // The narrower of the displays it is for: 43° by 29°.
+            Assert.That(Math.Abs(place.x) + patch.bounds.extents.x, Is.LessThan(place.z * Math.Tan(21.5 * Math.PI / 180)));
+            Assert.That(Math.Abs(place.y) + patch.bounds.extents.y, Is.LessThan(place.z * Math.Tan(14.5 * Math.PI / 180)));
+            Assert.That(place.z, Is.GreaterThan(head.InverseTransformPoint(panel.position).z), "behind the panel");
+        }
+    }
+}

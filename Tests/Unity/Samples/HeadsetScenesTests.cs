@@ -1,0 +1,92 @@
+using System.Text.RegularExpressions;
+using Nowpose.Unity;
+using Nowpose.UnityPlayer;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.InputSystem;
+
+namespace Nowpose.Unity.Tests.Samples;
+
+/// <summary>Cameras and lights of the scenes for see-through headsets. Every scene is one, unless it is listed here.</summary>
+public sealed class HeadsetScenesTests
+{
+    static readonly string[] Desktop =
+    {
+        "Demo.unity", "Virtual Robot Cell.unity", "Connect to a Gateway.unity", "Connect to a Gateway (Any Robot).unity",
+    };
+
+    static IEnumerable<string> Scenes =>
+        RepositoryFiles.All.Where(f => f.EndsWith(".unity", StringComparison.Ordinal) && !Desktop.Contains(Path.GetFileName(f)));
+
+    [TearDown]
+    public void End() => Controls.Clear();
+
+    [Test]
+    public void Scenes_ForHeadsets_AreFound()
+    {
+        Assert.That(
+            Scenes.Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "Display Calibration.unity", "Any OpenXR headset.unity", "HoloLens 2 (MRTK3).unity" }));
+    }
+
+    [TestCaseSource(nameof(Scenes))]
+    public void Camera_OfTheScene_ClearsToTransparentBlackAndKeepsTheDepthPrecise(string path)
+    {
+        using var player = Play(path);
+
+        var camera = player.Find<Camera>();
+
+        Assert.That(camera.backgroundColor, Is.EqualTo(new Color(0, 0, 0, 0)));
+        Assert.That(camera.nearClipPlane, Is.EqualTo(0.1f));
+        Assert.That(Regex.Matches(RepositoryFiles.Read(path), "m_ClearFlags: (.*)").Select(m => m.Groups[1].Value), Is.All.EqualTo("2"), "a colour");
+    }
+
+    [TestCaseSource(nameof(Scenes))]
+    public void Lights_OfTheScene_CastNoShadows(string path)
+    {
+        var shadows = Regex.Matches(RepositoryFiles.Read(path), @"m_Shadows:\s+m_Type: (\d)").Select(m => m.Groups[1].Value).ToList();
+
+        Assert.That(shadows, Is.Not.Empty.And.All.EqualTo("0"));
+    }
+
+    [TestCaseSource(nameof(Scenes))]
+    public void Objects_AtTheRoot_AreNoGroundThatHidesTheRoom(string path)
+    {
+        using var player = Play(path, out var roots);
+
+        Assert.That(roots.Where(root => root.GetComponent<MeshRenderer>() != null).Select(root => root.name), Is.Empty);
+    }
+
+    [TestCase("Samples~/Display Calibration/Display Calibration.unity")]
+    [TestCase("Samples~/Any OpenXR headset/Any OpenXR headset.unity")]
+    public void Camera_HeadsetMoves_FollowsItAndStaysWhereItIsWithoutOne(string path)
+    {
+        using var player = Play(RepositoryFiles.Package + "/" + path);
+        var camera = player.Find<Camera>().transform;
+        player.Step(0.1);
+        var alone = (camera.position, camera.rotation);
+
+        Controls.Set("<XRHMD>/centerEyePosition", new Vector3(0.1f, 1.6f, -0.2f));
+        Controls.Set("<XRHMD>/centerEyeRotation", Quaternion.Euler(10, 20, 0));
+        player.Step(0.2);
+
+        Assert.That(alone, Is.EqualTo((Vector3.zero, Quaternion.identity)));
+        Assert.That(camera.position, Is.EqualTo(new Vector3(0.1f, 1.6f, -0.2f)));
+        Assert.That(Quaternion.Angle(camera.rotation, Quaternion.Euler(10, 20, 0)), Is.LessThan(0.1f));
+    }
+
+    static Player Play(string path) => Play(path, out _);
+
+    static Player Play(string path, out IReadOnlyList<GameObject> roots)
+    {
+        var player = new Player(new AssetLibrary(RepositoryFiles.Root));
+        IReadOnlyList<GameObject> loaded = null;
+        player.LoadScene(path, all =>
+        {
+            loaded = all;
+            foreach (var session in all.SelectMany(root => root.GetComponentsInChildren<MrilSession>(true))) session.With("_connectOnEnable", false);
+        });
+        roots = loaded;
+        return player;
+    }
+}

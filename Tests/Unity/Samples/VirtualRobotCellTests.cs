@@ -1,0 +1,242 @@
+using System.Reflection;
+using Nowpose.Unity.Tests;
+using Nowpose.Network;
+using Nowpose.Samples;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+using KnobRange = UnityEngine.RangeAttribute;
+
+namespace Nowpose.Unity.Tests.Samples;
+
+public class VirtualRobotCellTests
+{
+    /// <summary>It is 0.89 to 0.91 here, on every machine: time is virtual and chance is seeded.</summary>
+    const double LeastReduction = 0.85;
+
+    static readonly (string Name, KnobRange Range)[] Knobs =
+    [
+        .. typeof(SimulatedControlSystem).GetFields(BindingFlags.NonPublic | BindingFlags.Instance)
+            .Select(field => (field.Name, field.GetCustomAttribute<KnobRange>())).Where(knob => knob.Item2 != null),
+    ];
+
+    static double Rms(List<double> values) => Math.Sqrt(values.Average(value => value * value));
+
+    static string[] Complaints(PlayedSample sample) =>
+        [.. sample.Player.Logs.Where(log => log.Type is LogType.Error or LogType.Exception).Select(log => log.Message)];
+
+    [TestCase("youbot")]
+    [TestCase("ur5")]
+    public void Play_KnobsAsTheyCome_TheGapCloses(string robot)
+    {
+        using var sample = new PlayedSample(robot).Start().Run(6);
+
+        sample.Run(20);
+
+        Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
+        Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
+        Assert.That(sample.Session.Statistics.ErrorReduction, Is.GreaterThan(LeastReduction), "the panel says so, too");
+        Assert.That(Complaints(sample), Is.Empty);
+    }
+
+    [Test]
+    public void Scene_Played_TheGapCloses()
+    {
+        using var sample = PlayedSample.OfScene().Run(6);
+
+        sample.Run(20);
+
+        Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
+        Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
+        Assert.That(sample.Session.Statistics.SampleLink.State, Is.EqualTo(LinkState.Idle), "it needs no network");
+        Assert.That(Complaints(sample), Is.Empty);
+    }
+
+    [Test]
+    public void Scene_Played_DrawsTheArmOnceAndTheGripperOnIt()
+    {
+        using var sample = PlayedSample.OfScene().Run(6);
+        var gripper = sample.Displayed.GetComponentInChildren<VirtualGripper>();
+
+        Assert.That(gripper.GetComponentsInChildren<MeshRenderer>(), Is.Not.Empty);
+        Assert.That(sample.Displayed.GetComponentsInChildren<MeshRenderer>()
+            .Where(drawn => drawn.enabled && !drawn.transform.IsChildOf(gripper.transform)), Is.Empty);
+        Assert.That(sample.Truth.GetComponentsInChildren<MeshRenderer>(), Is.Not.Empty);
+        Assert.That(sample.Held.GetComponentsInChildren<MeshRenderer>(), Is.Not.Empty);
+    }
+
+    [Test]
+    public void Play_Twice_IsTheSame()
+    {
+        using var one = new PlayedSample().Start().Run(8);
+        var first = one.Displayed.Tool.position;
+        using var two = new PlayedSample().Start().Run(8);
+
+        Assert.That(two.Displayed.Tool.position, Is.EqualTo(first));
+    }
+
+    [Test]
+    public void Play_SessionWithoutARobot_TakesTheControlSystems()
+    {
+        using var sample = new PlayedSample(sessionKnowsTheRobot: false).Start().Run(8);
+
+        Assert.That(sample.Session.Robot.IndexOfMovingJoint("arm_joint_1"), Is.GreaterThanOrEqualTo(0));
+        Assert.That(sample.States[^1], Is.EqualTo(PoseState.Current));
+        Assert.That(sample.Session.Session.RobotDescriptionMatch, Is.EqualTo(RobotDescriptionMatch.Same));
+    }
+
+    [Test]
+    public void TruthRig_Playing_ShowsTheArmAndNotTheTool()
+    {
+        using var sample = new PlayedSample().Start().Run(1);
+
+        Assert.That(sample.Truth.Flange.GetComponentsInChildren<MeshRenderer>(), Has.Length.EqualTo(
+            sample.Truth.Flange.Cast<Transform>().Count(child => child.GetComponent<MeshFilter>() != null)));
+        Assert.That(sample.Truth.GetComponentsInChildren<MeshRenderer>(), Has.Length.GreaterThan(3));
+        Assert.That(sample.Displayed.Flange.GetComponentsInChildren<MeshRenderer>().Length,
+            Is.GreaterThan(sample.Truth.Flange.GetComponentsInChildren<MeshRenderer>().Length));
+    }
+
+    [Test]
+    public void TruthRig_DisplaySlowerThanCalibrated_ShowsWhatThatDoes()
+    {
+        using var calibrated = new PlayedSample().Start().Run(6).Run(10);
+        using var slower = new PlayedSample();
+        slower.Truth.GetComponent<TruthRig>().With("_displayMs", 90f);
+        slower.Start().Run(6).Run(10);
+
+        Assert.That(Rms(slower.Errors), Is.GreaterThan(2 * Rms(calibrated.Errors)));
+    }
+
+    static IEnumerable<TestCaseData> Ends() => Knobs.SelectMany(knob => new[]
+    {
+        new TestCaseData(knob.Name, knob.Range.min), new TestCaseData(knob.Name, knob.Range.max),
+    });
+
+    [TestCaseSource(nameof(Ends))]
+    public void Knob_TurnedToItsEndWhilePlaying_ThrowsNothingAndCanBeTurnedBack(string knob, float value)
+    {
+        using var sample = new PlayedSample().Start().Run(5);
+        var field = typeof(SimulatedControlSystem).GetField(knob, BindingFlags.NonPublic | BindingFlags.Instance);
+        var usual = field.GetValue(sample.Control);
+
+        sample.Control.With(knob, value);
+        sample.Run(8);
+        var atTheEnd = (sample.Errors.Count, Errors: sample.Errors.ToList(), HoldErrors: sample.HoldErrors.ToList());
+        sample.Control.With(knob, usual);
+        sample.Run(12);
+
+        Assert.That(Complaints(sample), Is.Empty);
+        Assert.That(sample.States[^1], Is.EqualTo(PoseState.Current));
+        if (atTheEnd.Count > 30)
+            Assert.That(Rms(atTheEnd.Errors), Is.LessThan(Rms(atTheEnd.HoldErrors) + 0.001), "what is called current is no worse than the hold");
+    }
+
+    [Test]
+    public void Knobs_AllAtRandom_ThrowNothing([NUnit.Framework.Range(1, 8)] int seed)
+    {
+        var random = new Random(seed);
+        using var sample = new PlayedSample().Start().Run(3);
+        for (var turn = 0; turn < 10; turn++)
+        {
+            foreach (var (name, range) in Knobs) sample.Control.With(name, range.min + (range.max - range.min) * (float)random.NextDouble());
+            sample.Control.With("_network", (SimulatedNetwork)random.Next(3));
+            sample.Run(0.5);
+        }
+
+        Assert.That(Complaints(sample), Is.Empty, "seed " + seed);
+    }
+
+    [TestCase("_samplingMs", 1000f)]
+    [TestCase("_latencyMinMs", 1000f)]
+    [TestCase("_loss", 1f)]
+    public void Knob_BeyondWhatCanBePredicted_IsNotShownAsCurrent(string knob, float value)
+    {
+        using var sample = new PlayedSample().Start().Run(6);
+
+        sample.Control.With(knob, value);
+        sample.Run(2);
+        sample.Run(5);
+
+        Assert.That(sample.States, Has.None.EqualTo(PoseState.Current));
+    }
+
+    [Test]
+    public void ClockAhead_ChangedWhilePlaying_IsAStepThatIsFound()
+    {
+        using var sample = new PlayedSample().Start().Run(6);
+
+        sample.Control.With("_clockAheadSeconds", -500f);
+        sample.Run(8);
+        sample.Run(10);
+
+        Assert.That(sample.Session.Statistics.ClockSteps, Is.EqualTo(1));
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(LeastReduction));
+    }
+
+    [Test]
+    public void Play_PausedAndBack_IsCurrentAgain()
+    {
+        using var sample = new PlayedSample().Start().Run(6);
+
+        sample.Player.Pause(true);
+        sample.Run(2);
+        Assert.That(sample.States, Is.Empty);
+        sample.Player.Pause(false);
+        sample.Run(8);
+
+        Assert.That(sample.States[0], Is.Not.EqualTo(PoseState.Current));
+        Assert.That(sample.States[^1], Is.EqualTo(PoseState.Current));
+        Assert.That(Complaints(sample), Is.Empty);
+    }
+
+    [Test]
+    public void ControlSystem_DisabledAndEnabled_BeginsAnew()
+    {
+        using var sample = new PlayedSample().Start().Run(6);
+
+        sample.Control.enabled = false;
+        sample.Run(2);
+        Assert.That(sample.States[^1], Is.EqualTo(PoseState.Held));
+        sample.Control.enabled = true;
+        sample.Run(8);
+
+        Assert.That(sample.States[^1], Is.EqualTo(PoseState.Current));
+        Assert.That(Complaints(sample), Is.Empty);
+    }
+
+    [TestCase("_session", "session")]
+    [TestCase("_robot", "robot")]
+    public void ControlSystem_NothingAssigned_SaysWhatAndThrowsNothing(string field, string named)
+    {
+        using var sample = new PlayedSample();
+        sample.Control.With(field, null);
+
+        sample.Start().Run(0.5);
+
+        Assert.That(Complaints(sample)[0], Does.StartWith("[Nowpose] control system").And.Contain(named));
+        Assert.That(Complaints(sample).Where(text => text.Contains("Exception")), Is.Empty);
+        Assert.That(sample.Control.enabled, Is.False);
+    }
+
+    [Test]
+    public void Frame_WithoutAMessage_AllocatesNothing()
+    {
+        using var sample = new PlayedSample().Start().Run(10);
+        var allocated = new List<long>(600);
+
+        for (var frame = 0; frame < 600; frame++)
+        {
+            var before = GC.GetAllocatedBytesForCurrentThread();
+            sample.Step();
+            allocated.Add(GC.GetAllocatedBytesForCurrentThread() - before);
+        }
+
+        // Messages are objects, as those of a network are: a sample each third frame, a clock exchange each twelfth.
+        Assert.That(allocated.Count(bytes => bytes == 0), Is.GreaterThan(600 / 2));
+        Assert.That(allocated.Count(bytes => bytes > 200), Is.LessThan(600 / 10));
+    }
+}

@@ -1,0 +1,161 @@
+using Nowpose.Gateway;
+using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Plants;
+using Nowpose.Gateway.Robots;
+using Nowpose.Motion;
+using Nowpose.Network;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Session;
+
+/// <summary>The session component and sockets: a frame waits for none of them.</summary>
+public class SessionConnectionTests
+{
+    PlayedCell _cell;
+
+    [SetUp]
+    public void Start() => _cell = new PlayedCell();
+
+    [TearDown]
+    public void Stop() => _cell.Dispose();
+
+    static SessionSettings To(int syncPort, int webSocketPort) =>
+        new(new ConnectionSettings("127.0.0.1", syncPort, webSocketPort), PlayedCell.Offline.Visualisation);
+
+    [Test]
+    public async Task Connect_Gateway_ShowsItsRobotWhereItIs()
+    {
+        var control = StopwatchControlClock.FromUnixTime();
+        using var plant = new SimulatedCell(
+            new PickAndPlaceMotion(RobotFiles.Load("ur5")), control,
+            new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
+        await using var gateway = await GatewayServer.StartAsync(new GatewayOptions { SyncPort = 0, WebSocketPort = 0 }, control);
+        using var robot = gateway.Hub.OpenSource();
+        Assert.That(robot.TryDescribe(RobotFiles.LoadText("ur5")), Is.Null);
+        plant.PublishInto(gateway.Hub);
+        var session = _cell.NewSession(robot: null, To(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port)).With("_connectOnEnable", true);
+        session.HeadsetClock = new StopwatchHeadsetClock();
+        var rig = new GameObject("Robot").AddComponent<RobotRig>();
+        rig.transform.SetParent(session.transform, false);
+
+        session.gameObject.SetActive(true);
+        await SoonAsync(session, () => session.Frame?.State == PoseState.Current, "current");
+
+        Assert.That(rig.Model.Name, Is.EqualTo("ur5"));
+        Assert.That(rig.Joints.ToArray(), Is.EqualTo(session.Frame.Joints.ToArray()));
+        Assert.That(_cell.Messages.Count(m => m.EndsWith(": connected", StringComparison.Ordinal)), Is.GreaterThanOrEqualTo(2));
+    }
+
+    [Test]
+    public async Task Connect_NobodyListens_IsSaidOncePerConnection()
+    {
+        var session = _cell.Play(settings: To(1, 1));
+
+        session.Connect();
+        var tries = 0;
+        var status = default(LinkStatus);
+        await SoonAsync(session, () => (tries += Changed(session.Session.SampleLink, ref status) ? 1 : 0) >= 4, "four tries");
+        await SoonAsync(session, () => session.Session.SyncLink.State == LinkState.Waiting, "waiting");
+        _cell.Frame(null);
+
+        Assert.That(_cell.Messages.Count(m => m.Contains("clock sync")), Is.EqualTo(1), string.Join('\n', _cell.Messages));
+        Assert.That(_cell.Messages.Count(m => m.Contains("joint positions")), Is.EqualTo(1));
+        Assert.That(_cell.Player.Logs.Select(log => log.Type), Is.All.EqualTo(LogType.Warning));
+    }
+
+    [Test]
+    public async Task Pause_NetworkIsStuck_ReturnsAtOnce()
+    {
+        using var silent = new FakeSyncServer(_ => []);
+        using var server = new FakeWebSocketServer();
+        var clock = new StuckClock();
+        var session = _cell.NewSession(settings: To(silent.Port, server.Port)).With("_connectOnEnable", true);
+        session.HeadsetClock = clock;
+        session.gameObject.SetActive(true);
+        await clock.Asked.Bounded();
+        var ended = session.Session;
+
+        _cell.Player.Pause(true);
+
+        Assert.That(session.Session, Is.Null);
+        Assert.That(ended.Ended.IsCompleted, Is.False, "it does not wait for what is stuck");
+        clock.GoOn();
+        await ended.Ended.Bounded();
+    }
+
+    [TestCase("pause")]
+    [TestCase("disable")]
+    [TestCase("destroy")]
+    public async Task End_Connected_ClosesTheSockets(string how)
+    {
+        using var server = new FakeWebSocketServer();
+        var session = _cell.NewSession(settings: To(1, server.Port)).With("_connectOnEnable", true);
+        session.gameObject.SetActive(true);
+        var accepted = await server.AcceptStreamAsync();
+        var ended = session.Session;
+
+        if (how == "pause") _cell.Player.Pause(true);
+        else if (how == "disable") session.enabled = false;
+        else UnityEngine.Object.Destroy(session.gameObject);
+        _cell.Frame(null);
+
+        await ReadToEndAsync(accepted).Bounded();
+        await ended.Ended.Bounded();
+        if (how != "pause") return;
+        _cell.Player.Pause(false);
+        await server.AcceptStreamAsync();
+    }
+
+    [Test]
+    public async Task Disconnect_ThenPaused_StaysDisconnected()
+    {
+        using var server = new FakeWebSocketServer();
+        var session = _cell.NewSession(settings: To(1, server.Port)).With("_connectOnEnable", true);
+        session.gameObject.SetActive(true);
+        var accepted = await server.AcceptStreamAsync();
+
+        session.Disconnect();
+        await ReadToEndAsync(accepted).Bounded();
+        _cell.Player.Pause(true);
+        _cell.Player.Pause(false);
+        Assert.That(session.Session.SampleLink.State, Is.EqualTo(LinkState.Idle));
+
+        session.Connect();
+        await server.AcceptStreamAsync();
+    }
+
+    static bool Changed(LinkStatus now, ref LinkStatus before)
+    {
+        var changed = !ReferenceEquals(now, before) && now.State == LinkState.Waiting;
+        before = now;
+        return changed;
+    }
+
+    static async Task ReadToEndAsync(Stream stream)
+    {
+        var buffer = new byte[4096];
+        try
+        {
+            while (await stream.ReadAsync(buffer) > 0)
+            {
+            }
+        }
+        catch (IOException)
+        {
+            // Reset instead of closed: gone as well.
+        }
+    }
+
+    // Frames as fast as they come; none may take as long as the network would.
+    async Task SoonAsync(MrilSession session, Func<bool> condition, string what)
+    {
+        await Soon.BecomesAsync(() =>
+        {
+            _cell.Frame(null);
+            return session.Session != null && condition();
+        }, what);
+    }
+}

@@ -1,0 +1,190 @@
+using Nowpose.Cli.Replay;
+using Nowpose.Gateway.Robots;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Session;
+
+public sealed class SessionRecordingTests
+{
+    PlayedCell _cell;
+    MrilSession _session;
+    SessionRecording _recording;
+    string _folder;
+
+    [SetUp]
+    public void SetUp()
+    {
+        _folder = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+        _cell = new PlayedCell();
+        _recording = null;
+    }
+
+    [TearDown]
+    public async Task TearDown()
+    {
+        _cell.Dispose();
+        await Written(files: _recording?.Path != null && _recording.Problem == null ? 1 : 0);
+        if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
+    }
+
+    void Play(string robot = "youbot", bool recordOnEnable = true, double megabytes = 500)
+    {
+        _session = _cell.NewSession(robot);
+        _recording = _session.gameObject.AddComponent<SessionRecording>()
+            .With("_folder", _folder).With("_recordOnEnable", recordOnEnable).With("_maximumMegabytes", megabytes);
+        _session.gameObject.SetActive(true);
+    }
+
+    string[] Files => Directory.Exists(_folder) ? [.. Directory.GetFiles(_folder).Order()] : [];
+
+    // The files are made and closed by threads that no frame waits for.
+    Task Written(int files = 0) => Soon.BecomesAsync(() => Files.Length >= files && Files.All(IsClosed), "the files are closed");
+
+    static bool IsClosed(string file)
+    {
+        var lines = File.ReadAllLines(file);
+        return lines.Length > 0 && lines[^1].Contains("\"end\"", StringComparison.Ordinal);
+    }
+
+    [Test]
+    public async Task Enabled_WhileItPlays_WritesWhatIsReplayed()
+    {
+        var frames = 0;
+        Play();
+        _cell.Run(3, _session, () => frames++);
+        Assert.That(_recording.IsRecording);
+
+        _recording.StopRecording();
+        await Written(files: 1);
+
+        Assert.That(_recording.IsRecording, Is.False);
+        Assert.That(Files, Is.EqualTo(new[] { _recording.Path }));
+        Assert.That(System.IO.Path.GetFileName(_recording.Path), Does.Match(@"^nowpose-\d{8}T\d{9}Z\.jsonl$"));
+        var session = RecordedSession.Read(_recording.Path);
+        Assert.That(session.Frames, Is.EqualTo(frames));
+        var result = new SessionReplay(_recording.Path, session, new SessionTruth(session), new ReplaySettings()).Run();
+        Assert.That(result.Frames, Is.GreaterThan(100));
+    }
+
+    [Test]
+    public void Frames_WhileRecording_AllocateNothing()
+    {
+        Play();
+        _cell.Run(3, _session);
+        _recording.enabled = false;
+        _cell.Run(1, _session);
+        var without = _cell.AllocatedIn(() => _cell.Run(3, _session));
+
+        _recording.enabled = true;
+        _cell.Run(1, _session);
+        var allocated = _cell.AllocatedIn(() => _cell.Run(3, _session));
+
+        Assert.That(_recording.IsRecording);
+        Assert.That(allocated, Is.EqualTo(without));
+    }
+
+    [Test]
+    public void NotOnEnable_WritesNothingUntilItIsAskedTo()
+    {
+        Play(recordOnEnable: false);
+        _cell.Run(0.5, _session);
+        Assert.That(Files, Is.Empty);
+        Assert.That(_recording.Path, Is.Null);
+
+        _recording.StartRecording();
+        _cell.Run(0.5, _session);
+
+        Assert.That(_recording.IsRecording);
+    }
+
+    [Test]
+    public async Task Pause_OfTheApplication_EndsTheFileAndBeginsAnother()
+    {
+        Play();
+        _cell.Run(1, _session);
+        var first = _recording.Path;
+
+        _cell.Player.Pause(true);
+        _cell.Run(0.1, _session);
+        Assert.That(_recording.IsRecording, Is.False);
+        _cell.Player.Pause(false);
+        _cell.Run(1, _session);
+        _recording.enabled = false;
+        await Written(files: 2);
+
+        Assert.That(Files, Is.EqualTo(new[] { first, _recording.Path }));
+    }
+
+    [Test]
+    public void Robot_Unknown_IsWaitedFor()
+    {
+        Play(robot: null);
+        _cell.Run(0.5, _session);
+        Assert.That(_recording.IsRecording, Is.False);
+
+        _session.Session.Described(RobotFiles.LoadText("ur5"));
+        _cell.Run(0.5, _session);
+
+        Assert.That(_recording.IsRecording);
+    }
+
+    [Test]
+    public async Task File_ThatCannotBeMade_IsSaidOnceAndTheSessionGoesOn()
+    {
+        File.WriteAllText(_folder, "a file where the folder should be");
+        try
+        {
+            Play();
+            _cell.Run(0.1, _session);
+            await Soon.BecomesAsync(() => !_recording.IsRecording, "the recording has failed");
+            _cell.Run(3, _session);
+
+            Assert.That(_cell.Messages.Count(m => m.Contains("has stopped", StringComparison.Ordinal)), Is.EqualTo(1));
+            Assert.That(_recording.Problem, Does.Contain("has stopped").And.Contain(_recording.Path));
+            Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current).Or.EqualTo(Nowpose.Session.PoseState.Unsynchronised));
+            Assert.That(_session.Frame.DisplayTime, Is.Not.Null);
+        }
+        finally
+        {
+            File.Delete(_folder);
+        }
+    }
+
+    [Test]
+    public async Task File_AtItsGreatestSize_IsSaidOnceAndTheSessionGoesOn()
+    {
+        Play(megabytes: 0.02);
+        _cell.Run(2, _session);
+        await Soon.BecomesAsync(() => !_recording.IsRecording, "the file is full");
+        _cell.Run(3, _session);
+
+        Assert.That(_cell.Messages.Count(m => m.Contains("greatest size, 0.02 MB", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_recording.Problem, Does.Contain("has stopped").And.Contain(_recording.Path));
+        Assert.That(Files, Has.Length.EqualTo(1), "no other is begun");
+        Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current));
+    }
+
+    [Test]
+    public void Size_OutOfRange_IsSaidOnce()
+    {
+        Play(megabytes: -1);
+
+        _cell.Run(0.5, _session);
+
+        Assert.That(_cell.Messages.Count(m => m.Contains("greatest size of the recording", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_recording.Problem, Does.Contain("-1 MB"));
+    }
+
+    [Test]
+    public void Session_Missing_IsSaid()
+    {
+        var alone = new GameObject("Alone").AddComponent<SessionRecording>();
+
+        _cell.Run(0.1, null);
+
+        Assert.That(_cell.Messages, Has.Some.Contains("'Alone' has no session above it"));
+        Assert.That(alone.IsRecording, Is.False);
+    }
+}

@@ -1,0 +1,23 @@
+using Nowpose.Unity;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests.Status;
+
+public sealed class LetterWidthsTests
+{
+    [Test]
+    public void Of_EachLetterOfTheFont_IsNotNarrowerAndHardlyWider()
+    {
+        foreach (var (letter, width) in SeenText.Widths)
+        {
+            Assert.That(LetterWidths.Of(letter), Is.GreaterThanOrEqualTo(width - 1e-4), $"'{letter}'");
+            if (letter < 127) Assert.That(LetterWidths.Of(letter), Is.LessThan(width + 0.06), $"'{letter}'");
+        }
+    }
+
+    [Test]
+    public void Of_LetterThatTheTableLacks_IsAsWideAsTheWidest()
+    {
+        Assert.That(LetterWidths.Of('漢'), Is.GreaterThanOrEqualTo(SeenText.Widths.Values.Max()));
+    }
+}
