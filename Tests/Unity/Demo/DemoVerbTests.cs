@@ -170,7 +170,7 @@ public class DemoVerbTests
 
         Assert.That(playback.GetProperty("urdf").GetString(), Does.Contain("<robot"));
         Assert.That(FirstOf("playback"), Is.EqualTo(FirstOf("error")).Within(0.001), "where the plots begin");
-        Assert.That(playback.GetProperty("t").GetArrayLength(), Is.EqualTo(truth.Length).And.GreaterThan(30));
+        Assert.That(playback.GetProperty("t").GetArrayLength(), Is.EqualTo(truth.Length).And.GreaterThan(0));
         Assert.That(truth.Concat(displayed).Concat(hold), Has.All.Length.EqualTo(names));
     }
 }
