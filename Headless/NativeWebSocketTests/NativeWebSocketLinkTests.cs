@@ -2,8 +2,6 @@ using System.Net.WebSockets;
 using System.Text;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Security;
-using Nowpose.Headless.Tests.Gateway;
-using Nowpose.Headless.Tests.Network;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using NUnit.Framework;

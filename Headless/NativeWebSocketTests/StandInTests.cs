@@ -1,6 +1,5 @@
 using System.Reflection;
 using NativeWebSocket;
-using Nowpose.Headless.Tests.Network;
 using NUnit.Framework;
 using Socket = NativeWebSocket.WebSocket;
 
