@@ -63,7 +63,7 @@ public sealed class PackageAssetsTests
         // What the tool makes stays in the scene.
         using var scene = new World(isPlaying: false, _ => { }).Enter();
 
-        Assert.That(AssetPlan.Differing(RepositoryFiles.Root), Is.Empty, "run: dotnet run --project Headless/Prefabs");
+        Assert.That(AssetPlan.Differing(RepositoryFiles.Root), Is.Empty, "run: dotnet run --project Headless/Tools/Prefabs");
         Assert.That(Assets, Is.EquivalentTo(AssetPlan.Paths));
     }
 

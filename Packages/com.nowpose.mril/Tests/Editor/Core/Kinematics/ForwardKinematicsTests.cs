@@ -21,7 +21,7 @@ namespace Nowpose.Tests
             new[] { 0.0823, 0, 0 },
         };
 
-        // Poses by urdf-loader and three.js; Headless/Tests/Kinematics/make-reference.mjs wrote them.
+        // Poses by urdf-loader and three.js; Tests/Kinematics/make-reference.mjs wrote them.
         [TestCase("youbot")]
         [TestCase("ur5")]
         [TestCase("odd_axes")]

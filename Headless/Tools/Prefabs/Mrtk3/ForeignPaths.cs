@@ -1,0 +1,14 @@
+namespace Nowpose.Prefabs;
+
+/// <summary>Where the stand-ins for prefabs of MRTK3 are; their .meta files have the GUIDs of the real ones.</summary>
+static class ForeignPaths
+{
+    const string Mrtk = "Headless/StandIn/ForeignAssets/MixedReality.Toolkit/";
+
+    public const string Button = Mrtk + "Action Button.prefab";
+    public const string Toggle = Mrtk + "Action Button Checkbox.prefab";
+    public const string Slider = Mrtk + "CanvasSlider.prefab";
+    public const string HandMenu = Mrtk + "HandMenuBase.prefab";
+    public const string Rig = Mrtk + "MRTK XR Rig.prefab";
+    public const string Simulator = Mrtk + "MRTKInputSimulator.prefab";
+}

@@ -1,0 +1,31 @@
+using System.Text;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Protocol;
+
+/// <summary>
+/// Messages, most of them malformed, with the verdict of the reader that decoded each message and read it with Newtonsoft.Json:
+/// <c>message-verdicts.tsv</c>, reason and text per line.
+/// </summary>
+public class MessageVerdictsTests
+{
+    static readonly string[][] Lines =
+        [.. File.ReadLines(Path.Combine(RepositoryFiles.Root, "Tests/Protocol/message-verdicts.tsv")).Select(line => line.Split('\t'))];
+
+    [Test]
+    public void TryRead_ReferenceMessages_AreTakenAndRefusedAsBefore()
+    {
+        // One reader for all, as on a connection: what it keeps from a message must not change the verdict on the next.
+        var reader = new RosbridgeReader();
+        var wrong = new List<string>();
+        foreach (var line in Lines)
+        {
+            reader.TryRead(Encoding.UTF8.GetBytes(line[1]), out _, out var reason);
+            if (reason.ToString() != line[0]) wrong.Add($"{reason} instead of {line[0]}: {line[1]}");
+        }
+
+        Assert.That(wrong, Is.Empty);
+        Assert.That(Lines.Select(line => line[0]).Distinct().Count(), Is.GreaterThan(10), "kinds of verdicts");
+    }
+}
