@@ -12,7 +12,8 @@ export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync'];
-const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'chrome'];
+// The shell first: the whole browser starts processes for its windows with each page, though none is seen.
+const NAMES = ['chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'chrome'];
 const read = name => readFileSync(new URL(`../dist/${name}.html`, import.meta.url), 'utf8');
 
 function executable() {
