@@ -1,7 +1,19 @@
 // What a 3D view shows: a screenshot of it, read back in the page, since a WebGL canvas forgets what it drew.
 
-/** How many pixels of an element are blue, orange and grey, as the robots are, and how many coloured ones stand at its edge. */
-export async function picture(page, locator) {
+const LIMIT_MS = 20_000;
+
+/**
+ * How many pixels of an element are blue, orange and grey, as the robots are, and how many coloured ones stand at its edge.
+ * @param holds What the counts must fulfil in one of the next pictures: a slow machine draws them late. The last ones are returned if none does.
+ */
+export async function picture(page, locator, holds = () => true) {
+  for (const begun = Date.now(); ;) {
+    const counts = await counted(page, locator);
+    if (holds(counts) || Date.now() - begun > LIMIT_MS) return counts;
+  }
+}
+
+async function counted(page, locator) {
   const png = (await locator.screenshot()).toString('base64');
   return page.evaluate(async png => {
     const bytes = Uint8Array.from(atob(png), c => c.charCodeAt(0));
