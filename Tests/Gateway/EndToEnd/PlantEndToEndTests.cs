@@ -35,11 +35,11 @@ public class PlantEndToEndTests
             () => score.Play(session, clock, TimeSpan.FromSeconds(6)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
         TestContext.Out.WriteLine($"{kind}: {score}");
-        // Wide limits: what a busy machine takes away is no fault, and how much of the error goes is tested where time is virtual. A clock, an
-        // order of joints or a unit in error takes everything.
+        // Wide limits: what a busy machine takes away is no fault, and how much of the error goes and whether the clock's ± holds are tested where
+        // time is virtual. A clock, an order of joints or a unit in error takes everything.
         Assert.That(score.CurrentShare, Is.GreaterThan(0), score.ToString());
         Assert.That(score.Reduction, Is.GreaterThan(0.3), score.ToString());
-        Assert.That(score.ClockErrorMs, Is.LessThan(Math.Max(1, score.ClockBoundMs)), score.ToString());
+        Assert.That(score.ClockErrorMs, Is.LessThan(50), score.ToString());
         Assert.That(score.HoldRms, Is.GreaterThan(8), "a robot that rests proves nothing");
     }
 
