@@ -76,7 +76,7 @@ public class PlantFaultTests
         var others = during.Joints.Where(joint => Text(joint, "name") != Joint).ToList();
         Assert.That(others, Has.Count.EqualTo(6).And.All.Matches<JsonElement>(
             joint => Text(joint, "state") == "live" && joint.GetProperty("age_s").GetDouble() < 1), "the other joints go on");
-        Assert.That(Text(seen.GetProperty("pose"), "state"), Is.AnyOf("held", "unsynchronised"), "by a clock that a busy machine leaves in doubt");
+        Assert.That(Text(seen.GetProperty("pose"), "state"), Is.AnyOf("held", "unsynchronised"), "unsynchronised only where a busy machine delays the sync exchanges");
         Assert.That(Names(seen, "missing_joints"), Is.EqualTo(new[] { Joint }), seen.ToString());
         Assert.That(Text(seen.GetProperty("joints")[0], "state"), Is.EqualTo(state));
         Assert.That(Text(seen.GetProperty("joints")[0], "reason"), Does.Match(reason));
