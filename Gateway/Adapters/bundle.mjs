@@ -4,9 +4,9 @@ import { mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
+import { kinds, loading } from './loading.mjs';
 
 const adapters = dirname(fileURLToPath(import.meta.url));
-const kinds = ['opcua', 'ads', 'ros', 'broker'];
 const entries = { plant: 'src/main.ts', ...Object.fromEntries(kinds.map(kind => [kind, `src/${kind}/adapter.ts`])) };
 
 // At each start node-opcua makes a key of 4096 bits, a second's work, to try a padding that none of our security policies uses.
@@ -52,8 +52,8 @@ const { outputFiles, metafile } = await build({
   bundle: true,
   minifyWhitespace: true,
   legalComments: 'none',
-  plugins: [withoutTrial],
-  loader: { '.urdf': 'text' },
+  plugins: [withoutTrial, ...loading.plugins],
+  loader: loading.loader,
   platform: 'node',
   format: 'esm',
   target: 'node20',

@@ -1,4 +1,5 @@
-import Ajv, { type ErrorObject } from 'ajv';
+import type { ErrorObject, ValidateFunction } from 'ajv';
+import * as checks from 'plant.schema.checks';
 import { nearest } from './nearest';
 import { shown } from './problem';
 import type { Path, YamlFile } from './yamlFile';
@@ -15,12 +16,9 @@ export const knownEntries = (path: string[]): string[] => KINDS.flatMap(kind => 
   return Object.keys(path.reduce((section, step) => section.properties![step], top).properties!);
 });
 
-const ajv = new Ajv({ allErrors: true, verbose: true, strictTypes: false, allowUnionTypes: true, useDefaults: true });
-ajv.addSchema(schema);
-
 /** Reports each entry that breaks the schema of a kind of plant. Missing entries that have a default are filled in. */
 export function checkAgainstSchema(file: YamlFile, kind: string): void {
-  const check = ajv.getSchema(`${schema.$id}#/$defs/${kind}`)!;
+  const check = (checks as Record<string, ValidateFunction>)[kind]!;
   if (check(file.value)) return;
   const told = new Set<string>();
   for (const error of check.errors!.filter(e => !['if', 'oneOf', 'anyOf', 'allOf', 'not'].includes(e.keyword) || isOwnWords(e))) {

@@ -5,6 +5,7 @@ import { isDeepStrictEqual } from 'node:util';
 import {
   AttributeIds, DataType, DataValue, MessageSecurityMode, SecurityPolicy, setWarningLogger, StatusCodes, Variant, VariantArrayType,
 } from 'node-opcua-client';
+import { get_mini_nodeset_filename } from 'node-opcua-address-space/testHelpers.js';
 import { MonitoredItem, OPCUAServer, Subscription } from 'node-opcua-server';
 import { angle, arm, opening } from '../ads/youbot.mjs';
 import { identity } from './identity.mjs';
@@ -104,6 +105,7 @@ export class YoubotServer {
     this.store = new OpenStore(this.trusted);
     this.#server = new OPCUAServer({
       port: this.port, hostname: '127.0.0.1', host: '127.0.0.1',
+      nodeset_filename: [get_mini_nodeset_filename()],
       serverInfo: { applicationUri: URI },
       serverCapabilities: { operationLimits: { maxNodesPerRead: this.nodesPerRead } },
       securityModes: this.security.map(mode => mode === 'none' ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt),

@@ -1,0 +1,11 @@
+// What the bundler puts in: a text,
+declare module '*.urdf' {
+  const text: string;
+  export default text;
+}
+
+// and a function for each kind of plant that checks a configuration against plant.schema.json.
+declare module 'plant.schema.checks' {
+  import type { ValidateFunction } from 'ajv';
+  export const opcua: ValidateFunction, ads: ValidateFunction, ros: ValidateFunction, broker: ValidateFunction;
+}
