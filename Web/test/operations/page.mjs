@@ -1,0 +1,52 @@
+// The page of operations in Chromium, with a gateway that is made up: what its tests share.
+import { after, afterEach, before, beforeEach } from 'node:test';
+import { Browser, NO_WEBGL, WEBGL } from '../browser.mjs';
+import { FakeGateway } from '../fakeGateway.mjs';
+
+/** That of the test that runs. */
+export let gateway;
+let graphics = NO_WEBGL;
+const browsers = new Map();
+const contexts = [];
+
+beforeEach(async () => { gateway = await FakeGateway.start(); });
+afterEach(async () => {
+  for (const context of contexts.splice(0)) await context.close();
+  await gateway.stop();
+});
+after(() => Promise.all([...browsers.values()].map(each => each.stop())));
+
+/** For the tests around: they look at the robot. Without its graphics a page takes two thirds of the time. */
+export function withGraphics() {
+  before(() => { graphics = WEBGL; });
+  after(() => { graphics = NO_WEBGL; });
+}
+
+/** @param isReady Waits for the first answer. */
+export async function open(options = {}, isReady = true) {
+  if (!browsers.has(graphics)) browsers.set(graphics, await Browser.start('operations', graphics));
+  const context = await browsers.get(graphics).browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+  contexts.push(context);
+  const page = await context.newPage();
+  page.setDefaultTimeout(60_000);
+  page.complaints = [];
+  page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));
+  page.on('pageerror', e => page.complaints.push(`exception: ${e.message}`));
+  const own = new URL(gateway.address).origin;
+  page.on('request', r => !r.url().startsWith(own) && !r.url().startsWith('data:') && page.complaints.push(`request: ${r.url()}`));
+  page.on('websocket', w => w.url() !== own.replace('http', 'ws') + '/' && page.complaints.push(`websocket: ${w.url()}`));
+  await page.addInitScript(() => {
+    const { createBuffer, deleteBuffer } = WebGL2RenderingContext.prototype;
+    window.buffers = 0;
+    WebGL2RenderingContext.prototype.createBuffer = function () { window.buffers++; return createBuffer.call(this); };
+    WebGL2RenderingContext.prototype.deleteBuffer = function (buffer) { window.buffers--; return deleteBuffer.call(this, buffer); };
+  });
+  await page.goto(gateway.address);
+  if (isReady) await page.waitForFunction(() => document.querySelector('#clock').textContent !== '–');
+  return page;
+}
+
+export const cells = (page, row) => page.locator(`tr:has(th:has-text("${row}"))`).first().locator('td').allInnerTexts();
+
+export const becomes = (page, selector, part) => page.waitForFunction(
+  ([selector, part]) => document.querySelector(selector)?.textContent.includes(part), [selector, part]);

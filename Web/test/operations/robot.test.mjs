@@ -1,0 +1,203 @@
+// The robot on the page of operations.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
+import { picture } from '../pixels.mjs';
+import { becomes, cells, gateway, open, withGraphics } from './page.mjs';
+
+/** How many bodies one picture of the 3D view has: what is drawn between two times it is cleared. */
+const bodiesDrawn = async page => {
+  await page.locator('.stage').scrollIntoViewIfNeeded();
+  return page.evaluate(() => new Promise(done => {
+    const gl = WebGL2RenderingContext.prototype, { clear, drawElements, drawArrays } = gl;
+    let count = null;
+    const counted = draw => function (...all) { if (count !== null) count++; return draw.apply(this, all); };
+    gl.drawElements = counted(drawElements);
+    gl.drawArrays = counted(drawArrays);
+    gl.clear = function (...all) {
+      if (count > 0) {
+        Object.assign(gl, { clear, drawElements, drawArrays });
+        done(count);
+      } else count = 0;
+      return clear.apply(this, all);
+    };
+  }));
+};
+
+describe('the robot', () => {
+  withGraphics();
+
+  it('is not drawn below a joint that was never received, nor compared there', async () => {
+    gateway.turned = 0;
+    const page = await open({ reducedMotion: 'reduce' });
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    const whole = await bodiesDrawn(page);
+
+    gateway.turned = null;
+    gateway.sets = [JOINTS.slice(0, 1)];
+    await page.reload();
+    await becomes(page, '#robot .level', 'arm_joint_2 has not been received');
+    await becomes(page, '.apart', 'Where the tool was is not known');
+    const base = await bodiesDrawn(page);
+
+    assert.ok((await picture(page, page.locator('.stage'), counts => counts.grey > 100)).grey > 100, 'its base');
+    assert.ok(base < whole, `${base} of ${whole} bodies`);
+  });
+
+  it('is not drawn below a joint whose data is not live, while the others go on', async () => {
+    const page = await open();
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+
+    Object.assign(gateway.state.joints[2], { state: 'stale', reason: 'samples stopped arriving' });
+    await becomes(page, '#robot .level', 'arm_joint_3 is stale');
+    await becomes(page, '.apart', 'Where the tool was is not known');
+
+    gateway.state.joints[2].state = 'rest';
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+  });
+
+  it('says how far what a headset showed is from the truth of the same moment', async () => {
+    const page = await open();
+
+    // Turned by 0.1 rad about the base, whose axis the tool is 0.4809 m from: so says the command line's kinematics. On a machine that is
+    // busy messages come in clumps, and what lies between two of them is off for a while.
+    await page.waitForFunction(
+      far => Math.abs(Number(/shows the tool ([\d.]+)/.exec(document.querySelector('.apart').textContent)?.[1]) - far) < 1, 2 * 480.9 * Math.sin(0.05));
+    gateway.turned = 0;
+    await page.waitForFunction(() => /less than 0.1|tool [0-4]\.\d/.test(document.querySelector('.apart').textContent));
+
+    assert.match(await page.textContent('.apart'), /without compensation about/);
+  });
+
+  it('that rests is less than 0.1 mm away, not about that', async () => {
+    gateway.turned = 0;
+    gateway.pace = 0;
+    const page = await open();
+
+    await page.waitForFunction(() => /shows the tool less than 0.1.mm from where it was; without compensation less than 0.1.mm\./
+      .test(document.querySelector('.apart').textContent));
+  });
+
+  it('whose positions stay out is compared with nothing', async () => {
+    const page = await open();
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+
+    gateway.isSilent = true;
+
+    await becomes(page, '.apart', 'come too late');
+  });
+
+  it('is drawn three times, each in its colour', async () => {
+    gateway.turned = 1;
+    const page = await open({ reducedMotion: 'reduce' });
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    const areSeen = counts => counts.blue > 1500 && counts.orange > 100 && counts.grey > 1500;
+    const colours = await picture(page, page.locator('.stage'), areSeen);
+
+    assert.ok(areSeen(colours), JSON.stringify(colours));
+    assert.deepEqual(page.complaints, []);
+  });
+
+  // Of all three the mixture would be grey again.
+  for (const [other, said] of [
+    ['displayed', /shows the tool less than 0\.1.mm from where it was\.$/], ['held', /what it shows; without compensation less than 0\.1/],
+  ]) {
+    it(`has the colour of the truth where what is ${other} is the same`, async () => {
+      gateway.turned = other === 'displayed' ? 0 : null;
+      gateway.pace = 0;
+      if (other === 'displayed') delete gateway.state.headsets[0].l_app_ms;
+      const page = await open({ reducedMotion: 'reduce' });
+      await page.waitForFunction(said => new RegExp(said).test(document.querySelector('.apart').textContent), said.source);
+
+      const isGrey = counts => counts.grey > 1500 && counts.blue + counts.orange < counts.grey / 100;
+      const colours = await picture(page, page.locator('.stage'), isGrey);
+
+      assert.ok(isGrey(colours), JSON.stringify(colours));
+    });
+  }
+
+  it('is seen whole, also where it comes to later', async () => {
+    gateway.turned = 1;
+    const page = await open({ reducedMotion: 'reduce' });
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+
+    for (const rest of [[2.9, 0.3, -0.2, 0.3, 2.9], UPRIGHT]) {
+      gateway.rest = rest;
+      await page.waitForTimeout(2500);
+      const { blue, edge } = await picture(page, page.locator('.stage'), counts => counts.blue > 1000 && counts.edge === 0);
+      assert.ok(blue > 1000 && edge === 0, `${rest}: ${blue} pixels, ${edge} at the edge`);
+    }
+  });
+
+  it('turns with the keyboard and comes back', async () => {
+    const page = await open({ reducedMotion: 'reduce' });
+    gateway.isSilent = true;
+    await page.waitForSelector('#content.stale');
+    // What the headset shows is gone with the next picture, and the robot stands.
+    await page.waitForTimeout(2000);
+    const shot = async () => {
+      await page.waitForTimeout(150);
+      return (await page.locator('.stage canvas').screenshot()).toString('base64');
+    };
+    await page.locator('.stage').focus();
+    await page.keyboard.press('0');
+    const first = await shot();
+
+    await page.keyboard.press('ArrowLeft');
+    const turned = await shot();
+    await page.keyboard.press('0');
+
+    assert.notEqual(turned, first);
+    assert.equal(await shot(), first);
+  });
+
+  it('whose parts are meshes is drawn as lines, and nothing is asked for', async () => {
+    gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="package://robot/link.stl"/></geometry>')
+      .replace('<material', '<material name="t"><texture filename="http://127.0.0.1:9/t.png"/></material><material');
+    const page = await open({ reducedMotion: 'reduce' });
+    await becomes(page, '.robot .missing', 'Lines stand for');
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+
+    const { blue } = await picture(page, page.locator('.stage'), counts => counts.blue > 20);
+
+    assert.ok(blue > 20, `${blue} pixels`);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('that takes the place of another leaves nothing of it in the graphics memory', async () => {
+    const page = await open({ reducedMotion: 'reduce' });
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+    await page.locator('.stage').scrollIntoViewIfNeeded();
+    const meshes = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="link.stl"/></geometry>');
+    const solid = gateway.urdf;
+    await page.waitForTimeout(1500);
+    const before = await page.evaluate(() => buffers);
+
+    for (const urdf of [meshes, solid, meshes, solid]) {
+      gateway.describe(urdf);
+      await page.waitForTimeout(1500);
+    }
+
+    assert.ok(before > 10, `${before} buffers`);
+    assert.equal(await page.evaluate(() => buffers), before);
+  });
+
+  it('whose description is no URDF is said', async () => {
+    gateway.urdf = 'no robot at all';
+    const page = await open();
+
+    await becomes(page, '.robot .missing', 'no URDF');
+    assert.deepEqual(page.complaints, []);
+  });
+
+});
+
+describe('the robot without WebGL', () => {
+  it('is missed in one sentence, and its distance told all the same', async () => {
+    const page = await open();
+    await becomes(page, '.robot .missing', 'no WebGL');
+    await page.waitForFunction(() => /shows the tool [\d.]+/.test(document.querySelector('.apart').textContent));
+    assert.equal(await page.locator('.stage').count(), 0);
+    assert.deepEqual(page.complaints, []);
+  });
+});

@@ -1,0 +1,335 @@
+// What the page of operations says of plants, clocks, headsets and faults.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { JOINTS } from '../fakeGateway.mjs';
+import { contrast, hasInk, luminance } from '../inks.mjs';
+import { becomes, cells, gateway, open } from './page.mjs';
+
+/** What stands below a row; null where nothing does. */
+const noteOf = async (page, row) => {
+  const note = page.locator(`#plants tbody:has(th:has-text("${row}")) .note`).last();
+  return (await note.isVisible()) ? note.innerText() : null;
+};
+
+it('runs its own script and none that was put into the page', async () => {
+  const page = await open();
+
+  const policy = await page.locator('meta[http-equiv=Content-Security-Policy]').getAttribute('content');
+  await page.evaluate(() => {
+    const script = document.createElement('script');
+    script.textContent = 'window.wasRun = true';
+    document.body.append(script);
+    document.body.insertAdjacentHTML('beforeend', '<img src="data:," onerror="window.wasRun = true">');
+  });
+  await page.locator('img').evaluate(image => image.complete || new Promise(done => image.addEventListener('error', done)));
+
+  assert.doesNotMatch(/script-src [^;]*/.exec(policy)[0], /unsafe/);
+  assert.equal(await page.evaluate(() => window.wasRun), undefined);
+});
+
+describe('what it shows', () => {
+  it('says what each headset says, in words and numbers', async () => {
+    const page = await open();
+
+    assert.equal(await page.textContent('h1'), 'Press 3');
+    const [left, right] = [await cells(page, 'left door'), await cells(page, 'right door')];
+    assert.deepEqual(left.slice(0, 10), ['synchronised', 'current', '98.7', '2.10', '31', '93.2', '410', '3.20', '82', '40']);
+    assert.match(left[10], /^in range, 11/);
+    assert.deepEqual(left.slice(11), ['900', '1']);
+    assert.deepEqual(right.slice(0, 2), ['silent for 8 s', 'not known']);
+    assert.match(right[10], /^OUT OF RANGE/);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('says how the plants and their clocks do', async () => {
+    const page = await open();
+
+    assert.match(await page.textContent('#clock'), /synchronised, of press, ±\u00a035.*, within 120/);
+    assert.deepEqual((await cells(page, 'belt')).slice(0, 2), ['ads', 'refused']);
+    assert.equal(await noteOf(page, 'belt'), 'the router does not know this machine');
+    assert.deepEqual((await cells(page, 'press_ads')).slice(0, 4), ['compared with it', 'synchronised', '12.5', '4.20']);
+    assert.deepEqual((await cells(page, 'press_ads')).slice(5, 7), ['25', '90'], 'its ± beside its bound');
+    assert.equal((await cells(page, 'press_ads'))[8], '2');
+    assert.equal(await noteOf(page, 'press_ads'), 'last failure: no answer within 2 s');
+    assert.equal(await page.textContent('#drops'), 'NotFinite 2');
+  });
+
+  it('says which joints are where the robot cannot be, for as long as they are', async () => {
+    gateway.state.sources[0].beyond_limits = [JOINTS[1]];
+    const page = await open();
+
+    assert.match(await noteOf(page, JOINTS.join(', ')), /^outside the limits of the robot described, and drawn at the limit: arm_joint_2\./);
+    gateway.state.sources[0].beyond_limits = [];
+    await page.waitForFunction(() => !document.querySelector('#plants').textContent.includes('outside the limits'));
+    assert.equal(await noteOf(page, JOINTS.join(', ')), null);
+  });
+
+  for (const width of [1280, 800, 390]) {
+    it(`shows all of a long reason in a window of ${width}`, async () => {
+      const reason = `the server's certificate is not trusted; its thumbprint is ${'0a'.repeat(20)} (SHA-1), ${'1b'.repeat(32)} (SHA-256). `
+        + `When that is the one of your server, move /var/lib/nowpose-gateway/${'pki/'.repeat(20)}rejected/${'0a'.repeat(20)}.der to `
+        + `/var/lib/nowpose-gateway/${'pki/'.repeat(20)}trusted, or add plant.security.thumbprint to the configuration`;
+      gateway.state.adapters[1].reason = reason;
+      const page = await open({ viewport: { width, height: 800 } });
+
+      assert.equal(await noteOf(page, 'belt'), reason);
+      const note = await page.locator('.note p').filter({ hasText: 'thumbprint' }).boundingBox();
+      const table = await page.locator('[aria-label="Plant connections"]').boundingBox();
+      assert.ok(note.x >= table.x && note.x + note.width <= table.x + table.width, `${note.x}+${note.width} in ${table.x}+${table.width}`);
+      assert.ok(note.width > Math.min(600, 0.9 * table.width), 'lines long enough to read');
+      gateway.state.adapters[1].reason = null;
+      await page.waitForFunction(() => !document.querySelector('#plants').textContent.includes('thumbprint'));
+      assert.equal(await noteOf(page, 'belt'), null, 'what is over is not said any more');
+    });
+  }
+
+  it('shows no number for what is not known', async () => {
+    Object.assign(gateway.state.clock, { state: 'unsynchronised', estimated_error_us: null, error_bound_us: null });
+    Object.assign(gateway.state.plant_clocks[1], {
+      state: 'unsynchronised', offset_to_control_ms: null, drift_ppm: null, rtt_ms: null, estimated_error_us: null, error_bound_us: null, resolution_us: null,
+    });
+    const page = await open();
+
+    assert.deepEqual((await cells(page, 'press_ads')).slice(1, 8), ['unsynchronised', '–', '–', '–', '–', '–', '–']);
+    assert.equal(await page.textContent('#clock'), 'unsynchronised, of press');
+    gateway.state.clock = { source: 'own', state: 'synchronised', error_bound_us: 0 };
+    await page.waitForFunction(() => document.querySelector('#clock').textContent === 'synchronised, the gateway’s own');
+  });
+
+  it('adds the hops of a latency up, as numbers and as bars of their lengths', async () => {
+    const page = await open();
+
+    const row = page.locator('#budget tr:has-text("left door")');
+    assert.deepEqual(await row.locator('td').allInnerTexts(), ['71', '0.300', '1.60', '9.10', '11', '29', '122']);
+    const widths = await row.locator('.hop').evaluateAll(spans => spans.map(span => span.getBoundingClientRect().width));
+    const [plant, , , , render, display] = widths;
+    assert.ok(Math.abs(plant / display - 71 / 29) < 0.1 && Math.abs(display / render - 29 / 11) < 0.15, widths.join(', '));
+  });
+
+  it('draws the chosen headset and the plant over time', async () => {
+    const page = await open();
+    await page.waitForFunction(() => document.querySelectorAll('.plot canvas').length === 4);
+    await becomes(page, '#plots', '82');
+
+    await page.waitForTimeout(1500);
+
+    // Of one source the fastest is the slowest, which is drawn over it.
+    for (const [i, ink] of ['--compensated', '--compensated', '--compensated', '--hold'].entries()) assert.ok(await hasInk(page, i, ink), `plot ${i}`);
+    const [, second] = await page.locator('#plots .legend').allInnerTexts();
+    assert.match(second, /410\s*µs[^]*120\s*µs/);
+  });
+
+  it('changes to another headset with the keyboard', async () => {
+    const page = await open();
+
+    await page.locator('input[value="left door"]').focus();
+    await page.keyboard.press('ArrowDown');
+
+    assert.ok(await page.locator('input[value="right door"]').isChecked());
+    await becomes(page, '.apart', 'right door');
+    await becomes(page, '#plots', '140');
+  });
+
+  it('keeps focus and choice while numbers and headsets change', async () => {
+    const page = await open();
+    await page.locator('input[value="right door"]').check();
+
+    gateway.state.headsets[1].rtt_ms = 77;
+    gateway.state.headsets.unshift({ name: 'new one', seen_s_ago: 0.1, state: 'converging' });
+    await page.waitForFunction(() => document.querySelector('#headsets').textContent.includes('new one'));
+
+    assert.ok(await page.locator('input[value="right door"]').isChecked());
+    assert.equal(await page.evaluate(() => document.activeElement.value), 'right door');
+    assert.equal((await cells(page, 'right door'))[7], '77');
+    assert.equal((await cells(page, 'new one'))[2], '–');
+  });
+
+  it('shows hostile names as text', async () => {
+    const hostile = '<img src=x onerror=alert(1)>"\'';
+    gateway.state.cell = gateway.state.headsets[0].name = gateway.state.adapters[0].reason = hostile;
+    const page = await open();
+
+    await page.waitForTimeout(300);
+    assert.equal(await page.textContent('h1'), hostile);
+    assert.equal(await page.locator('img').count(), 0);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('takes an answer in which nothing is known', async () => {
+    gateway.state = { role: 'observer' };
+    const page = await open({}, false);
+
+    await becomes(page, '#clock', 'not known');
+    assert.match(await page.textContent('#headsets'), /No headset is connected/);
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
+describe('faults', () => {
+  const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
+  const refused = { state: 'refused', since_utc: ago(95), age_s: 95.2, rate_hz: 0, reason: 'status Bad of node ns=2;s=Axis3' };
+  const event = (id, level, more = {}) => ({
+    id, kind: 'joint', which: 'arm_joint_3 (press)', what: 'is refused', reason: refused.reason, level, since_utc: ago(95), ...more,
+  });
+
+  /** The joint's row: source, state, since, rate, age. */
+  const jointCells = (page, name) => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) td`).allInnerTexts();
+
+  function fail() {
+    Object.assign(gateway.state.joints[2], refused);
+    gateway.state.status = { level: 'error', text: `joint arm_joint_3 (press) is refused: ${refused.reason}` };
+    gateway.state.events = [event(7, 'error')];
+  }
+
+  it('are not there: title, place and one line say so', async () => {
+    const page = await open();
+
+    assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.1.0');
+    assert.equal(await page.textContent('#place'), 'host cell-pc · Nowpose gateway 0.1.0');
+    assert.equal(await page.textContent('#status'), 'OK: 5 joints live, 2 headsets');
+    assert.equal(await page.getAttribute('#status', 'class'), 'level ok');
+    assert.ok(await page.locator('#alarms').isHidden());
+    assert.match(await page.textContent('#events'), /Nothing has gone wrong/);
+    const headings = await page.locator('#content h2').allInnerTexts();
+    assert.equal(headings[0], 'Plants');
+  });
+
+  it('of a joint are named in title, line, alarms and table, with reason and since when', async () => {
+    fail();
+    const page = await open();
+
+    assert.match(await page.title(), /^Fault: Press 3/);
+    assert.match(await page.textContent('#status'), /^Fault: joint arm_joint_3 \(press\) is refused: status Bad/);
+    assert.match(await page.textContent('#alarms'), /arm_joint_3 \(press\) is refused: status Bad of node ns=2;s=Axis3 – since \d\d:\d\d:\d\d/);
+    const [source, state, since, rate, age] = await jointCells(page, 'arm_joint_3');
+    assert.deepEqual([source, state, rate, age], ['press', 'refused', '0', '95\u00a0s']);
+    assert.match(since, /\d\d:\d\d:\d\d$/);
+    assert.equal(await page.locator('[aria-label="Joints"] tbody:has(th:text-is("arm_joint_3")) .note').innerText(), refused.reason);
+    assert.deepEqual((await jointCells(page, 'arm_joint_2')).slice(0, 2), ['press', 'live'], 'the others go on');
+
+    Object.assign(gateway.state.joints[2], gateway.state.joints[1], { name: 'arm_joint_3' });
+    gateway.state.status = { level: 'ok', text: '5 joints live, 2 headsets' };
+    gateway.state.events = [event(7, 'error', { until_utc: ago(0) })];
+    await becomes(page, '#status', 'OK');
+    assert.ok(await page.locator('#alarms').isHidden());
+    assert.match(await page.textContent('#events'), /over.*arm_joint_3 \(press\) is refused/);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('are shown in the words of the gateway', async () => {
+    gateway.state.events = [event(7, 'warning', { kind: 'limit', which: 'arm_joint_3', what: 'is exceeded', text: 'joint arm_joint_3 is outside its limits. Check it.' })];
+    const page = await open();
+
+    assert.match(await page.textContent('#alarms'), /^joint arm_joint_3 is outside its limits\. Check it\. – since/);
+    assert.match(await page.textContent('#events'), /joint arm_joint_3 is outside its limits\. Check it\./);
+    assert.doesNotMatch(await page.textContent('#content'), /limit arm_joint_3/);
+  });
+
+  it('that are over stay in the list, below those that last', async () => {
+    gateway.state.events = [event(9, 'error', { until_utc: ago(10) }), event(8, 'warning'), event(7, 'error', { until_utc: ago(90) })];
+    const page = await open();
+
+    const rows = await page.locator('#events tbody tr:not(.note)').evaluateAll(all => all.map(row => row.querySelector('th').textContent));
+    assert.deepEqual(rows, ['8', '9', '7']);
+    const [over] = await page.locator('#events tr:has(th:text-is("7"))').locator('td').evaluateAll(cells => [cells.map(cell => cell.innerText)]);
+    assert.deepEqual([over[0], over[3]], ['over', '5\u00a0s']);
+  });
+
+  it('are downloaded as CSV and as JSON', async () => {
+    const page = await open();
+
+    for (const format of ['csv', 'json']) {
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click(`.downloads a[href$="format=${format}"]`)]);
+      assert.equal(download.suggestedFilename(), `nowpose-events.${format}`);
+    }
+  });
+
+  it('have words, icon and colour, and can be read on light and dark', async () => {
+    fail();
+    gateway.state.events.push(event(6, 'warning', { kind: 'headset', which: 'left door' }));
+    gateway.state.joints[0].state = 'rest';
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await open({ colorScheme });
+      await page.waitForSelector('#alarms .warning');
+      const levels = await page.evaluate(() => {
+        const channels = colour => colour.match(/[\d.]+/g).map(Number);
+        const luminance = colour => channels(colour).slice(0, 3).map(c => c / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+          .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+        const backOf = element => {
+          for (let at = element; at; at = at.parentElement) {
+            const back = getComputedStyle(at).backgroundColor;
+            if ((channels(back)[3] ?? 1) === 1) return back;
+          }
+          throw new Error('no background');
+        };
+        return [...document.querySelectorAll('.level')].filter(e => e.checkVisibility()).map(e => {
+          const [a, b] = [luminance(getComputedStyle(e).color), luminance(backOf(e))];
+          return { level: e.className, text: e.textContent, icon: getComputedStyle(e, '::before').content, contrast: (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) };
+        });
+      });
+
+      assert.ok(['level ok', 'level rest', 'level warning', 'level error'].every(level => levels.some(one => one.level === level)), JSON.stringify(levels));
+      for (const { level, text, icon, contrast } of levels) {
+        assert.ok(contrast > 4.5, `${colorScheme} ${level}: ${contrast}`);
+        assert.ok(text.length > 1 && icon !== 'none', `${level}: words and an icon`);
+      }
+    }
+  });
+
+  it('fit into a narrow window', async () => {
+    fail();
+    gateway.state.events[0].reason = 'x'.repeat(300);
+    const page = await open({ viewport: { width: 390, height: 844 } });
+    await page.waitForSelector('#alarms li');
+
+    const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(content <= window, `${content} px of content`);
+  });
+
+  it('of a headset are in its row', async () => {
+    Object.assign(gateway.state.headsets[0], { pose: 'incomplete', missing_joints: 'a,b', current_share: 0.4, profile_mismatch: 'made for HoloLens 2' });
+    const page = await open();
+
+    assert.deepEqual((await cells(page, 'left door')).slice(1, 3), ['incomplete', '40']);
+    const note = await page.locator('#headsets .note p').first().innerText();
+    assert.equal(note, 'missing joints: a, b; the latency profile does not match this headset: made for HoloLens 2');
+  });
+
+  it('do not include a coarse clock, which is shown with its ±', async () => {
+    Object.assign(gateway.state.headsets[0], { state: 'coarse', pose: 'coarse', error_bound_us: 9000, estimated_error_us: 3000 });
+    Object.assign(gateway.state.clock, { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
+    Object.assign(gateway.state.plant_clocks[0], { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
+    const page = await open();
+
+    assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill('coarse, ±\u00a03\u00a0ms'));
+    assert.equal(await page.textContent('#clock'), 'coarse, ±\u00a04\u00a0ms, of press');
+    assert.equal((await page.locator('[aria-label="Clocks of the plant"] tr:has(th:text-is("press")) td').allInnerTexts())[1], 'coarse, ±\u00a04\u00a0ms');
+    assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
+  });
+
+  it('of an adapter are counted by reason', async () => {
+    Object.assign(gateway.state.adapters[0], { 'refused/bad_status': 7, 'refused/nan': 2, 'refused/late': 0 });
+    const page = await open();
+
+    assert.equal(await page.locator('[aria-label="Plant connections"] .note p').first().innerText(), 'refused values: bad_status 7, nan 2');
+  });
+
+  it('of the gateway itself leave no OK behind', async () => {
+    const page = await open();
+
+    gateway.isSilent = true;
+
+    await becomes(page, '#status', 'Not known');
+    assert.match(await page.title(), /^Not known: Press 3/);
+    assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
+  });
+
+  it('explain their terms and units on hover', async () => {
+    const page = await open();
+
+    for (const term of ['RTT (ms)', 'L_app (ms)', 'L_visu (ms)', 'Drift against it (ppm)', 'P95 (ms)', 'Age', 'Pose', 'Control clock']) {
+      const title = await page.locator('abbr', { hasText: new RegExp(`^${term.replace(/[()]/g, '\\$&')}$`) }).first().getAttribute('title');
+      assert.ok(title.length > 10, term);
+    }
+  });
+});

@@ -1,0 +1,284 @@
+// What a person does with the page of operations, with any window and eye.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { describe, it } from 'node:test';
+import { contrast, luminance } from '../inks.mjs';
+import { picture } from '../pixels.mjs';
+import { readElement } from '../qr.mjs';
+import { becomes, cells, gateway, open, withGraphics } from './page.mjs';
+
+/** Of the texts below the content, the least contrast with the page, as opacity and greyness leave them. */
+const weakestText = page => page.evaluate(() => {
+  const channels = colour => colour.match(/[\d.]+/g).slice(0, 3).map(c => c / 255);
+  const linear = c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+  const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+  const back = channels(getComputedStyle(document.body).backgroundColor);
+  let weakest = Infinity;
+  for (const e of document.querySelectorAll('#content dt, #content dd, #content p, #content th, #content td')) {
+    if (!e.checkVisibility() || !e.textContent.trim()) continue;
+    let ink = channels(getComputedStyle(e).color), opacity = 1, isGrey = false;
+    for (let at = e; at; at = at.parentElement) {
+      const { opacity: own, filter } = getComputedStyle(at);
+      opacity *= own;
+      isGrey ||= filter.includes('grayscale');
+    }
+    if (isGrey) ink = ink.map((_, __, [r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b);
+    const [a, b] = [luminance(ink.map((c, i) => opacity * c + (1 - opacity) * back[i])), luminance(back)];
+    weakest = Math.min(weakest, (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05));
+  }
+  return weakest;
+});
+
+describe('what can be done', () => {
+  it('switches the recorder on and off', async () => {
+    const page = await open();
+
+    await page.locator('#record').focus();
+    await page.keyboard.press('Enter');
+    await becomes(page, '#recording', 'recording press-3.jsonl: 12 lines');
+    assert.equal(await page.textContent('#record'), 'Stop recording');
+    assert.equal(await page.getAttribute('#record', 'aria-pressed'), null, 'one of the two says it');
+    await page.click('#record');
+    await becomes(page, '#recording', 'stopped');
+
+    assert.deepEqual(gateway.posts, [['/operations/recording', { on: 'true' }], ['/operations/recording', { on: 'false' }]]);
+  });
+
+  it('offers no recorder without a folder', async () => {
+    gateway.state.recording = { can: false, on: false };
+    const page = await open();
+
+    assert.ok(await page.locator('#record').isHidden());
+    assert.ok(await page.locator('#recordings-section').isHidden());
+    assert.match(await page.textContent('#recording'), /no folder/);
+  });
+
+  it('lists recordings with their sizes, downloads them, and notices one that is deleted', async () => {
+    const page = await open();
+    await becomes(page, '#recordings', 'press-1.jsonl');
+    assert.equal((await cells(page, 'press-1.jsonl'))[0], '2.50');
+
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#recordings a')]);
+    assert.equal(download.suggestedFilename(), 'press-1.jsonl');
+    assert.match(download.url(), /\/operations\/recordings\/press-1\.jsonl$/);
+
+    gateway.recordings = [];
+    await becomes(page, '#recordings-note', 'Deleted: press-1.jsonl');
+    gateway.state.recording = { can: true, on: false, file: 'press-1.jsonl', lines: 5, bytes: 10, lost: 0, deleted: true };
+    await becomes(page, '#recording', 'last press-1.jsonl: the file was deleted');
+  });
+
+  it('lists no recordings for others than operators', async () => {
+    gateway.state.role = 'observer';
+    const page = await open();
+
+    await becomes(page, '#recordings-note', 'log in with a token of the role operator');
+    assert.equal(await page.locator('#recordings a').count(), 0);
+  });
+
+  it('tells who may not record, and what went wrong', async () => {
+    gateway.state.role = 'observer';
+    const page = await open();
+    assert.ok(await page.isDisabled('#record'));
+    assert.match(await page.textContent('#may-record'), /role operator/);
+
+    gateway.state.recording = { can: true, on: false, file: 'a.jsonl', lines: 5, bytes: 10, lost: 3, problem: 'the disk is full' };
+    await becomes(page, '#recording', '3 lines are missing. Problem: the disk is full');
+  });
+
+  it('asks for a token where the gateway does, and shows everything with it', async () => {
+    gateway.token = 'open-sesame';
+    const page = await open({}, false);
+    await page.waitForSelector('#login', { state: 'visible' });
+
+    assert.equal(gateway.connects, 0, 'who is not let in does not knock');
+    await page.fill('#token-text', 'guess');
+    await page.keyboard.press('Enter');
+    await becomes(page, '#login-fault', 'not a token');
+    await page.fill('#token-text', 'open-sesame');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#login', { state: 'hidden' });
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'content');
+    await becomes(page, '.apart', 'left door');
+    gateway.state.cell = 'Press 4';
+    await page.waitForFunction(() => document.querySelector('h1').textContent === 'Press 4');
+
+    assert.ok(await page.locator('#login').isHidden());
+    assert.equal(await page.inputValue('#token-text'), '');
+    assert.ok(!(await page.content()).includes('open-sesame'));
+    await page.click('#logout');
+    await page.waitForSelector('#login', { state: 'visible' });
+    assert.match(await page.textContent('#trouble'), /Log in/);
+  });
+
+  it('shows the code that pairs when asked, and hides it again', async () => {
+    const page = await open();
+    assert.deepEqual(gateway.posts, []);
+
+    await page.click('#show-code');
+    await page.waitForSelector('#token svg');
+    assert.equal(await readElement(page.locator('#token svg')), 'nowpose:token/1?t=AAAAAAAAAAAAAAAAAAAAAA&x=1');
+    await page.click('#show-code');
+
+    assert.ok(await page.locator('#code').isHidden());
+    assert.equal(await page.locator('#token svg').count(), 0);
+    const asked = gateway.posts.length;
+    await page.waitForTimeout(2500);
+    assert.equal(gateway.posts.length, asked);
+  });
+});
+
+describe('the code that pairs', () => {
+  it('which is still on its way when it is hidden stays out of the page', async () => {
+    const page = await open();
+    let release;
+    gateway.codeIsLate = new Promise(resolve => { release = resolve; });
+    await page.click('#show-code');
+    for (let i = 0; i < 100 && gateway.posts.length === 0; i++) await page.waitForTimeout(50);
+    assert.equal(gateway.posts.length, 1);
+
+    await page.click('#show-code');
+    const answered = page.waitForResponse(/pair\/code/);
+    release();
+    await (await answered).finished();
+    await page.waitForTimeout(300);
+
+    assert.equal(await page.locator('#token svg').count(), 0);
+  });
+});
+
+describe('a gateway that is gone', () => {
+  withGraphics();
+
+  it('is said once, and what is shown marked as old, until it is back', async () => {
+    const page = await open();
+
+    gateway.isSilent = true;
+    await becomes(page, '#trouble', 'does not answer. What is shown is of');
+    assert.ok(await page.locator('#content.stale').count());
+    assert.ok(await weakestText(page) > 4.5, 'what is old can be read');
+    const changes = await page.evaluate(async () => {
+      let count = 0;
+      const watch = new MutationObserver(() => count++);
+      watch.observe(document.querySelector('#trouble'), { childList: true, characterData: true, subtree: true });
+      await new Promise(done => setTimeout(done, 2500));
+      return count;
+    });
+    assert.equal(changes, 0, 'a live region that chatters');
+
+    gateway.isSilent = false;
+    await page.waitForFunction(() => document.querySelector('#trouble').textContent === '');
+    assert.equal(await page.locator('#content.stale').count(), 0);
+  });
+
+  it('is called again, and its robot goes on', async () => {
+    const page = await open();
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+
+    gateway.hangUp();
+    gateway.began -= 100_000;
+
+    const deadline = Date.now() + 60_000;
+    while (gateway.connects < 2) {
+      assert.ok(Date.now() < deadline, 'it never called again');
+      await new Promise(done => setTimeout(done, 50));
+    }
+    await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+  });
+});
+
+describe('any window, any eye', () => {
+  withGraphics();
+
+  it('reaches every control with the keyboard, visibly', async () => {
+    const page = await open({ reducedMotion: 'reduce' });
+    const wanted = await page.evaluate(() => [...document.querySelectorAll('a, button, input, [tabindex="0"]')]
+      .filter(e => e.checkVisibility() && !e.disabled && !(e.type === 'radio' && !e.checked)).length);
+
+    const reached = new Set();
+    for (let i = 0; i < wanted; i++) {
+      await page.keyboard.press('Tab');
+      const { id, outlined } = await page.evaluate(() => {
+        const e = document.activeElement;
+        return { id: [...document.querySelectorAll('*')].indexOf(e), outlined: parseFloat(getComputedStyle(e).outlineWidth) >= 2 };
+      });
+      assert.ok(outlined, 'the focus is outlined');
+      reached.add(id);
+    }
+
+    assert.ok(wanted > 15, `${wanted} controls`);
+    assert.equal(reached.size, wanted);
+  });
+
+  it('has a name for everything, and one heading above all', async () => {
+    const page = await open();
+
+    const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, [tabindex="0"], section, table')].filter(e => {
+      const labels = [e.getAttribute('aria-label'), e.textContent, e.labels?.[0]?.textContent, e.caption?.textContent,
+        document.getElementById(e.getAttribute('aria-labelledby'))?.textContent];
+      return e.checkVisibility() && !labels.some(label => label?.trim());
+    }).map(e => e.outerHTML.slice(0, 80)));
+
+    assert.deepEqual(nameless, []);
+    assert.equal(await page.locator('h1').count(), 1);
+    assert.deepEqual(await page.locator('[role="status"], [aria-live]').evaluateAll(all => all.map(e => e.id)), ['status', 'trouble']);
+  });
+
+  for (const [width, height] of [[1280, 720], [390, 844], [320, 640]]) {
+    it(`fits a window of ${width} × ${height}`, async () => {
+      const page = await open({ viewport: { width, height } });
+      await page.waitForTimeout(300);
+
+      const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      assert.ok(content <= window, `${content} px of content`);
+      const stage = await page.locator('.stage').boundingBox();
+      assert.ok(stage.x >= 0 && stage.x + stage.width <= width);
+    });
+  }
+
+  it('shows what matters most without scrolling in half a window', async () => {
+    const page = await open({ viewport: { width: 800, height: 900 } });
+
+    for (const [table, last] of [['Headsets', 'Error reduction'], ['Latency by hop', 'together']]) {
+      const outer = await page.locator(`[aria-label="${table}"]`).boundingBox();
+      const inner = await page.locator(`[aria-label="${table}"] th:has-text("${last}")`).boundingBox();
+      assert.ok(inner.x + inner.width <= outer.x + outer.width + 1, `${last}: ${inner.x + inner.width} beyond ${outer.x + outer.width}`);
+    }
+  });
+
+  it('is light or dark as the system is, and can be read on both', async () => {
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await open({ colorScheme });
+      const [ink, muted, surface, accent] = await luminance(page, ['--ink', '--muted', '--surface', '--accent']);
+      assert.ok(contrast(ink, surface) > 7 && contrast(muted, surface) > 4.5 && contrast(accent, surface) > 4.5, colorScheme);
+      const hops = await luminance(page, ['plant', 'gateway', 'network', 'queue', 'render', 'display'].map(hop => `--hop-${hop}`));
+      for (let i = 1; i < hops.length; i++) assert.ok(contrast(hops[i - 1], hops[i]) > 1.5, `${colorScheme}: hops ${i - 1} and ${i}`);
+    }
+  });
+
+  it('moves once a second only for those who want no motion', async () => {
+    const frames = async reducedMotion => {
+      const page = await open({ reducedMotion });
+      await page.waitForFunction(() => /shows the tool/.test(document.querySelector('.apart').textContent));
+      await page.locator('.stage').scrollIntoViewIfNeeded();
+      return page.evaluate(async () => {
+        let count = 0;
+        const { clear } = WebGL2RenderingContext.prototype;
+        WebGL2RenderingContext.prototype.clear = function (...all) { count++; return clear.apply(this, all); };
+        await new Promise(done => setTimeout(done, 2000));
+        return count;
+      });
+    };
+
+    const [calm, moving] = [await frames('reduce'), await frames('no-preference')];
+    // In two seconds, each picture cleared twice; a busy machine draws as many of the others as it can.
+    assert.ok(calm >= 1 && calm <= 8 && moving > calm, `${calm} against ${moving} clears`);
+  });
+
+  it('holds the licences of what it contains, and needs nothing from elsewhere', () => {
+    const html = readFileSync(new URL('../../dist/operations.html', import.meta.url), 'utf8');
+    for (const words of ['three.js authors', 'Leon Sorokin', 'Kazuhiko Arase', 'California Institute of Technology', 'Apache License']) assert.match(html, new RegExp(words));
+    assert.doesNotMatch(html.split('<script>')[0], /(src|href)="(?!data:)/);
+    assert.ok(html.length < 1_000_000, `${html.length} bytes`);
+  });
+});
