@@ -32,15 +32,8 @@ public sealed class VisionPool : IDisposable
     {
         _script = script;
         _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MostWorkers)];
-        try
-        {
-            for (var i = 0; i < _workers.Length; i++) _workers[i] = new VisionWorker(script);
-        }
-        catch
-        {
-            Dispose();
-            throw;
-        }
+        // What is missing is said at once; the others start with their first picture, all at the same time.
+        _workers[0] = new VisionWorker(script);
     }
 
     /// <summary>Runs to the end of the pictures, or until it is cancelled; what goes wrong from then on does not matter.</summary>
@@ -110,14 +103,14 @@ public sealed class VisionPool : IDisposable
     {
         try
         {
-            var seen = SeenOf(_workers[worker].Ask(picture.Json()));
+            var seen = SeenOf((_workers[worker] ??= new VisionWorker(_script)).Ask(picture.Json()));
             ended = 0;
             return seen;
         }
         catch (WorkerEndedException) when (++ended < MostEnded)
         {
             _workers[worker].Dispose();
-            _workers[worker] = new VisionWorker(_script);
+            _workers[worker] = null;
             return new SeenPicture(0, 0, [], "what reads pictures has ended at it; is it too large?");
         }
     }
