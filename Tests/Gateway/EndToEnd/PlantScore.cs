@@ -30,6 +30,9 @@ sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisat
     /// <summary>P95 of how far off the headset says that it may be; ms. Grows with what the machine is busy with.</summary>
     public double ClockBoundMs => P95(_bound);
 
+    /// <summary>Share of the frames in which the clock was no farther off than the headset said that it may be.</summary>
+    public double BoundHolds => _clock.Zip(_bound).Count(pair => pair.First <= pair.Second) / (double)_clock.Count;
+
     /// <summary>P95 of the moment to which was predicted, less the true one; ms.</summary>
     public double LightErrorMs => P95(_light);
 
@@ -48,7 +51,7 @@ sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisat
 
     public override string ToString() => string.Create(CultureInfo.InvariantCulture,
         $"{_shown.Count} of {_played} frames, tool {HoldRms:0.0} -> {Rms:0.00} mm RMS ({100 * Reduction:0.0} %), "
-        + $"clock P95 {ClockErrorMs:0.000} ms, bound P95 {ClockBoundMs:0.000} ms, light P95 {LightErrorMs:0.000} ms");
+        + $"clock P95 {ClockErrorMs:0.000} ms, bound P95 {ClockBoundMs:0.000} ms (holds in {100 * BoundHolds:0.0} %), light P95 {LightErrorMs:0.000} ms");
 
     void Score(DisplayFrame frame, in ClockModel clock, HeadsetTime now)
     {

@@ -73,7 +73,7 @@ namespace Nowpose.Sync
         /// <summary>What is known at a headset time, with the bound and the state as they are by then. Allocates nothing.</summary>
         /// <remarks>
         /// The error bound is what the recent exchanges prove (at best half the least round trip: an asymmetry can hide no
-        /// more), the server's own bound, and what doubts of the skew can have added since the newest exchange. It counts on
+        /// more), what the server said of its own error in each of them, and what doubts of the skew can have added since the newest exchange. It counts on
         /// the server to say its clock's resolution. A step of less than the least round trip is covered from the first
         /// exchange on that is punctual enough to show it; one of less than about 0.3 ms can be missed, and is covered again
         /// when the exchanges before it are a minute old.
@@ -160,17 +160,17 @@ namespace Nowpose.Sync
         {
             var line = _estimator.Line;
             var proven = _envelope.GreatestError(line);
-            var others = exchange.ServerErrorBound + _detector.Suspicion;
-            var error = EstimatedError(line, proven) + others;
+            var error = EstimatedError(line, proven) + _detector.Suspicion;
             _belief = new Belief(
-                line, StateOf(line, error, exchange.ServerSynchronised), proven + others, error, exchange.RoundTripTime, exchange.Resolution,
+                line, StateOf(line, error, exchange.ServerSynchronised), proven + _detector.Suspicion, error, exchange.RoundTripTime, exchange.Resolution,
                 _belief.Steps + (stepped ? 1 : 0), _detector.Suspicion > TimeSpan.Zero);
         }
 
-        static TimeSpan EstimatedError(in ClockLine line, TimeSpan proven)
+        TimeSpan EstimatedError(in ClockLine line, TimeSpan proven)
         {
-            var threeErrors = new TimeSpan(3 * line.OffsetError.Ticks);
-            return threeErrors == TimeSpan.Zero || threeErrors > proven ? proven : threeErrors;
+            if (line.OffsetError == TimeSpan.Zero) return proven;
+            var likely = new TimeSpan(3 * line.OffsetError.Ticks) + _envelope.GreatestServerErrorBound();
+            return likely > proven ? proven : likely;
         }
 
         ClockState StateOf(in ClockLine line, TimeSpan error, bool isServerSynchronised)

@@ -5,7 +5,8 @@ namespace Nowpose.Sync
     /// <summary>The offsets that recent exchanges leave possible, whatever the network did.</summary>
     /// <remarks>
     /// No packet arrives before it was sent, so each exchange proves t1 − t2 ≤ Φ ≤ t4 − t3 (widened by half the resolution
-    /// that the control clock said in it). An older proof is carried to the present by the estimated skew, and widened
+    /// that the control clock said in it). A server that follows another clock may itself be wrong by what it said in the
+    /// exchange; by so much more is the truth beside each proof, also after the server knows its clock better. An older proof is carried to the present by the estimated skew, and widened
     /// by what that may be wrong. All together leave an interval about as long as the least recent round trip.
     /// </remarks>
     sealed class OffsetEnvelope
@@ -29,16 +30,27 @@ namespace Nowpose.Sync
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
             var proof = new OffsetBounds(exchange);
-            var (least, greatest) = At(exchange.T4, line);
+            var (least, greatest) = At(exchange.T4, line, isTruth: false);
             return proof.Least - proof.HalfResolution <= greatest + margin.Ticks && proof.Greatest + proof.HalfResolution >= least - margin.Ticks;
         }
 
-        /// <summary>How far the true offset can be from the line where it is anchored: the distance to the farther end of the interval.</summary>
+        /// <summary>
+        /// How far the true offset can be from the line where it is anchored, the server's own error included: the distance to
+        /// the farther end of the interval.
+        /// </summary>
         public TimeSpan GreatestError(in ClockLine line)
         {
-            var (least, greatest) = At(line.Reference, line);
+            var (least, greatest) = At(line.Reference, line, isTruth: true);
             var offset = line.Offset.HeadsetMinusControl.Ticks;
             return new TimeSpan(Math.Max(Math.Abs(greatest - offset), Math.Abs(offset - least)));
+        }
+
+        /// <summary>The most that a server said of its own clock's error in the recent exchanges: the line rests on all of them.</summary>
+        public TimeSpan GreatestServerErrorBound()
+        {
+            long greatest = 0;
+            for (var i = 0; i < _history.Count; i++) greatest = Math.Max(greatest, _history[i].ServerErrorBound);
+            return new TimeSpan(greatest);
         }
 
         /// <summary>Where the bounds lie beside the line, without the newest few.</summary>
@@ -49,7 +61,8 @@ namespace Nowpose.Sync
             for (var i = newest; i < _history.Count; i++) corridor.Add(line, _history[i]);
         }
 
-        (long Least, long Greatest) At(HeadsetTime now, in ClockLine line)
+        /// <param name="isTruth">Of the clock that the server follows, instead of what the server shows.</param>
+        (long Least, long Greatest) At(HeadsetTime now, in ClockLine line, bool isTruth)
         {
             var doubt = line.Exchanges == 0 ? ClockLine.GreatestSkew : 3 * line.SkewError + _skewDoubt;
             // Halves, so that a margin can be added to the ends of an interval that nothing bounds yet.
@@ -57,8 +70,9 @@ namespace Nowpose.Sync
             for (var i = 0; i < _history.Count; i++)
             {
                 ref readonly var proof = ref _history[i];
-                least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - proof.HalfResolution);
-                greatest = Math.Min(greatest, Carried(proof.Greatest, now - proof.Received, line.Skew, doubt) + proof.HalfResolution);
+                var beside = proof.HalfResolution + (isTruth ? proof.ServerErrorBound : 0);
+                least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - beside);
+                greatest = Math.Min(greatest, Carried(proof.Greatest, now - proof.Received, line.Skew, doubt) + beside);
             }
             return (least, greatest);
         }

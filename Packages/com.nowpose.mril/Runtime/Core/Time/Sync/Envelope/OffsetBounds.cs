@@ -13,6 +13,7 @@ namespace Nowpose.Sync
             Received = exchange.T4;
             Greatest = (exchange.T4.SinceEpoch - exchange.T3.SinceEpoch).Ticks;
             HalfResolution = exchange.Resolution.Ticks / 2;
+            ServerErrorBound = exchange.ServerErrorBound.Ticks;
         }
 
         OffsetBounds(in OffsetBounds of, long least, long greatest)
@@ -34,6 +35,9 @@ namespace Nowpose.Sync
 
         /// <summary>Half the resolution that the control clock said: by so much each bound may be wrong.</summary>
         public long HalfResolution { get; }
+
+        /// <summary>By how much the server said that its own clock may be wrong, ticks: by so much more may each bound be.</summary>
+        public long ServerErrorBound { get; }
 
         /// <summary>The same exchange with its bounds moved, ticks.</summary>
         public OffsetBounds Shifted(long least, long greatest) => new OffsetBounds(this, Least + least, Greatest + greatest);

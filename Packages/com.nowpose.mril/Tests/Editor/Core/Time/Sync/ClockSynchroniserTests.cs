@@ -58,6 +58,31 @@ namespace Nowpose.Tests
             Assert.That(run.Instants.Last().Model.State, Is.EqualTo(ClockState.Synchronised), "one exchange ends the holdover");
         }
 
+        // A gateway that learns a plant's clock while the headset learns the gateway's: what was heard of it at first was wrong by more than
+        // it says of itself by now.
+        [TestCase(ClockEstimators.Default)]
+        [TestCase(ClockEstimators.Ransac)]
+        public void Error_OfAServerThatComesToKnowItsClock_StaysWithinWhatIsSaid(string estimator)
+        {
+            foreach (var network in new[] { NetworkProfile.Lan, NetworkProfile.Wifi })
+                foreach (var firstMs in new[] { -4.0, 1, 4 })
+                    for (var seed = 40; seed < 44; seed++)
+                    {
+                        var run = new SyncRun(ClockEstimators.Create(estimator));
+                        double AheadMs(double s) => firstMs * Math.Exp(-s / 5);
+
+                        run.Run(new SimulatedLink(network, seed, 40) { Server = s => (AheadMs(s), Math.Abs(AheadMs(s)) + 0.1) }, 0, 90);
+
+                        var known = run.Instants.Where(i => i.Model.State == ClockState.Synchronised || i.Model.State == ClockState.Coarse).ToList();
+                        var label = network.Name + " " + firstMs + " ms, seed " + seed;
+                        Assert.That(known.Count(i => Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds), Is.EqualTo(0), label);
+                        var beyond = known.Count(i => Math.Abs(i.ErrorMs) > i.Model.EstimatedError.TotalMilliseconds);
+                        Assert.That(beyond, Is.LessThanOrEqualTo(0.01 * known.Count), label);
+                        Assert.That(known.Count, Is.GreaterThan(0.95 * run.Instants.Count()), label);
+                        Assert.That(run.PercentileMs(85, 1), Is.LessThan(1), label);
+                    }
+        }
+
         [TestCase("lan", 0)]
         [TestCase("wifi", 0)]
         [TestCase("busy-wifi", 0.02)]

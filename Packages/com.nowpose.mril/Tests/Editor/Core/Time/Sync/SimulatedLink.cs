@@ -62,6 +62,9 @@ namespace Nowpose.Tests
         /// <summary>What the exchanges say of it where that is not true; null where it is.</summary>
         public TimeSpan? SaidResolution { get; set; }
 
+        /// <summary>What a server that follows another clock is ahead of it, and what it says that this may be, ms, given seconds since the start.</summary>
+        public Func<double, (double AheadMs, double SaidMs)> Server { get; set; } = s => (0, 0);
+
         /// <returns>False when the exchange was lost.</returns>
         public bool TryExchange(HeadsetTime at, out SyncExchange exchange)
         {
@@ -69,13 +72,14 @@ namespace Nowpose.Tests
             var arrival = at + _up.Next() + Ms(load.UpMs + LongerUpMs);
             var sent = arrival + Ms(0.02);
             var back = sent + _down.Next() + Ms(load.DownMs + LongerDownMs);
-            exchange = new SyncExchange(at, Stamp(arrival), Stamp(sent), back, SaidResolution ?? Resolution);
+            exchange = new SyncExchange(
+                at, Stamp(arrival), Stamp(sent), back, SaidResolution ?? Resolution, Ms(Server(arrival.SinceEpoch.TotalSeconds).SaidMs), true);
             return _random.NextDouble() >= _lossChance;
         }
 
         ControlTime Stamp(HeadsetTime moment)
         {
-            var exact = TrueOffset(moment).ToControl(moment).SinceEpoch.Ticks;
+            var exact = (TrueOffset(moment).ToControl(moment) + Ms(Server(moment.SinceEpoch.TotalSeconds).AheadMs)).SinceEpoch.Ticks;
             return new ControlTime(new TimeSpan(Resolution == TimeSpan.Zero ? exact : exact / Resolution.Ticks * Resolution.Ticks));
         }
     }
