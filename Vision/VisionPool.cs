@@ -32,7 +32,7 @@ public sealed class VisionPool : IDisposable
     {
         _script = script;
         _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MostWorkers)];
-        // What is missing is said at once; the others start with their first picture, all at the same time.
+        // Started now, so that a missing Node.js is reported at once. The others start in parallel, each with its first picture.
         _workers[0] = new VisionWorker(script);
     }
 
@@ -101,15 +101,16 @@ public sealed class VisionPool : IDisposable
 
     SeenPicture Ask(int worker, PictureRequest picture, ref int ended)
     {
+        var asked = _workers[worker] ??= new VisionWorker(_script);
         try
         {
-            var seen = SeenOf((_workers[worker] ??= new VisionWorker(_script)).Ask(picture.Json()));
+            var seen = SeenOf(asked.Ask(picture.Json()));
             ended = 0;
             return seen;
         }
         catch (WorkerEndedException) when (++ended < MostEnded)
         {
-            _workers[worker].Dispose();
+            asked.Dispose();
             _workers[worker] = null;
             return new SeenPicture(0, 0, [], "what reads pictures has ended at it; is it too large?");
         }

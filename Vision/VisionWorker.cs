@@ -44,7 +44,15 @@ sealed class VisionWorker : IDisposable
             throw new InputException($"{Needed}; it could not be started: {e.Message}. Install it from nodejs.org", e);
         }
         _process.BeginErrorReadLine();
-        Ask(CodePattern.Json());
+        try
+        {
+            Ask(CodePattern.Json());
+        }
+        catch (WorkerEndedException)
+        {
+            Dispose();
+            throw;
+        }
     }
 
     /// <param name="request">One line of JSON.</param>

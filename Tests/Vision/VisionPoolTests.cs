@@ -51,6 +51,26 @@ public sealed class VisionPoolTests
     }
 
     [Test]
+    public void Look_WorkerThatEndsWhenItIsStarted_IsAFaultWithWhatItSaid()
+    {
+        var script = Path.ChangeExtension(_script, ".once.mjs");
+        File.WriteAllText(script, "console.error('no memory'); process.exit(7);");
+        try
+        {
+            Assert.That(() => new VisionPool(1, script).Dispose(), Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("no memory"));
+            File.WriteAllText(script, StandIn);
+            using var pool = new VisionPool(2, script);
+            File.WriteAllText(script, "console.error('no memory'); process.exit(7);");
+            Assert.That(
+                () => pool.Look(Files("a.png", "b.png"), (_, _) => { }, default), Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("no memory"));
+        }
+        finally
+        {
+            File.Delete(script);
+        }
+    }
+
+    [Test]
     public void Look_WorkerThatEndsAtEveryPicture_IsAFault()
     {
         Assert.That(() => Look(Files("deadly1.png", "deadly2.png", "deadly3.png", "deadly4.png")), Throws.InstanceOf<InvalidOperationException>());
