@@ -5,6 +5,7 @@ import { prepare } from '../../Web/preparation.mjs';
 
 process.exitCode = await prepare({
   folder: dirname(fileURLToPath(import.meta.url)),
-  sources: ['src', 'licences', 'plant.schema.json', 'package-lock.json', 'bundle.mjs', 'loading.mjs', 'prepare.mjs', '../../Web/preparation.mjs', '../../Packages/com.nowpose.mril/Runtime/Robots'],
+  sources: ['src', 'licences', 'plant.schema.json', 'package-lock.json', 'bundle.mjs', 'loading.mjs', 'prepare.mjs', '../../Web/preparation.mjs',
+    '../../Packages/com.nowpose.mril/Runtime/Robots'],
   outputs: ['plant.mjs', 'opcua.mjs', 'ads.mjs', 'ros.mjs', 'broker.mjs', 'plant.schema.json', 'adapter-licences.txt'],
 });

@@ -3,7 +3,7 @@ import { after, afterEach, before, beforeEach } from 'node:test';
 import { Browser, NO_WEBGL, WEBGL } from '../browser.mjs';
 import { FakeGateway } from '../fakeGateway.mjs';
 
-/** That of the test that runs. */
+/** The gateway of the current test. */
 export let gateway;
 let graphics = NO_WEBGL;
 const browsers = new Map();
@@ -16,7 +16,7 @@ afterEach(async () => {
 });
 after(() => Promise.all([...browsers.values()].map(each => each.stop())));
 
-/** For the tests around: they look at the robot. Without its graphics a page takes two thirds of the time. */
+/** Runs the enclosing tests with WebGL. Without it a page takes a third less time. */
 export function withGraphics() {
   before(() => { graphics = WEBGL; });
   after(() => { graphics = NO_WEBGL; });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
 import { picture } from '../pixels.mjs';
-import { becomes, cells, gateway, open, withGraphics } from './page.mjs';
+import { becomes, gateway, open, withGraphics } from './page.mjs';
 
 /** How many bodies one picture of the 3D view has: what is drawn between two times it is cleared. */
 const bodiesDrawn = async page => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { JOINTS } from '../fakeGateway.mjs';
-import { contrast, hasInk, luminance } from '../inks.mjs';
+import { hasInk } from '../inks.mjs';
 import { becomes, cells, gateway, open } from './page.mjs';
 
 /** What stands below a row; null where nothing does. */

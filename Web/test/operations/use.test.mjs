@@ -3,7 +3,6 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
 import { contrast, luminance } from '../inks.mjs';
-import { picture } from '../pixels.mjs';
 import { readElement } from '../qr.mjs';
 import { becomes, cells, gateway, open, withGraphics } from './page.mjs';
 
