@@ -35,11 +35,11 @@ public class PlantEndToEndTests
             () => score.Play(session, clock, TimeSpan.FromSeconds(6)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
         TestContext.Out.WriteLine($"{kind}: {score}");
-        // What the clock may be off by is proven, however busy the machine.
-        Assert.That(score.BoundHolds, Is.GreaterThanOrEqualTo(0.99), score.ToString());
+        Assert.That(score.CurrentShare, Is.GreaterThan(0), score.ToString());
+        // The bound is proven by each exchange, so it holds on a busy machine too.
+        Assert.That(score.BoundHolds, Is.EqualTo(1), score.ToString());
         // The other limits are wide because a busy machine delays samples and frames. How much of the error is removed is tested in virtual
         // time. A wrong clock, order of joints or unit exceeds these limits by far.
-        Assert.That(score.CurrentShare, Is.GreaterThan(0), score.ToString());
         Assert.That(score.Reduction, Is.GreaterThan(0.3), score.ToString());
         Assert.That(score.ClockErrorMs, Is.LessThan(50), score.ToString());
         Assert.That(score.HoldRms, Is.GreaterThan(8), "a robot that rests proves nothing");

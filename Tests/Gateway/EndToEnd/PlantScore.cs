@@ -51,7 +51,8 @@ sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisat
 
     public override string ToString() => string.Create(CultureInfo.InvariantCulture,
         $"{_shown.Count} of {_played} frames, tool {HoldRms:0.0} -> {Rms:0.00} mm RMS ({100 * Reduction:0.0} %), "
-        + $"clock P95 {ClockErrorMs:0.000} ms, bound P95 {ClockBoundMs:0.000} ms (holds in {100 * BoundHolds:0.0} %), light P95 {LightErrorMs:0.000} ms");
+        + $"clock P95 {ClockErrorMs:0.000} ms, bound P95 {ClockBoundMs:0.000} ms "
+        + $"(holds in {100 * BoundHolds:0.0} %), light P95 {LightErrorMs:0.000} ms");
 
     void Score(DisplayFrame frame, in ClockModel clock, HeadsetTime now)
     {

@@ -39,8 +39,8 @@ namespace Nowpose
         public TimeSpan ErrorBound { get; }
 
         /// <summary>
-        /// Estimated limit of the offset's error, both ways, at the time the model was asked for: three standard errors, at
-        /// most <see cref="ErrorBound"/>. This is the ± that panels and reports show.
+        /// Estimated limit of the offset's error, both ways, at the time the model was asked for: three standard errors
+        /// and the server's stated error bound, at most <see cref="ErrorBound"/>. This is the ± that panels and reports show.
         /// </summary>
         /// <remarks>
         /// It counts on least delays that are equal in both directions. Half their difference adds to the error, and no

@@ -50,5 +50,12 @@ namespace Nowpose.Sync
         /// <summary>Whether a pose may be called current by this clock: coarse, synchronised, or in a holdover that is still short.</summary>
         public bool Trusts(in ClockModel clock) => clock.State == ClockState.Synchronised || clock.State == ClockState.Coarse
             || (clock.State == ClockState.Holdover && clock.EstimatedError <= GreatestHoldoverError);
+
+        /// <summary>
+        /// Whether what is shown by this clock must show its ± too: a coarse one, also while it goes on without exchanges, and a
+        /// synchronised one that has gone on for so long that it is no better.
+        /// </summary>
+        public bool IsCoarse(in ClockModel clock) => clock.State == ClockState.Coarse
+            || (clock.State == ClockState.Holdover && clock.EstimatedError > ErrorToSynchronise);
     }
 }

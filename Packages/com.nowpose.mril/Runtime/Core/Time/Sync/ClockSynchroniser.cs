@@ -73,8 +73,8 @@ namespace Nowpose.Sync
         /// <summary>What is known at a headset time, with the bound and the state as they are by then. Allocates nothing.</summary>
         /// <remarks>
         /// The error bound is what the recent exchanges prove (at best half the least round trip: an asymmetry can hide no
-        /// more), what the server said of its own error in each of them, and what doubts of the skew can have added since the newest exchange. It counts on
-        /// the server to say its clock's resolution. A step of less than the least round trip is covered from the first
+        /// more), the error of its own clock that the server stated in them or since, and what doubts of the skew can have added
+        /// since the newest exchange. It counts on the server to say its clock's resolution. A step of less than the least round trip is covered from the first
         /// exchange on that is punctual enough to show it; one of less than about 0.3 ms can be missed, and is covered again
         /// when the exchanges before it are a minute old.
         /// </remarks>
@@ -149,7 +149,8 @@ namespace Nowpose.Sync
         void Doubt(in SyncExchange exchange, bool isSerious)
         {
             var model = ModelAt(exchange.T4);
-            var contradiction = (exchange.Offset - model.OffsetAt(exchange.T4)).Duration() + exchange.RoundTripTime.Duration();
+            var contradiction = (exchange.Offset - model.OffsetAt(exchange.T4)).Duration() + exchange.RoundTripTime.Duration()
+                + exchange.ServerErrorBound;
             var bound = contradiction > _belief.Bound ? contradiction : _belief.Bound;
             _belief = new Belief(
                 _belief.Line, isSerious ? ClockState.Converging : _belief.State, bound, isSerious ? bound : _belief.EstimatedError,
@@ -162,14 +163,14 @@ namespace Nowpose.Sync
             var proven = _envelope.GreatestError(line);
             var error = EstimatedError(line, proven) + _detector.Suspicion;
             _belief = new Belief(
-                line, StateOf(line, error, exchange.ServerSynchronised), proven + _detector.Suspicion, error, exchange.RoundTripTime, exchange.Resolution,
-                _belief.Steps + (stepped ? 1 : 0), _detector.Suspicion > TimeSpan.Zero);
+                line, StateOf(line, error, exchange.ServerSynchronised), proven + _detector.Suspicion, error, exchange.RoundTripTime,
+                exchange.Resolution, _belief.Steps + (stepped ? 1 : 0), _detector.Suspicion > TimeSpan.Zero);
         }
 
         TimeSpan EstimatedError(in ClockLine line, TimeSpan proven)
         {
             if (line.OffsetError == TimeSpan.Zero) return proven;
-            var likely = new TimeSpan(3 * line.OffsetError.Ticks) + _envelope.GreatestServerErrorBound();
+            var likely = new TimeSpan(3 * line.OffsetError.Ticks) + _envelope.ServerErrorBound();
             return likely > proven ? proven : likely;
         }
 

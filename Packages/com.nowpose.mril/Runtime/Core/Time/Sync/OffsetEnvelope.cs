@@ -5,9 +5,9 @@ namespace Nowpose.Sync
     /// <summary>The offsets that recent exchanges leave possible, whatever the network did.</summary>
     /// <remarks>
     /// No packet arrives before it was sent, so each exchange proves t1 − t2 ≤ Φ ≤ t4 − t3 (widened by half the resolution
-    /// that the control clock said in it). A server that follows another clock may itself be wrong by what it said in the
-    /// exchange; by so much more is the truth beside each proof, also after the server knows its clock better. An older proof is carried to the present by the estimated skew, and widened
-    /// by what that may be wrong. All together leave an interval about as long as the least recent round trip.
+    /// that the control clock said in it). A server that follows another clock says how wrong its own may be: bounds of the
+    /// true offset are wider by the most that it has said in that exchange or since. An older proof is carried to the present by
+    /// the estimated skew, and widened by what that may be wrong. All together leave an interval about as long as the least recent round trip.
     /// </remarks>
     sealed class OffsetEnvelope
     {
@@ -30,7 +30,7 @@ namespace Nowpose.Sync
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
             var proof = new OffsetBounds(exchange);
-            var (least, greatest) = At(exchange.T4, line, isTruth: false);
+            var (least, greatest) = At(exchange.T4, line, includeServerError: false);
             return proof.Least - proof.HalfResolution <= greatest + margin.Ticks && proof.Greatest + proof.HalfResolution >= least - margin.Ticks;
         }
 
@@ -40,17 +40,18 @@ namespace Nowpose.Sync
         /// </summary>
         public TimeSpan GreatestError(in ClockLine line)
         {
-            var (least, greatest) = At(line.Reference, line, isTruth: true);
+            var (least, greatest) = At(line.Reference, line, includeServerError: true);
             var offset = line.Offset.HeadsetMinusControl.Ticks;
             return new TimeSpan(Math.Max(Math.Abs(greatest - offset), Math.Abs(offset - least)));
         }
 
-        /// <summary>The most that a server said of its own clock's error in the recent exchanges: the line rests on all of them.</summary>
-        public TimeSpan GreatestServerErrorBound()
+        /// <summary>The server's error bound that counts for a line through the recent exchanges: their mean, but at least the newest.</summary>
+        public TimeSpan ServerErrorBound()
         {
-            long greatest = 0;
-            for (var i = 0; i < _history.Count; i++) greatest = Math.Max(greatest, _history[i].ServerErrorBound);
-            return new TimeSpan(greatest);
+            if (_history.Count == 0) return default;
+            var sum = 0.0;
+            for (var i = 0; i < _history.Count; i++) sum += _history[i].ServerErrorBound;
+            return new TimeSpan(Math.Max(_history[0].ServerErrorBound, (long)(sum / _history.Count)));
         }
 
         /// <summary>Where the bounds lie beside the line, without the newest few.</summary>
@@ -61,18 +62,20 @@ namespace Nowpose.Sync
             for (var i = newest; i < _history.Count; i++) corridor.Add(line, _history[i]);
         }
 
-        /// <param name="isTruth">Of the clock that the server follows, instead of what the server shows.</param>
-        (long Least, long Greatest) At(HeadsetTime now, in ClockLine line, bool isTruth)
+        /// <param name="includeServerError">Whether the interval includes the error of the server's own clock.</param>
+        (long Least, long Greatest) At(HeadsetTime now, in ClockLine line, bool includeServerError)
         {
             var doubt = line.Exchanges == 0 ? ClockLine.GreatestSkew : 3 * line.SkewError + _skewDoubt;
             // Halves, so that a margin can be added to the ends of an interval that nothing bounds yet.
-            long least = long.MinValue / 2, greatest = long.MaxValue / 2;
+            long least = long.MinValue / 2, greatest = long.MaxValue / 2, serverError = 0;
             for (var i = 0; i < _history.Count; i++)
             {
                 ref readonly var proof = ref _history[i];
-                var beside = proof.HalfResolution + (isTruth ? proof.ServerErrorBound : 0);
-                least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - beside);
-                greatest = Math.Min(greatest, Carried(proof.Greatest, now - proof.Received, line.Skew, doubt) + beside);
+                // The newest first: a server that knows its clock less well than it said before may have been wrong since.
+                if (includeServerError) serverError = Math.Max(serverError, proof.ServerErrorBound);
+                var margin = proof.HalfResolution + serverError;
+                least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - margin);
+                greatest = Math.Min(greatest, Carried(proof.Greatest, now - proof.Received, line.Skew, doubt) + margin);
             }
             return (least, greatest);
         }

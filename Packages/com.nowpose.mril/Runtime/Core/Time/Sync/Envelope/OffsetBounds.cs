@@ -36,7 +36,7 @@ namespace Nowpose.Sync
         /// <summary>Half the resolution that the control clock said: by so much each bound may be wrong.</summary>
         public long HalfResolution { get; }
 
-        /// <summary>By how much the server said that its own clock may be wrong, ticks: by so much more may each bound be.</summary>
+        /// <summary>The server's stated bound of its own clock's error, ticks.</summary>
         public long ServerErrorBound { get; }
 
         /// <summary>The same exchange with its bounds moved, ticks.</summary>

@@ -58,11 +58,10 @@ namespace Nowpose.Tests
             Assert.That(run.Instants.Last().Model.State, Is.EqualTo(ClockState.Synchronised), "one exchange ends the holdover");
         }
 
-        // A gateway that learns a plant's clock while the headset learns the gateway's: what was heard of it at first was wrong by more than
-        // it says of itself by now.
+        // A gateway that has just started: its first times are wrong by more than the bound that it states later.
         [TestCase(ClockEstimators.Default)]
         [TestCase(ClockEstimators.Ransac)]
-        public void Error_OfAServerThatComesToKnowItsClock_StaysWithinWhatIsSaid(string estimator)
+        public void ErrorBound_ServerErrorBoundDecreases_Holds(string estimator)
         {
             foreach (var network in new[] { NetworkProfile.Lan, NetworkProfile.Wifi })
                 foreach (var firstMs in new[] { -4.0, 1, 4 })
@@ -81,6 +80,34 @@ namespace Nowpose.Tests
                         Assert.That(known.Count, Is.GreaterThan(0.95 * run.Instants.Count()), label);
                         Assert.That(run.PercentileMs(85, 1), Is.LessThan(1), label);
                     }
+        }
+
+        // A gateway that loses its plant's clock, and goes on with a rate that is wrong.
+        [TestCase(ClockEstimators.Default)]
+        [TestCase(ClockEstimators.Ransac)]
+        public void ErrorBound_ServerErrorBoundGrows_Holds(string estimator)
+        {
+            for (var seed = 50; seed < 54; seed++)
+            {
+                var run = new SyncRun(ClockEstimators.Create(estimator));
+                double AheadMs(double s) => s < 40 ? 0 : 0.2 * (s - 40);
+
+                run.Run(new SimulatedLink(NetworkProfile.Wifi, seed, 40) { Server = s => (AheadMs(s), AheadMs(s) + 0.1) }, 0, 60);
+
+                var beyond = run.Instants.Count(i => i.Model.IsKnown && Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds);
+                Assert.That(beyond, Is.EqualTo(0), "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void State_ServerErrorBoundPeaksOnce_IsSynchronisedAgainAtOnce()
+        {
+            var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
+
+            run.Run(new SimulatedLink(NetworkProfile.Wifi, 60, 40) { Server = s => (0, s >= 40 && s < 40.2 ? 100 : 0.1) }, 0, 60);
+
+            Assert.That(run.Instants.Where(i => i.At > 40.1 && i.At < 40.2).Max(i => i.Model.EstimatedError.TotalMilliseconds), Is.GreaterThan(90));
+            Assert.That(run.Instants.Where(i => i.At > 42).All(i => i.Model.State == ClockState.Synchronised), Is.True);
         }
 
         [TestCase("lan", 0)]

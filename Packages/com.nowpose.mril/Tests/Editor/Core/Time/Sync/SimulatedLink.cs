@@ -62,7 +62,7 @@ namespace Nowpose.Tests
         /// <summary>What the exchanges say of it where that is not true; null where it is.</summary>
         public TimeSpan? SaidResolution { get; set; }
 
-        /// <summary>What a server that follows another clock is ahead of it, and what it says that this may be, ms, given seconds since the start.</summary>
+        /// <summary>The server clock's error and the server's stated bound of it, ms, given seconds since the start.</summary>
         public Func<double, (double AheadMs, double SaidMs)> Server { get; set; } = s => (0, 0);
 
         /// <returns>False when the exchange was lost.</returns>
