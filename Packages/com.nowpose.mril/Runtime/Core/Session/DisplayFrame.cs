@@ -42,8 +42,8 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Estimated limit of the error of <see cref="DisplayTime"/> that comes from the clock, both ways, see
-        /// <see cref="ClockModel.EstimatedError"/>; zero while the clock is unsynchronised. Show it while <see cref="ClockState"/> is
-        /// <see cref="Nowpose.ClockState.Coarse"/>.
+        /// <see cref="ClockModel.EstimatedError"/>; zero while the clock is unsynchronised. Show it where
+        /// <see cref="Sync.ClockSettings.IsCoarse"/>.
         /// </summary>
         public TimeSpan ClockError { get; private set; }
 

@@ -63,7 +63,7 @@ namespace Nowpose.Session
         {
             if (statistics.Pose == PoseState.Current) return (0, "");
             var missing = MissingJoints(statistics);
-            var pose = "the pose is " + PoseStateName.Of(statistics.Pose, statistics.Clock.State);
+            var pose = "the pose is " + PoseStateName.Of(statistics.Pose, statistics.Clock);
             return missing.Length == 0 ? (1, pose) : (2, pose + "; missing joints: " + missing);
         }
 
@@ -72,7 +72,7 @@ namespace Nowpose.Session
 
         static void AddPose(SessionStatistics statistics, Action<string, string> add)
         {
-            add("pose", PoseStateName.Of(statistics.Pose, statistics.Clock.State));
+            add("pose", PoseStateName.Of(statistics.Pose, statistics.Clock));
             if (statistics.CurrentShare.HasValue) add("current_share", Number(statistics.CurrentShare.Value));
             add("missing_joints", MissingJoints(statistics));
             foreach (var joint in statistics.JointStatuses) add("joint_status/" + joint.Joint, joint.Description);

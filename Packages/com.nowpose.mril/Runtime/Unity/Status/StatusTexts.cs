@@ -2,6 +2,7 @@ using System;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
+using Nowpose.Sync;
 
 namespace Nowpose.Unity
 {
@@ -105,7 +106,7 @@ namespace Nowpose.Unity
         void UpdateTimes(SessionStatistics statistics)
         {
             var clock = statistics.Clock;
-            var isCoarse = statistics.Pose == PoseState.Current && clock.State == ClockState.Coarse;
+            var isCoarse = statistics.Pose == PoseState.Current && ClockSettings.Default.IsCoarse(clock);
             Set(StatusRow.Pose, PoseOf(statistics), isCoarse ? CoarseClock.Of(clock.EstimatedError) : ReasonOf(statistics.Pose));
             Set(StatusRow.Clock, ClockOf(clock.State), clock.IsKnown ? Bounds.Of(clock.EstimatedError) : "");
             Set(StatusRow.Horizon, Milliseconds.Of(statistics.Horizon), "");

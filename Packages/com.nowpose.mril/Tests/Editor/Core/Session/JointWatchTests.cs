@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Protocol;
@@ -245,13 +246,19 @@ namespace Nowpose.Tests
         static Dictionary<string, string> DiagnosticsOf(SimulatedSession simulated) =>
             SessionDiagnostics.Of(StatisticsOf(simulated), "left", default).Values.ToDictionary(each => each.Key, each => each.Value);
 
-        [TestCase(PoseState.Current, ClockState.Synchronised, "current")]
-        [TestCase(PoseState.Current, ClockState.Holdover, "current")]
-        [TestCase(PoseState.Held, ClockState.Synchronised, "held")]
-        [TestCase(PoseState.Unsynchronised, ClockState.Converging, "unsynchronised")]
-        [TestCase(PoseState.Incomplete, ClockState.Unsynchronised, "incomplete")]
-        [TestCase(PoseState.OutsideRange, ClockState.Synchronised, "outside")]
-        public void PoseStateName_EachState_IsTheProtocolsWord(PoseState pose, ClockState clock, string expected) =>
-            Assert.That(PoseStateName.Of(pose, clock), Is.EqualTo(expected));
+        [TestCase(PoseState.Current, ClockState.Synchronised, 0.4, "current")]
+        [TestCase(PoseState.Current, ClockState.Coarse, 0.9, "coarse")]
+        [TestCase(PoseState.Current, ClockState.Holdover, 0.9, "current")]
+        [TestCase(PoseState.Current, ClockState.Holdover, 3, "coarse")]
+        [TestCase(PoseState.Held, ClockState.Synchronised, 0.4, "held")]
+        [TestCase(PoseState.Unsynchronised, ClockState.Converging, 20, "unsynchronised")]
+        [TestCase(PoseState.Incomplete, ClockState.Unsynchronised, 0, "incomplete")]
+        [TestCase(PoseState.OutsideRange, ClockState.Synchronised, 0.4, "outside")]
+        public void PoseStateName_EachState_IsTheProtocolsWord(PoseState pose, ClockState state, double errorMs, string expected)
+        {
+            var error = TimeSpan.FromTicks((long)(errorMs * TimeSpan.TicksPerMillisecond));
+
+            Assert.That(PoseStateName.Of(pose, new ClockModel(default, default, 0, error, state)), Is.EqualTo(expected));
+        }
     }
 }

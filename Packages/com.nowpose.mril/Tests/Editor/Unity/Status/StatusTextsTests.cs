@@ -199,6 +199,7 @@ namespace Nowpose.Tests
         }
 
         [TestCase(PoseState.Current, ClockState.Coarse, "current|clock ± 3.1 ms")]
+        [TestCase(PoseState.Current, ClockState.Holdover, "current|clock ± 3.1 ms")]
         [TestCase(PoseState.Current, ClockState.Synchronised, "current|")]
         [TestCase(PoseState.Held, ClockState.Coarse, "! held|samples too old or few")]
         public void Update_PoseByACoarseClock_ShowsTheErrorBesideThePose(PoseState pose, ClockState state, string expected)
