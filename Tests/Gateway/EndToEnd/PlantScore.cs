@@ -30,7 +30,7 @@ sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisat
     /// <summary>P95 of how far off the headset says that it may be; ms. Grows with what the machine is busy with.</summary>
     public double ClockBoundMs => P95(_bound);
 
-    /// <summary>Share of the frames in which the clock was no farther off than the headset said that it may be.</summary>
+    /// <summary>Share of the frames in which the clock's true error was within the stated bound.</summary>
     public double BoundHolds => _clock.Zip(_bound).Count(pair => pair.First <= pair.Second) / (double)_clock.Count;
 
     /// <summary>P95 of the moment to which was predicted, less the true one; ms.</summary>

@@ -182,7 +182,7 @@ describe('the robot', () => {
     assert.equal(await page.evaluate(() => buffers), before);
   });
 
-  it('whose description is no URDF is said', async () => {
+  it('whose description is not a URDF is reported', async () => {
     gateway.urdf = 'no robot at all';
     const page = await open();
 

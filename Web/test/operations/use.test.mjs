@@ -149,7 +149,7 @@ describe('the code that pairs', () => {
 describe('a gateway that is gone', () => {
   withGraphics();
 
-  it('is said once, and what is shown marked as old, until it is back', async () => {
+  it('is reported once, and the data are marked as old, until it is back', async () => {
     const page = await open();
 
     gateway.isSilent = true;

@@ -52,8 +52,8 @@ namespace Nowpose.Sync
             || (clock.State == ClockState.Holdover && clock.EstimatedError <= GreatestHoldoverError);
 
         /// <summary>
-        /// Whether what is shown by this clock must show its ± too: a coarse one, also while it goes on without exchanges, and a
-        /// synchronised one that has gone on for so long that it is no better.
+        /// Whether a display that uses this clock must show its ± too: the clock is coarse, or in a holdover with an estimated error
+        /// above <see cref="ErrorToSynchronise"/>.
         /// </summary>
         public bool IsCoarse(in ClockModel clock) => clock.State == ClockState.Coarse
             || (clock.State == ClockState.Holdover && clock.EstimatedError > ErrorToSynchronise);

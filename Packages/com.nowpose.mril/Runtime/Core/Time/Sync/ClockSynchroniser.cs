@@ -72,11 +72,11 @@ namespace Nowpose.Sync
 
         /// <summary>What is known at a headset time, with the bound and the state as they are by then. Allocates nothing.</summary>
         /// <remarks>
-        /// The error bound is what the recent exchanges prove (at best half the least round trip: an asymmetry can hide no
-        /// more), the error of its own clock that the server stated in them or since, and what doubts of the skew can have added
-        /// since the newest exchange. It counts on the server to say its clock's resolution. A step of less than the least round trip is covered from the first
-        /// exchange on that is punctual enough to show it; one of less than about 0.3 ms can be missed, and is covered again
-        /// when the exchanges before it are a minute old.
+        /// The error bound is what the recent exchanges prove (at best half the least round trip: an asymmetry can hide no more), the
+        /// server's error bound, and what an uncertain skew can have added since the newest exchange. It relies on the server's
+        /// statement of its clock's resolution. A step of less than the least round trip is covered from the first exchange on that
+        /// is punctual enough to show it; one of less than about 0.3 ms can be missed, and is covered again when the exchanges
+        /// before it are a minute old.
         /// </remarks>
         public ClockModel ModelAt(HeadsetTime now)
         {
