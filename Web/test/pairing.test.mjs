@@ -34,6 +34,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
       if (line === 'state serving') break;
     }
     page = await browser.browser.newPage();
+    page.setDefaultTimeout(60_000);
     page.complaints = [];
     page.on('console', m => m.type() !== 'log' && page.complaints.push(m.text()));
     page.on('pageerror', e => page.complaints.push(e.message));
@@ -64,13 +65,12 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
   });
 
   it('shows another code once a headset has used it', async () => {
-    const text = await shown();
+    const text = await shown(), drawn = await page.locator('#token path').getAttribute('d');
     const token = /t=([\w-]+)/.exec(text)[1];
     const answer = await fetch(facts.pair, body({ token, name: 'headset 7' }));
     assert.equal(answer.status, 200);
     assert.match((await answer.json()).token, /^[\w-]{43}$/);
-    await page.waitForFunction(old => document.querySelector('#token path').getAttribute('d') !== old,
-      await page.locator('#token path').getAttribute('d'));
+    await page.waitForFunction(old => document.querySelector('#token path').getAttribute('d') !== old, drawn);
     const next = await shown();
     assert.notEqual(next, text);
     assert.equal((await fetch(facts.pair, body({ token, name: 'headset 8' }))).status, 401);

@@ -19,8 +19,15 @@ export function readBlocks(text) {
   return readGreys(greys, width, rows.length * scale);
 }
 
-/** Of an element of a page in Chromium, as it is on the screen. */
+/** Of an element of a page in Chromium, as it is on the screen, as soon as it is drawn; null where none is drawn within 20 s. */
 export async function readElement(locator) {
+  for (const end = performance.now() + 20_000; ;) {
+    const text = await readScreenshot(locator);
+    if (text !== null || performance.now() > end) return text;
+  }
+}
+
+async function readScreenshot(locator) {
   const png = (await locator.screenshot()).toString('base64');
   const { greys, width, height } = await locator.page().evaluate(async base64 => {
     const bytes = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
