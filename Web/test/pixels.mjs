@@ -1,17 +1,11 @@
 // What a 3D view shows: a screenshot of it, read back in the page, since a WebGL canvas forgets what it drew.
-
-const LIMIT_MS = 20_000;
+import { drawn } from './drawn.mjs';
 
 /**
  * How many pixels of an element are blue, orange and grey, as the robots are, and how many coloured ones stand at its edge.
- * @param holds What the counts must fulfil in one of the next pictures: a slow machine draws them late. The last ones are returned if none does.
+ * @param holds What the counts must fulfil in one of the next pictures.
  */
-export async function picture(page, locator, holds = () => true) {
-  for (const begun = Date.now(); ;) {
-    const counts = await counted(page, locator);
-    if (holds(counts) || Date.now() - begun > LIMIT_MS) return counts;
-  }
-}
+export const picture = (page, locator, holds = () => true) => drawn(() => counted(page, locator), holds);
 
 async function counted(page, locator) {
   const png = (await locator.screenshot()).toString('base64');

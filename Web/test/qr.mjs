@@ -1,5 +1,6 @@
 // Reads drawn codes with another library than the ones that draw them.
 import jsQR from 'jsqr';
+import { drawn } from './drawn.mjs';
 
 /** Of a picture of 8-bit greys, row by row; null where none is found. */
 export function readGreys(greys, width, height) {
@@ -19,13 +20,8 @@ export function readBlocks(text) {
   return readGreys(greys, width, rows.length * scale);
 }
 
-/** Of an element of a page in Chromium, as it is on the screen, as soon as it is drawn; null where none is drawn within 20 s. */
-export async function readElement(locator) {
-  for (const end = performance.now() + 20_000; ;) {
-    const text = await readScreenshot(locator);
-    if (text !== null || performance.now() > end) return text;
-  }
-}
+/** The code of an element of a page in Chromium, as it is on the screen, as soon as it is drawn. */
+export const readElement = locator => drawn(() => readScreenshot(locator), text => text !== null);
 
 async function readScreenshot(locator) {
   const png = (await locator.screenshot()).toString('base64');
