@@ -41,15 +41,15 @@ namespace Nowpose.Session
             foreach (var report in message.Joints)
             {
                 var joint = _robot.IndexOfMovingJoint(report.Joint);
-                // A gripper may send samples only when it moves: that they stopped is a fault only when the gateway knows why.
-                if (joint < 0 || (report.State == JointDataState.Stale && !_isToolJoint[joint])) continue;
+                if (joint < 0) continue;
                 reports.OfJoint[joint] = report;
-                reports.IsAnyMissing |= !report.State.IsGood();
+                // A gripper may send samples only when it moves. While they have stopped for no known reason it is named, and the arm's pose stays current.
+                reports.IsAnyMissing |= !report.State.IsGood() && (_isToolJoint[joint] || report.State != JointDataState.Stale);
             }
             _newest = reports;
         }
 
-        /// <summary>Whether the gateway reports that a joint of the robot has no data.</summary>
+        /// <summary>Whether the gateway reports that a joint has no data without which no pose is current.</summary>
         public bool IsAnyReportedMissing(HeadsetTime now) => ReportsAt(now)?.IsAnyMissing == true;
 
         /// <summary>Replaces a list's elements with the joints that are not live, in the robot's order.</summary>

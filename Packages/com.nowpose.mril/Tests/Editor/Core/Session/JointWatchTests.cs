@@ -193,14 +193,15 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void Tick_GripperReportedStale_StaysCurrent()
+        public void Tick_GripperReportedStale_IsNamedAndThePoseStaysCurrent()
         {
             var simulated = Running();
 
             Report(simulated, "grip", JointDataState.Stale);
 
             Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current), "it may send samples only when it moves");
-            Assert.That(StatisticsOf(simulated).JointStatuses, Is.Empty);
+            Assert.That(StatisticsOf(simulated).JointStatuses.Single().State, Is.EqualTo(JointDataState.Stale));
+            Assert.That(DiagnosticsOf(simulated)["missing_joints"], Is.EqualTo("grip"));
         }
 
         [Test]
