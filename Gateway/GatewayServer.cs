@@ -9,6 +9,7 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Operations;
 using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Security;
@@ -111,6 +112,8 @@ public sealed class GatewayServer : IAsyncDisposable
 
     internal EventList Events => _status.Events;
 
+    internal TimeProvider Time => _options.Time;
+
     public MessageHub Hub { get; }
 
     /// <summary>Writes what passes the hub into files, when it is switched on.</summary>
@@ -158,6 +161,9 @@ public sealed class GatewayServer : IAsyncDisposable
             throw;
         }
     }
+
+    /// <summary>Makes the gateway not ready until each of these adapters runs and reports.</summary>
+    internal void Expect(IReadOnlyList<Func<AdapterState>> adapters) => _status.Expect(adapters);
 
     public async ValueTask DisposeAsync()
     {

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Plants;
 
@@ -13,30 +12,33 @@ sealed class AdapterProcess : IAsyncDisposable
 
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(4);
 
-    readonly string _file;
+    readonly PlantFile _plant;
     readonly AdapterAccess _access;
     readonly Action<string> _log;
-    readonly Action<Condition> _note;
+    readonly TimeProvider _time;
     readonly CancellationTokenSource _stop = new();
     readonly Task _running;
     volatile Process _process;
+    volatile string _end;
+    long _startedAt;
     int _starts;
 
     /// <summary>Starts it at once.</summary>
-    /// <param name="file">The plant's configuration, checked already.</param>
     /// <param name="log">Takes its lines as well.</param>
-    /// <param name="note">Takes its unexpected ends.</param>
-    public AdapterProcess(string file, AdapterAccess access, Action<string> log, Action<Condition> note)
+    public AdapterProcess(PlantFile plant, AdapterAccess access, TimeProvider time, Action<string> log)
     {
-        _file = file;
+        _plant = plant;
         _access = access;
+        _time = time;
         _log = log;
-        _note = note;
         _running = Task.Run(RunAsync);
     }
 
     /// <summary>How often it was started.</summary>
     public int Starts => Volatile.Read(ref _starts);
+
+    public AdapterState State =>
+        new(_plant.Name, _process == null ? null : _time.GetElapsedTime(Interlocked.Read(ref _startedAt)), _end);
 
     /// <summary>Of the program at present; null while it does not run.</summary>
     internal int? ProcessId => _process?.Id;
@@ -55,11 +57,11 @@ sealed class AdapterProcess : IAsyncDisposable
         {
             var started = Stopwatch.GetTimestamp();
             var end = await RunOnceAsync();
+            _end = end;
+            _process = null;
             if (_stop.IsCancellationRequested) return;
             if (Stopwatch.GetElapsedTime(started) > Steady) pause = FirstPause;
-            _log($"{_file}: its adapter ended, {end}; it is started again in {pause.TotalSeconds:0.#} s");
-            // One event for a series of ends: an adapter that cannot start would fill the list.
-            if (pause == FirstPause) _note(Ended(end));
+            _log($"{_plant.Path}: its adapter ended, {end}; it is started again in {pause.TotalSeconds:0.#} s");
             await Task.Delay(pause, _stop.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
             pause = pause * 2 < LongestPause ? pause * 2 : LongestPause;
         }
@@ -70,8 +72,9 @@ sealed class AdapterProcess : IAsyncDisposable
     {
         try
         {
-            using var process = AdapterProgram.Start(_file, [], _access);
+            using var process = AdapterProgram.Start(_plant.Path, [], _access);
             Interlocked.Increment(ref _starts);
+            Interlocked.Exchange(ref _startedAt, _time.GetTimestamp());
             _process = process;
             process.OutputDataReceived += (_, line) => Tell(line.Data);
             process.ErrorDataReceived += (_, line) => Tell(line.Data);
@@ -79,7 +82,6 @@ sealed class AdapterProcess : IAsyncDisposable
             process.BeginErrorReadLine();
             await using (_stop.Token.Register(() => _ = EndAsync(process)))
                 await process.WaitForExitAsync();
-            _process = null;
             return $"status {process.ExitCode}";
         }
         catch (InputException cannotStart)
@@ -87,12 +89,6 @@ sealed class AdapterProcess : IAsyncDisposable
             return cannotStart.Message;
         }
     }
-
-    Condition Ended(string end) => new("adapter", _file, "ended", $"{end}; the gateway starts it again", Level.Error)
-    {
-        Headline = $"the adapter of {_file} ended",
-        Remedy = "See its lines in the log of the gateway.",
-    };
 
     void Tell(string line)
     {

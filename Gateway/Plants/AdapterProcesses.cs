@@ -10,16 +10,16 @@ sealed class AdapterProcesses : IAsyncDisposable
 
     AdapterProcesses(AdapterProcess[] processes) => _processes = processes;
 
-    /// <summary>Checks all configurations, and says what they read.</summary>
+    /// <summary>Checks all configurations.</summary>
     /// <param name="options">Of the gateway that they are for.</param>
     /// <exception cref="InputException">Any has wrong entries: all of them, of all files.</exception>
-    public static async Task<IReadOnlyList<string>> CheckAsync(
+    public static async Task<IReadOnlyList<PlantFile>> CheckAsync(
         IReadOnlyCollection<string> files, GatewayOptions options, CancellationToken stop)
     {
         if (files.Count > 0 && options.Certificate == null && !options.IsLoopback && !IsAny(options.Bind))
             throw new InputException(
                 $"--plant with --bind {options.Bind} and no --tls: adapters come over TLS or loopback only; add --tls, or bind to any");
-        var good = new List<string>();
+        var good = new List<PlantFile>();
         var bad = new List<string>();
         foreach (var file in files)
         {
@@ -31,7 +31,10 @@ sealed class AdapterProcesses : IAsyncDisposable
 
             try
             {
-                good.Add(await AdapterProgram.CheckAsync(file, stop));
+                var plant = await AdapterProgram.CheckAsync(file, stop);
+                if (good.Find(other => other.Name == plant.Name) is { } other)
+                    bad.Add($"{file}: its plant has the name '{plant.Name}' of the one in {other.Path}; set another plant.name in one of the two files");
+                good.Add(plant);
             }
             catch (WrongEntriesException wrong)
             {
@@ -42,12 +45,14 @@ sealed class AdapterProcesses : IAsyncDisposable
         return bad.Count == 0 ? good : throw new WrongEntriesException(bad);
     }
 
-    /// <summary>Starts an adapter for each file.</summary>
-    /// <param name="gateway">Serves already; their lines go into its log.</param>
-    public static AdapterProcesses Start(IEnumerable<string> files, GatewayServer gateway)
+    /// <summary>Starts an adapter for each plant.</summary>
+    /// <param name="gateway">Serves already. It writes their lines into its log and is not ready until all of them report.</param>
+    public static AdapterProcesses Start(IEnumerable<PlantFile> plants, GatewayServer gateway)
     {
         var access = AdapterAccess.To(gateway);
-        return new AdapterProcesses([.. files.Select(file => new AdapterProcess(file, access, gateway.Log, gateway.Events.Note))]);
+        var started = new AdapterProcesses([.. plants.Select(plant => new AdapterProcess(plant, access, gateway.Time, gateway.Log))]);
+        gateway.Expect([.. started._processes.Select(process => (Func<AdapterState>)(() => process.State))]);
+        return started;
     }
 
     static bool IsAny(IPAddress bind) => bind.Equals(IPAddress.Any) || bind.Equals(IPAddress.IPv6Any);

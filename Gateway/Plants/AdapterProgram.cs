@@ -13,9 +13,8 @@ static class AdapterProgram
     static readonly string Script = Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs");
 
     /// <summary>Has the program check a configuration file, without reading the plant.</summary>
-    /// <returns>What it says of a good one: from where it reads what.</returns>
     /// <exception cref="InputException">The file has wrong entries, each with its line; or the program cannot run.</exception>
-    public static async Task<string> CheckAsync(string file, CancellationToken stop)
+    public static async Task<PlantFile> CheckAsync(string file, CancellationToken stop)
     {
         using var process = Start(file, ["--check"], null);
         process.StandardInput.Close();
@@ -27,7 +26,8 @@ static class AdapterProgram
             var bad = process.StandardError.ReadToEndAsync(patience.Token);
             await process.WaitForExitAsync(patience.Token);
             if (process.ExitCode != 0) throw new WrongEntriesException((await bad).Trim().Split('\n'));
-            return (await good).Trim();
+            var lines = (await good).Trim().Split('\n', 2);
+            return new PlantFile(file, lines[1]["name ".Length..].Trim(), lines[0].Trim());
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
         {

@@ -61,7 +61,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
         var room = GreatestLength;
         return
         [
-            .. values.Where(pair => !pair.Key.StartsWith(AdapterJointReport.KeyPrefix, StringComparison.Ordinal)).Take(GreatestValues).Select(pair => KeyValuePair.Create(pair.Key, InputException.OneLine(pair.Value, GreatestValue)))
+            .. values.Where(pair => !AdapterJointReport.IsKey(pair.Key)).Take(GreatestValues).Select(pair => KeyValuePair.Create(pair.Key, InputException.OneLine(pair.Value, GreatestValue)))
                 .TakeWhile(pair => (room -= pair.Key.Length + pair.Value.Length) >= 0),
         ];
     }

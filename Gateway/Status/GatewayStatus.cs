@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Reflection;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
@@ -71,6 +72,9 @@ sealed class GatewayStatus : IDisposable
     /// <summary>Why headsets cannot be served, one line for each reason; empty when the gateway is ready.</summary>
     public IReadOnlyList<string> NotReadyReasons() =>
         [.. ConditionsOf(_joints.Read()).Where(condition => condition.Blocks).Select(condition => condition.TextWithSince)];
+
+    /// <inheritdoc cref="GatewayServer.Expect"/>
+    public void Expect(IReadOnlyList<Func<AdapterState>> adapters) => _conditions.Adapters = adapters;
 
     public void Dispose()
     {

@@ -59,14 +59,15 @@ static class ServeVerb
             {
                 ControlClock = parsed.GetValue(controlClock), ExpectsSources = files.Length > 0,
             };
-            foreach (var good in await AdapterProcesses.CheckAsync(files, options, stop)) Announcement.Log(good);
+            var read = await AdapterProcesses.CheckAsync(files, options, stop);
+            foreach (var one in read) Announcement.Log(one.Summary);
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             if (description != null)
                 source.TryDescribe(description);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), name, null);
-            await using var adapters = AdapterProcesses.Start(files, gateway);
+            await using var adapters = AdapterProcesses.Start(read, gateway);
             await Task.Delay(Timeout.Infinite, stop);
         });
         return command;
@@ -80,16 +81,13 @@ static class ServeVerb
         findings.Try(() => server.Clock(parsed, isSystemClock));
         if (robot != null) findings.Try(() => Describe(robot));
         findings.Good("robot", robot);
-        foreach (var plant in plants)
+        try
         {
-            try
-            {
-                foreach (var good in await AdapterProcesses.CheckAsync([plant], options, stop)) findings.Good("plant", good);
-            }
-            catch (InputException wrong)
-            {
-                findings.Try(() => throw wrong);
-            }
+            foreach (var good in await AdapterProcesses.CheckAsync(plants, options, stop)) findings.Good("plant", good.Summary);
+        }
+        catch (InputException wrong)
+        {
+            findings.Try(() => throw wrong);
         }
 
         findings.Conclude();

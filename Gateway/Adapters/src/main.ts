@@ -19,7 +19,7 @@ async function main(): Promise<number> {
   const configuration = readConfiguration(others[0], process.env, checks);
   if (!isCheck) return runPlant(configuration);
   const kind = kinds[configuration.plant.kind], obstacle = kind.obstacle?.(configuration) ?? null;
-  if (obstacle === null) process.stdout.write(`${others[0]} is good: ${kind.summary(configuration)}\n`);
+  if (obstacle === null) process.stdout.write(`${others[0]} is good: ${kind.summary(configuration)}\nname ${configuration.plant.name}\n`);
   else process.stderr.write(`${obstacle}\n`);
   return obstacle === null ? 0 : BAD_INPUT;
 }

@@ -39,7 +39,7 @@ describe('configuration', () => {
     const { status, out } = await check(t, path);
 
     assert.equal(status, 0);
-    assert.match(out, /plant\.yaml is good: .*opc\.tcp:\/\/plc\.example:4840.*arm_joint_1, arm_joint_2/);
+    assert.match(out, /plant\.yaml is good: .*opc\.tcp:\/\/plc\.example:4840.*arm_joint_1, arm_joint_2.*\nname opcua\n$/);
   });
 
   for (const [name, from, to, expected] of [

@@ -131,7 +131,9 @@ describe('silence', () => {
   it('Motion_OfAllJointsCutBelowTheFloor_IsRestWithDoubt', () => {
     const cell = swing([0, 1]);
 
-    assert.deepEqual([cell.stateOf('a'), cell.stateOf('b'), cell.status.level], ['rest', 'rest', 0]);
+    assert.deepEqual([cell.stateOf('a'), cell.stateOf('b'), cell.status.level], ['rest', 'rest', 1]);
+    assert.match(cell.status.values()['doubt/a'], /^the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
+    assert.match(cell.status.message, /^a may not be at rest: the stop itself was not observed/);
     assert.match(cell.status.values()['joint/a'], /assumed at rest; the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
   });
 

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Kinematics;
@@ -18,15 +19,25 @@ sealed class Conditions(
     /// <summary>Remaining validity from which on a certificate is reported.</summary>
     static readonly TimeSpan CertificateNotice = TimeSpan.FromDays(30);
 
+    const string DoesNotReport = "does not report";
+
     static readonly string[] CurrentPoses = ["current", "coarse"];
+
+    /// <summary>State of each adapter that this gateway started.</summary>
+    public IReadOnlyList<Func<AdapterState>> Adapters { get; set; } = [];
 
     /// <summary>The worst first.</summary>
     /// <param name="joints">As the joint board has just judged them.</param>
-    public IReadOnlyList<Condition> Read(IReadOnlyList<JointStatus> joints) =>
-    [
-        .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(diagnostics.Read().SelectMany(Of))
-            .Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate()).OrderByDescending(condition => condition.Level),
-    ];
+    public IReadOnlyList<Condition> Read(IReadOnlyList<JointStatus> joints)
+    {
+        var said = diagnostics.Read();
+        return
+        [
+            .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(said)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfDoubts(joints))
+                .Concat(said.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate())
+                .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
+        ];
+    }
 
     static Condition Of(JointStatus row) =>
         new("joint", $"{row.Name} ({row.Source})", $"is {(row.State == JointDataState.Fault ? "in fault" : row.Word)}", row.Reason, Level.Error, true, row.Since)
@@ -41,6 +52,12 @@ sealed class Conditions(
             },
             IsNormalAtStart = row.State == JointDataState.Missing,
         };
+
+    static IEnumerable<Condition> OfDoubts(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Doubt.Length > 0).Select(
+        row => new Condition("joint", $"{row.Name} ({row.Source})", "may not be at rest", row.Doubt, Level.Warning, Since: row.Since)
+        {
+            Remedy = "Check that the joint really stands still; if it does, set its max_deceleration in the plant's configuration.",
+        });
 
     string ClockName => clock.Source == PlantClocks.Own ? "the gateway's own control clock" : $"the control clock {clock.Source}";
 
@@ -90,6 +107,19 @@ sealed class Conditions(
         ];
     }
 
+    // One whose reports stop later is found by them.
+    IEnumerable<Condition> OfAdapters(IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>>)> said) =>
+        from state in Adapters.Select(adapter => adapter())
+        let isReporting = said.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunsSince)
+        where !isReporting
+        let end = state.End is { } end ? $"its program ended with {end}" : null
+        select new Condition(
+            "adapter", state.Name, DoesNotReport, end == null ? "its program has just started" : $"{end} and is started again", Level.Error, true)
+        {
+            Remedy = end == null ? "" : "See its lines in the log of the gateway.",
+            IsNormalAtStart = end == null,
+        };
+
     IEnumerable<Condition> Of((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) said)
     {
         var isAdapter = StatusObjects.IsAdapter(said.Name);
@@ -116,7 +146,7 @@ sealed class Conditions(
     }
 
     Condition SilentAdapter(string name, TimeSpan ago) =>
-        new("adapter", name, "does not report", "its reports stopped", Level.Error, Since: options.Time.GetUtcNow() - ago)
+        new("adapter", name, DoesNotReport, "its reports stopped", Level.Error, Since: options.Time.GetUtcNow() - ago)
         {
             Remedy = "Check that the adapter runs and reaches the gateway.",
         };

@@ -5,13 +5,18 @@ namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>State of one joint as its adapter reports it: the value STATE SINCE REASON of the key joint/NAME.</summary>
 /// <param name="Since">On the wall clock of the adapter's machine.</param>
-readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset Since, string Reason)
+/// <param name="Doubt">Why it is not certain that the joint rests, the value of the key doubt/NAME; empty for none.</param>
+readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset Since, string Reason, string Doubt = "")
 {
     public const string KeyPrefix = "joint/";
+    public const string DoubtPrefix = "doubt/";
     const int MaxReasonLength = 300;
 
     // The year 9999, the last that DateTimeOffset holds.
     const double MaxUnixSeconds = 253_402_300_799;
+
+    public static bool IsKey(string key) =>
+        key.StartsWith(KeyPrefix, StringComparison.Ordinal) || key.StartsWith(DoubtPrefix, StringComparison.Ordinal);
 
     public static bool TryParse(string value, out AdapterJointReport report)
     {
@@ -22,8 +27,10 @@ readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset S
         if (state == JointDataState.Stale) return false;
         var isNumber = double.TryParse(words[1], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var seconds);
         if (!isNumber || seconds is not (>= 0 and <= MaxUnixSeconds)) return false;
-        var reason = words.Length == 3 ? InputException.OneLine(words[2].Trim(), MaxReasonLength) : "";
+        var reason = words.Length == 3 ? Sentence(words[2]) : "";
         report = new AdapterJointReport(state, DateTimeOffset.UnixEpoch + TimeSpan.FromSeconds(seconds), reason);
         return true;
     }
+
+    public static string Sentence(string text) => InputException.OneLine(text.Trim(), MaxReasonLength);
 }

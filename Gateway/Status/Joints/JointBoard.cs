@@ -59,14 +59,19 @@ sealed class JointBoard(TimeProvider time)
     }
 
     /// <summary>The diagnostics of an adapter, with a key for each joint of its configuration.</summary>
-    public void Report(string adapter, IEnumerable<KeyValuePair<string, string>> values)
+    public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values)
     {
         var reports = new Dictionary<string, AdapterJointReport>();
+        var doubts = values.Where(pair => pair.Key.StartsWith(AdapterJointReport.DoubtPrefix, StringComparison.Ordinal)).Take(ProtocolLimits.Joints)
+            .DistinctBy(pair => pair.Key).ToDictionary(pair => pair.Key[AdapterJointReport.DoubtPrefix.Length..], pair => AdapterJointReport.Sentence(pair.Value));
         foreach (var (key, value) in values)
         {
             if (reports.Count >= ProtocolLimits.Joints) break;
             if (key.StartsWith(AdapterJointReport.KeyPrefix, StringComparison.Ordinal) && AdapterJointReport.TryParse(value, out var report))
-                reports[key[AdapterJointReport.KeyPrefix.Length..]] = report;
+            {
+                var name = key[AdapterJointReport.KeyPrefix.Length..];
+                reports[name] = report with { Doubt = doubts.GetValueOrDefault(name, "") };
+            }
         }
 
         lock (_lock)

@@ -39,7 +39,10 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         if (since is { } known && known <= now) _since = known;
         else if (_last != state) _since = now;
         _last = state;
-        return new JointStatus(joint, Source, state, _since, flow?.Age, Math.Round(flow?.RateHz ?? 0, 2), reason);
+        return new JointStatus(joint, Source, state, _since, flow?.Age, Math.Round(flow?.RateHz ?? 0, 2), reason)
+        {
+            Doubt = state == JointDataState.Rest ? _report.Doubt : "",
+        };
     }
 
     (JointDataState State, DateTimeOffset? Since, string Reason) StateOf(SampleFlow flow)

@@ -43,7 +43,7 @@ public class AdapterProcessTests
         var told = new TaskCompletionSource<DiagnosticsMessage>();
         using var listening = ListenTo(gateway, told);
 
-        await using var adapters = AdapterProcesses.Start([Write(Good)], gateway);
+        await using var adapters = AdapterProcesses.Start([Plant(Write(Good))], gateway);
 
         var diagnostics = await told.Task.Bounded();
         Assert.That(diagnostics.HardwareId, Is.EqualTo("plant/absent"));
@@ -55,7 +55,8 @@ public class AdapterProcessTests
     {
         await using var gateway = await Gateways.StartAsync();
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
-        await using var adapter = new AdapterProcess(Write(Good), AdapterAccess.To(gateway), lines.Enqueue, gateway.Events.Note);
+        await using var adapter = new AdapterProcess(Plant(Write(Good)), AdapterAccess.To(gateway), TimeProvider.System, lines.Enqueue);
+        gateway.Expect([() => adapter.State]);
         await Soon.BecomesAsync(() => adapter.ProcessId != null && gateway.WebSocketConnections.Open == 1, "it is connected");
 
         using (var process = Process.GetProcessById(adapter.ProcessId.Value)) process.Kill();
@@ -63,10 +64,11 @@ public class AdapterProcessTests
         var recovery = await Soon.BecomesAsync(() => adapter.Starts == 2 && gateway.WebSocketConnections.Accepted == 2, "it is there again");
         TestContext.Out.WriteLine($"there again after {recovery.TotalSeconds:0.0} s");
         Assert.That(lines, Has.Some.Contains("its adapter ended, status 137; it is started again in 0.5 s"));
-        var noted = gateway.Events.Read().Single(one => one.Condition is { Kind: "adapter", What: "ended" });
-        Assert.That(noted.Until, Is.Not.Null, "it is running again");
-        Assert.That(noted.Condition.Text, Does.Match("^the adapter of .*plant.yaml ended: status 137; the gateway starts it again[.] See its lines in the log of the gateway[.]$"));
-        Assert.That(noted.Condition.Level, Is.EqualTo(Level.Error));
+        await Soon.BecomesAsync(() => EventOf(gateway) is { Until: not null }, "it reports again");
+        var ended = EventOf(gateway).Condition;
+        Assert.That(ended.Text, Is.EqualTo(
+            "adapter absent does not report: its program ended with status 137 and is started again. See its lines in the log of the gateway."));
+        Assert.That((ended.Level, ended.Blocks), Is.EqualTo((Level.Error, true)));
     }
 
     [Test]
@@ -75,10 +77,12 @@ public class AdapterProcessTests
         await using var gateway = await Gateways.StartAsync();
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
 
-        await using var adapter = new AdapterProcess(_folder.Path, AdapterAccess.To(gateway), lines.Enqueue, gateway.Events.Note);
+        await using var adapter = new AdapterProcess(Plant(_folder.Path), AdapterAccess.To(gateway), TimeProvider.System, lines.Enqueue);
+        gateway.Expect([() => adapter.State]);
 
         await Soon.BecomesAsync(() => lines.Count(line => line.Contains("its adapter ended", StringComparison.Ordinal)) >= 2, "it ended twice");
-        Assert.That(gateway.Events.Read().Count(one => one.Condition is { Kind: "adapter", What: "ended" }), Is.EqualTo(1));
+        await Soon.BecomesAsync(() => EventOf(gateway) != null, "the event has begun");
+        Assert.That(EventOf(gateway).Until, Is.Null);
     }
 
     [Test]
@@ -88,7 +92,7 @@ public class AdapterProcessTests
         await using var gateway = await GatewayServer.StartAsync(
             Gateways.Options(), new Nowpose.Gateway.Clock.StopwatchControlClock(Gateways.Start), lines.Enqueue).Bounded();
 
-        await using var adapters = AdapterProcesses.Start([_folder.Path], gateway);
+        await using var adapters = AdapterProcesses.Start([Plant(_folder.Path)], gateway);
 
         await Soon.BecomesAsync(() => lines.Any(line => line.Contains("its adapter ended", StringComparison.Ordinal)), "its end is told");
         for (var i = 0; i < 100; i++) gateway.Log("the same");
@@ -99,7 +103,7 @@ public class AdapterProcessTests
     public async Task Dispose_RunningAdapter_LeavesNoProcess()
     {
         await using var gateway = await Gateways.StartAsync();
-        var adapter = new AdapterProcess(Write(Good), AdapterAccess.To(gateway), _ => { }, _ => { });
+        var adapter = new AdapterProcess(Plant(Write(Good)), AdapterAccess.To(gateway), TimeProvider.System, _ => { });
         await Soon.BecomesAsync(() => adapter.ProcessId != null, "it runs");
         using var process = Process.GetProcessById(adapter.ProcessId.Value);
 
@@ -136,6 +140,19 @@ public class AdapterProcessTests
     }
 
     [Test]
+    public void Check_TwoPlantsWithOneName_IsRefused()
+    {
+        var (first, second) = (Write(Good, "first.yaml"), Write(Good, "second.yaml"));
+
+        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], Gateways.Options(), default));
+
+        Assert.That(wrong.Lines, Is.EqualTo(new[]
+        {
+            $"{second}: its plant has the name 'absent' of the one in {first}; set another plant.name in one of the two files",
+        }));
+    }
+
+    [Test]
     public void Check_PlainGatewayOnALanAddress_IsRefused()
     {
         var options = Gateways.Options() with { Bind = System.Net.IPAddress.Parse("192.168.1.5"), AllowInsecureLan = true };
@@ -151,6 +168,11 @@ public class AdapterProcessTests
         File.WriteAllText(path, text);
         return path;
     }
+
+    static PlantFile Plant(string path) => new(path, "absent", "");
+
+    static StatusEvent EventOf(GatewayServer gateway) =>
+        gateway.Events.Read().SingleOrDefault(one => one.Condition is { Kind: "adapter", What: "does not report" });
 
     static IDisposable ListenTo(GatewayServer gateway, TaskCompletionSource<DiagnosticsMessage> told) =>
         gateway.Hub.Subscribe(RosTopics.Diagnostics, message =>

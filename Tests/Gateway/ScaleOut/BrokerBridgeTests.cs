@@ -24,8 +24,8 @@ public class BrokerBridgeTests
         await using var far = await Gateways.StartAsync();
         var publish = Configure(folder, "publish", broker, "");
         var subscribe = Configure(folder, "subscribe", broker, $"  clock: {{ host: 127.0.0.1, port: {near.SyncEndPoint.Port} }}\n");
-        await using var nearBridge = AdapterProcesses.Start([publish], near);
-        await using var farBridge = AdapterProcesses.Start([subscribe], far);
+        await using var nearBridge = AdapterProcesses.Start([new PlantFile(publish, "hall", "")], near);
+        await using var farBridge = AdapterProcesses.Start([new PlantFile(subscribe, "hall", "")], far);
         // When it counts as settled, scatter decides, and with it what else the machine does; how far it may be off, it says from the first.
         await Soon.BecomesAsync(
             () => far.PlantClocks.Control is { Name: "hall", Exchanges: >= 10 } hall && hall.Model.ErrorBound < TimeSpan.FromMilliseconds(50),

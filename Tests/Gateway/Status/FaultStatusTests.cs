@@ -5,6 +5,7 @@ using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
@@ -158,6 +159,27 @@ public class FaultStatusTests
     }
 
     [Test]
+    public async Task Joint_AtRestInDoubt_IsAWarningUntilItMoves()
+    {
+        await StartAsync(options => options with { ExpectsSources = true });
+        Publish("a");
+
+        Report("adapter/press", ("state", "connected"), ("joint/a", $"rest {Since(3)} assumed at rest"), ("doubt/a", "the stop itself was not observed"));
+
+        await BeginsAsync("joint", "a (press)");
+        var status = (await StateAsync()).GetProperty("status");
+        Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
+        Assert.That(status.GetProperty("text").GetString(), Is.EqualTo(
+            "joint a (press) may not be at rest: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
+                + "Check that the joint really stands still; if it does, set its max_deceleration in the plant's configuration."));
+        Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+
+        Report("adapter/press", ("state", "connected"), ("joint/a", $"live {Since()} "));
+
+        await EndsAsync("joint", "a (press)");
+    }
+
+    [Test]
     public async Task JointStatus_Subscribed_ContainsTheJointsThatAreNotLive()
     {
         await StartAsync();
@@ -206,6 +228,35 @@ public class FaultStatusTests
 
         await Soon.BecomesAsync(() => EventAsync("adapter", "press").Result.GetProperty("what").GetString() == "does not report", "it is silent");
         Assert.That((await StateAsync()).GetProperty("adapters").GetArrayLength(), Is.EqualTo(1), "an adapter that is gone stays in the state");
+    }
+
+    [Test]
+    public async Task Adapter_OfTwoOneNeverReports_GatewayIsNotReady()
+    {
+        await StartAsync(options => options with { ExpectsSources = true });
+        var lathe = new AdapterState("lathe", null, "status 1");
+        _gateway.Expect([() => new AdapterState("press", TimeSpan.FromSeconds(10), null), () => lathe]);
+        Report("plant/press", ("state", "connected"), ("samples", "7"), ("joint/a", $"live {Since()} "));
+        Publish("a");
+        await BeginsAsync("adapter", "lathe");
+        string[] expected =
+        [
+            "waiting",
+            "adapter lathe does not report: its program ended with status 1 and is started again (since 2026-11-20 12:00:00 UTC). "
+                + "See its lines in the log of the gateway.",
+        ];
+
+        Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected));
+        lathe = lathe with { RunsSince = TimeSpan.FromSeconds(0.2) };
+        Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected), "it runs, but has not reported");
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
+
+        Report("plant/lathe", ("state", "connected"), ("samples", "0"));
+        // Both come from one source here, which has the name of the last report.
+        Report("plant/press", ("state", "connected"), ("samples", "7"), ("joint/a", $"live {Since()} "));
+
+        Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+        await EndsAsync("adapter", "lathe");
     }
 
     [Test]

@@ -12,6 +12,8 @@ export interface JointCondition {
   since: number;
   /** One sentence; empty while live. */
   reason: string;
+  /** Why it is not certain that a joint at rest rests; empty for none. */
+  doubt: string;
 }
 
 const isGood = ({ state }: JointCondition): boolean => state === 'live' || state === 'rest';
@@ -28,7 +30,7 @@ export class JointConditions {
 
   /** Expects a joint, which is missing until its first usable value. */
   expect(joint: string): void {
-    if (!this.#joints.has(joint)) this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has come since the start' });
+    if (!this.#joints.has(joint)) this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has come since the start', doubt: '' });
   }
 
   has(joint: string): boolean { return this.#joints.has(joint); }
@@ -40,6 +42,12 @@ export class JointConditions {
     return [...this.#joints].find(([, condition]) => !isGood(condition)) ?? null;
   }
 
+  /** The first joint at rest of which that is not certain, with the reason; null when there is none. */
+  get doubt(): [string, string] | null {
+    const found = [...this.#joints].find(([, { doubt }]) => doubt !== '');
+    return found === undefined ? null : [found[0], found[1].doubt];
+  }
+
   live(joint: string): void {
     if (this.stateOf(joint) === 'live') return;
     this.#enter(joint, 'live', '', this.now());
@@ -49,7 +57,7 @@ export class JointConditions {
   /** @param since Time of the last sample. @param doubt Why rest is not certain; empty for none. */
   rest(joint: string, since: number, doubt = ''): void {
     if (this.stateOf(joint) === 'rest') return;
-    this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${doubt === '' ? '' : `; ${doubt}`}`, since);
+    this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${doubt === '' ? '' : `; ${doubt}`}`, since, doubt);
     this.log.resume(`joint ${joint}`, `${joint} is at rest, without fault`);
   }
 
@@ -71,11 +79,13 @@ export class JointConditions {
     for (const [joint, condition] of this.#joints) if (isGood(condition)) this.#enter(joint, 'fault', reason, this.now());
   }
 
-  /** Key and value of each joint for the diagnostics; joints with a trouble first, in case the receiver keeps a part only. */
+  /** Keys and values of each joint for the diagnostics; joints with a trouble first, in case the receiver keeps a part only. */
   values(): Record<string, string> {
     const sorted = [...this.#joints].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
-    return Object.fromEntries(sorted.map(([joint, { state, since, reason }]) =>
-      [`joint/${joint}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`]));
+    return Object.fromEntries(sorted.flatMap(([joint, { state, since, reason, doubt }]) => [
+      [`joint/${joint}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`],
+      ...(doubt === '' ? [] : [[`doubt/${joint}`, doubt]]),
+    ]));
   }
 
   #trouble(joint: string, state: JointState, text: string, since: number, isLogged: boolean): void {
@@ -87,8 +97,8 @@ export class JointConditions {
     if (isLogged) this.log.change(`joint ${joint}`, `${entered} ${reason}`, `${joint} ${entered}: ${reason}`);
   }
 
-  #enter(joint: string, state: JointState, reason: string, since: number): void {
-    this.#joints.set(joint, { state, since, reason });
+  #enter(joint: string, state: JointState, reason: string, since: number, doubt = ''): void {
+    this.#joints.set(joint, { state, since, reason, doubt });
     this.changed();
   }
 }

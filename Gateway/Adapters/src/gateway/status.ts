@@ -45,17 +45,21 @@ export class AdapterStatus {
     if (isChanged) this.changed();
   }
 
-  /** Level of a DiagnosticStatus: 0 when the plant is connected and each joint is live or at rest, 1 while connecting, 2 otherwise. */
+  /**
+   * Level of a DiagnosticStatus: 0 when the plant is connected and each joint is live or at rest, 1 while connecting, or when it is not certain
+   * that a joint rests, 2 otherwise.
+   */
   get level(): 0 | 1 | 2 {
     if (this.#state === 'connecting' && this.#failure === '') return 1;
-    return this.#state === 'connected' && this.joints.trouble === null ? 0 : 2;
+    if (this.#state !== 'connected' || this.joints.trouble !== null) return 2;
+    return this.joints.doubt === null ? 0 : 1;
   }
 
   /** The plant's state or, while it is connected, the first joint with a trouble. */
   get message(): string {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
-    if (this.joints.trouble === null) return this.#state;
+    if (this.joints.trouble === null) return this.joints.doubt === null ? this.#state : `${this.joints.doubt[0]} may not be at rest: ${this.joints.doubt[1]}`;
     const [joint, { state, reason }] = this.joints.trouble;
     return `${joint} ${state}: ${reason}`;
   }

@@ -32,8 +32,8 @@ public class JointBoardTests
     void Report(string adapter, params (string Joint, string State, string Reason)[] joints)
     {
         var since = _time.GetUtcNow().ToUnixTimeMilliseconds() / 1000.0;
-        _board.Report(adapter, joints.Select(joint => KeyValuePair.Create(
-            $"joint/{joint.Joint}", string.Create(CultureInfo.InvariantCulture, $"{joint.State} {since:0.000} {joint.Reason}"))));
+        _board.Report(adapter, [.. joints.Select(joint => KeyValuePair.Create(
+            $"joint/{joint.Joint}", string.Create(CultureInfo.InvariantCulture, $"{joint.State} {since:0.000} {joint.Reason}")))]);
     }
 
     JointStatus Joint(string name, string source = null) =>
