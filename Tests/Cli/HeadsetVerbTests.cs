@@ -44,7 +44,21 @@ public class HeadsetVerbTests
         Assert.That(result.GetProperty("pose").GetProperty("current_share").GetDouble(), Is.GreaterThan(0));
         Assert.That(result.GetProperty("missing_joints").GetArrayLength(), Is.Zero);
         Assert.That(result.GetProperty("stretches")[0].GetProperty("tool_error_mm").GetProperty("hold_rms").GetDouble(), Is.GreaterThan(1));
-        Assert.That(File.ReadLines(recording.Path).Count(line => line.Contains("\"kind\":\"frame\"")), Is.GreaterThan(180));
+        var frames = File.ReadLines(recording.Path).Where(line => line.Contains("\"kind\":\"frame\"")).Select(line => JsonDocument.Parse(line).RootElement).ToList();
+        Assert.That(frames, Has.Count.GreaterThan(180));
+        var visuNs = result.GetProperty("latency_ms").GetProperty("visu").GetDouble() * 1e6;
+        var current = frames.Where(frame => frame.GetProperty("state").GetString() == "current").ToList();
+        var within = current.Count(frame => IsWithin(frame, visuNs, control));
+        TestContext.Out.WriteLine($"clock error within its ± in {within} of {current.Count} current frames");
+        Assert.That(within, Is.GreaterThan(0.95 * current.Count));
+    }
+
+    // Whether the time of light that a frame was computed for is right to within its stated error, and the rounding of the record.
+    static bool IsWithin(JsonElement frame, double visuNs, StopwatchControlClock control)
+    {
+        var light = frame.GetProperty("start_ns").GetInt64() + (long)visuNs;
+        var truth = control.AtCount((long)((Int128)light * Stopwatch.Frequency / 1_000_000_000)).Nanoseconds;
+        return Math.Abs(frame.GetProperty("light_ns").GetInt64() - truth) <= frame.GetProperty("estimated_error_ns").GetInt64() + 1000;
     }
 
     [Test]
