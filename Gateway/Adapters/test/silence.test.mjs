@@ -20,7 +20,9 @@ function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
   status.enter('connected');
   const value = (joint, position) => output.publish([{ joint, value: position, stamp: clock.now }]);
   const stateOf = joint => /^\w+/.exec(status.values()[`joint/${joint}`])[0];
-  return { output, status, clock, lines, sent, time, value, stateOf };
+  const cell = { output, status, clock, lines, sent, time, value, stateOf, faultMs: null };
+  status.joints.changed = () => { if (status.values()[`joint/${joints[0]?.joint}`]?.startsWith('fault')) cell.faultMs ??= time.ms; };
+  return cell;
 }
 
 /** Joint a moves with 1 rad/s for half a second and then sends nothing; b moves on. */
@@ -41,6 +43,7 @@ describe('silence', () => {
     moveAndStop(cell, 1);
 
     assert.equal(cell.stateOf('a'), 'fault');
+    assert.ok(cell.faultMs > 490 && cell.faultMs <= 600, `the last sample is of 490 ms, the fault of ${cell.faultMs} ms`);
     assert.ok(cell.sent.filter(({ name }) => name.includes('a')).every(({ header: { stamp } }) => stamp.sec === 1_700_000_000 && stamp.nanosec < 0.5e9));
     assert.equal(cell.stateOf('b'), 'live');
     assert.match(cell.status.message, /^a fault: its data ended in mid-motion: to stop there needs \d+\.\d rad\/s²/);
@@ -110,6 +113,8 @@ describe('silence', () => {
     const cell = swing([0]);
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'live']);
+    // Two seconds are promised, from the plant to the headset.
+    assert.ok(cell.faultMs - 1000 * Math.PI * 3 <= 700, `${cell.faultMs} ms`);
     // 1.5 times the largest deceleration of the swing, 1.2 rad/s², and four times what the last samples show.
     assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s² that its samples show; set max_deceleration if it can brake harder$/);
   });
