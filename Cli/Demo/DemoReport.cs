@@ -63,6 +63,7 @@ static class DemoReport
         .. Facts(range.Rows),
         ["Clock offset error, median and P95", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
         ["Clock offset error, greatest", $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
+        ["Clock offset error as stated, median; held in", $"± {Number(r.Clock.StatedErrorUsP50)} µs; {Number(100 * r.Clock.WithinStatedShare)} % of the frames"],
         ["Clock synchronised after", $"{Number(r.Clock.ConvergedS)} s"],
         ["Time of a frame, the whole player loop, median and P99", $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
         ["Allocated per frame", $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],

@@ -9,8 +9,11 @@ sealed record DemoResult(
     /// <summary>Milliseconds; <see cref="Visu"/> is the simulated headset's true one.</summary>
     public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
 
+    /// <param name="StatedErrorUsP50">The ± that the runtime states.</param>
+    /// <param name="WithinStatedShare">Part of the time in which the true error was within the ±.</param>
     public sealed record ClockErrors(
-        double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS);
+        double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS,
+        double? StatedErrorUsP50, double? WithinStatedShare);
 
     public sealed record ToolErrors(
         double? HoldRms, double? HoldMax, double? Rms, double? P95, double? Max,

@@ -80,7 +80,9 @@ sealed class DemoScore
         var rows = _run.Frames.Rows.Where(row => row.Elapsed >= _converged).ToList();
         var errors = rows.Select(row => Math.Abs(row.OffsetErrorUs)).ToList();
         return new DemoResult.ClockErrors(
-            Percentile(errors, 0.5), Percentile(errors, 0.95), Percentile(errors, 1), SkewErrorPpm(rows), _converged?.TotalSeconds);
+            Percentile(errors, 0.5), Percentile(errors, 0.95), Percentile(errors, 1), SkewErrorPpm(rows), _converged?.TotalSeconds,
+            Percentile(rows.Select(row => row.Clock.EstimatedError.TotalMicroseconds), 0.5),
+            rows.Count == 0 ? null : (double)rows.Count(row => Math.Abs(row.OffsetErrorUs) <= row.Clock.EstimatedError.TotalMicroseconds) / rows.Count);
     }
 
     // At the end: the skew is an average over the whole history, so its last value is the best it reached.

@@ -43,6 +43,7 @@ static class DemoTable
         foreach (var (label, value) in range.Rows) Row(label, value);
         var clock = result.Clock;
         Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} greatest");
+        Row("clock offset error as stated", $"± {Us(clock.StatedErrorUsP50)} median, held in {Percent(clock.WithinStatedShare)} of the frames");
         Row("clock synchronised after", Text(result.Clock.ConvergedS, "0.0", " s"));
         var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
         Row("frame, the whole player loop", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");

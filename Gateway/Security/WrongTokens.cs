@@ -1,9 +1,10 @@
 using System.Net;
+using System.Net.Sockets;
 using Nowpose.Pairing;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Counts the wrong tokens and codes of each address, and blocks an address with too many until the minute is over. Any thread.</summary>
+/// <summary>Counts the wrong tokens and codes of each IPv4 address and each IPv6 network (/64), and blocks an address with too many until the minute is over. Any thread.</summary>
 /// <remarks>128 bits are not guessed at any rate. The limit slows the guessing of weaker tokens, and keeps log and processor quiet.</remarks>
 sealed class WrongTokens(TimeProvider time)
 {
@@ -38,5 +39,11 @@ sealed class WrongTokens(TimeProvider time)
         }
     }
 
-    static IPAddress Key(IPAddress address) => address ?? IPAddress.None;
+    // A machine has as many IPv6 addresses as it likes, but one /64 network.
+    static IPAddress Key(IPAddress address)
+    {
+        if (address == null) return IPAddress.None;
+        if (address.IsIPv4MappedToIPv6) return address.MapToIPv4();
+        return address.AddressFamily == AddressFamily.InterNetworkV6 ? new IPAddress([.. address.GetAddressBytes().AsSpan(0, 8), .. new byte[8]]) : address;
+    }
 }

@@ -20,6 +20,7 @@ sealed class SyncServer : IDisposable
     readonly Action<string> _log;
     readonly Action<SyncConnection> _startConnection;
     readonly TcpListener _listener;
+    readonly Func<TcpListener, Task<Socket>> _accept;
     readonly PendingConnections _pending;
     readonly WrongTokens _wrong;
     readonly HashSet<SyncConnection> _connections = [];
@@ -27,9 +28,10 @@ sealed class SyncServer : IDisposable
     bool _isStopped;
 
     /// <param name="startConnection">Starts a connection's thread; null as it is.</param>
+    /// <param name="accept">Accepts the next connection; null as it is.</param>
     public SyncServer(
         GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, Action<string> log,
-        Action<SyncConnection> startConnection = null)
+        Action<SyncConnection> startConnection = null, Func<TcpListener, Task<Socket>> accept = null)
     {
         _options = options;
         _clock = clock;
@@ -37,6 +39,7 @@ sealed class SyncServer : IDisposable
         _wrong = wrong;
         _log = log;
         _startConnection = startConnection ?? (connection => connection.Start());
+        _accept = accept ?? (listener => listener.AcceptSocketAsync());
         _pending = new PendingConnections(options.MaxPendingConnections);
         _listener = PortListener.Open("--sync-port", options.Bind, options.SyncPort);
         _accepting = Task.Run(AcceptAsync);
@@ -71,7 +74,7 @@ sealed class SyncServer : IDisposable
         {
             try
             {
-                var accepted = await _listener.AcceptSocketAsync();
+                var accepted = await _accept(_listener);
                 DescriptorLimit.Guard(accepted);
                 Serve(accepted);
             }

@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using System.Net.Security;
+using System.Net.Sockets;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
@@ -297,6 +298,23 @@ public class SyncServerTests
         Assert.That(await second.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
         Assert.That(server.Counters[Closure.Failure], Is.EqualTo(1));
         Assert.That(log.Single(), Does.Contain("Failure").And.Contain("no thread"));
+    }
+
+    [Test]
+    public async Task Accept_ThatFails_IsTriedAgain()
+    {
+        var failures = new Queue<Exception>(
+            [new SocketException((int)SocketError.TooManyOpenSockets), new InsufficientMemoryException("no memory"), new IOException("disk")]);
+        var log = new ConcurrentQueue<string>();
+        using var access = new AccessWatch(Gateways.Options(), log.Enqueue);
+        using var server = new SyncServer(
+            Gateways.Options(), new StopwatchControlClock(Gateways.Start), access, new WrongTokens(TimeProvider.System), log.Enqueue,
+            accept: listener => failures.TryDequeue(out var failure) ? throw failure : listener.AcceptSocketAsync());
+
+        using var client = await RawSyncClient.ConnectAsync(server.EndPoint);
+
+        Assert.That(await client.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
+        Assert.That(log, Has.Count.EqualTo(3).And.All.Contain("could not be accepted"));
     }
 
     [Test]

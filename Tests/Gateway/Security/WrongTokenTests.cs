@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Http.Headers;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -31,6 +32,20 @@ public class WrongTokenTests
         Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK));
         time.Advance(TimeSpan.FromMinutes(1));
         Assert.That((await AskAsync(gateway, "guess")).Status, Is.EqualTo(HttpStatusCode.Unauthorized));
+    }
+
+    [TestCase("2001:db8::1", "2001:db8::2", true)]
+    [TestCase("2001:db8::1", "2001:db8:0:1::1", false)]
+    [TestCase("10.0.0.1", "10.0.0.2", false)]
+    [TestCase("::ffff:10.0.0.1", "10.0.0.1", true)]
+    [TestCase("::ffff:10.0.0.1", "::ffff:10.0.0.2", false)]
+    public void Count_OfAnotherAddress_CountsWithinTheSameNetworkOfIPv6(string guessing, string other, bool isBlocked)
+    {
+        var wrong = new WrongTokens(new SteppedTime());
+
+        for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++) wrong.Count(IPAddress.Parse(guessing));
+
+        Assert.That(wrong.IsBlocked(IPAddress.Parse(other)), Is.EqualTo(isBlocked));
     }
 
     [Test]

@@ -73,6 +73,7 @@ public class MetricsTests
         var families = Parse(Metrics.Of(Snapshot(Words("goggles", ("state", "holdover"), ("l_app_ms", 95.0))), times));
 
         Assert.That(Value(families, "nowpose_clock_error_bound_seconds"), Is.EqualTo(120e-6).Within(1e-12));
+        Assert.That(Value(families, "nowpose_joint_state_since_seconds", "b"), Is.EqualTo(1_795_176_001));
         Assert.That(Value(families, "nowpose_clock_skew_ratio"), Is.EqualTo(3e-6).Within(1e-12));
         Assert.That(Value(families, "nowpose_plant_clock_round_trip_seconds", "press"), Is.EqualTo(1.5e-3).Within(1e-12));
         Assert.That(Value(families, "nowpose_adapter_connected", "press"), Is.EqualTo(1));

@@ -23,6 +23,8 @@ public class DemoScoreTests
     /// <summary>Errors of one frame; the truth stands at 0.</summary>
     readonly record struct Wrong(double HeldMm, double Mm, double LightMs = 0, double OffsetUs = 0);
 
+    static readonly TimeSpan Stated = TimeSpan.FromMilliseconds(0.3);
+
     static DemoResult Score(double seconds, Func<double, Wrong> wrongAt, TimeSpan? converged = null, double skewErrorPpm = 0) =>
         new DemoScore(Run(seconds, wrongAt, converged ?? Converged, skewErrorPpm)).Result();
 
@@ -38,7 +40,7 @@ public class DemoScoreTests
             // The joints say something else: what counts is where the scene shows the tool.
             frames.Add([nan ?? 7], [7], new DemoFrames.Row(
                 elapsed, new HeadsetTime(elapsed), light, light + TimeSpan.FromMilliseconds(wrong.LightMs),
-                new ClockModel(default, default, (Truth.SkewPpm + skewErrorPpm) * 1e-6, default, state), PoseState.Current, wrong.OffsetUs,
+                new ClockModel(default, default, (Truth.SkewPpm + skewErrorPpm) * 1e-6, default, state, estimatedError: Stated), PoseState.Current, wrong.OffsetUs,
                 new ToolPosition(wrong.Mm / 1000, 0, 0), new ToolPosition(wrong.HeldMm / 1000, 0, 0),
                 elapsed.TotalSeconds < 3 ? 1000 : 2, elapsed.TotalSeconds < 3 ? 500 : 0));
         }
@@ -93,6 +95,8 @@ public class DemoScoreTests
         Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(0.95).Within(2e-3), "of the magnitude");
         Assert.That(result.Clock.OffsetErrorUsP50, Is.EqualTo(500).Within(2));
         Assert.That(result.Clock.OffsetErrorUsP95, Is.EqualTo(950).Within(2));
+        Assert.That(result.Clock.StatedErrorUsP50, Is.EqualTo(300));
+        Assert.That(result.Clock.WithinStatedShare, Is.EqualTo(0.3).Within(2e-3));
         Assert.That(result.LatencyMs.AppP50, Is.EqualTo(50));
         Assert.That(result.LatencyMs.AppP95, Is.EqualTo(95));
         Assert.That(result.LatencyMs.Visu, Is.EqualTo(40), "the true one");
