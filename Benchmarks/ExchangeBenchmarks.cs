@@ -28,10 +28,10 @@ public class ExchangeBenchmarks
     }
 
     [Benchmark(Description = "Exchange: added to a full history of 900")]
-    public SyncVerdict Add() => AddTo(_ours);
+    internal SyncVerdict Add() => AddTo(_ours);
 
     [Benchmark(Description = "Exchange: added to the paper's full history of 100")]
-    public SyncVerdict AddToPapers() => AddTo(_papers);
+    internal SyncVerdict AddToPapers() => AddTo(_papers);
 
     SyncVerdict AddTo(ClockSynchroniser clock)
     {

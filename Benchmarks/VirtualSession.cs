@@ -61,7 +61,7 @@ sealed class VirtualSession
     public HeadsetTime Sample()
     {
         var positions = _positions[Next(out var arrival)];
-        Session.Received(new JointStateMessage(Offset.ToControl(NewestSample), SevenJointArm.JointNames, positions), arrival);
+        Session.Listener.Received(new JointStateMessage(Offset.ToControl(NewestSample), SevenJointArm.JointNames, positions), arrival);
         return arrival;
     }
 
@@ -72,7 +72,7 @@ sealed class VirtualSession
         var text = _texts[Next(out var arrival)];
         text.Stamp(Offset.ToControl(NewestSample));
         if (!_reader.TryRead(text.Utf8, out var message, out var reason)) throw new InvalidOperationException("the message is refused: " + reason);
-        Session.Received(message.JointState, arrival);
+        Session.Listener.Received(message.JointState, arrival);
         return arrival;
     }
 

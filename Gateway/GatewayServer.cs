@@ -127,7 +127,7 @@ public sealed class GatewayServer : IAsyncDisposable
     public PlantClocks PlantClocks { get; }
 
     /// <summary>Messages of clients that were dropped, and messages slow clients lost.</summary>
-    public DropCounters Drops => _rosbridge.Drops;
+    internal DropCounters Drops => _rosbridge.Drops;
 
     public ConnectionCounters SyncConnections => _sync.Counters;
     public ConnectionCounters WebSocketConnections { get; }

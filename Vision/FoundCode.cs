@@ -5,7 +5,7 @@ namespace Nowpose.Vision;
 /// <summary>A code that was found in a picture.</summary>
 /// <param name="Levels">Light of each cell in the order of <see cref="TimestampCode"/>, without what is behind it; linear, 1 is white.</param>
 /// <param name="Corners">px, y down: x and y of the top left corner as the code is read, then clockwise.</param>
-public sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyList<(double X, double Y)> Corners)
+sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyList<(double X, double Y)> Corners)
 {
     /// <summary>Where the diagonals cross: the centre of the code also where it is seen at an angle, px.</summary>
     public (double X, double Y) Center

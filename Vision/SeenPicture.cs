@@ -7,8 +7,8 @@ namespace Nowpose.Vision;
 /// <param name="Height">px.</param>
 /// <param name="Codes">At most one of each kind.</param>
 /// <param name="Fault">Why it could not be read; null when it could.</param>
-public sealed record SeenPicture(int Width, int Height, IReadOnlyList<FoundCode> Codes, string Fault)
+sealed record SeenPicture(int Width, int Height, IReadOnlyList<FoundCode> Codes, string Fault)
 {
     /// <summary>Null when there is none of that kind.</summary>
-    public FoundCode CodeOf(CodeKind kind) => Codes.FirstOrDefault(code => code.Kind == kind);
+    internal FoundCode CodeOf(CodeKind kind) => Codes.FirstOrDefault(code => code.Kind == kind);
 }

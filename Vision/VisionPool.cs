@@ -39,7 +39,7 @@ public sealed class VisionPool : IDisposable
     /// <summary>Runs to the end of the pictures, or until it is cancelled; what goes wrong from then on does not matter.</summary>
     /// <param name="pictures">Read as they are needed, on a thread of its own.</param>
     /// <param name="seen">Takes each picture's place in the order and what was seen; one call at a time, in any order.</param>
-    public void Look(IEnumerable<PictureRequest> pictures, Action<int, SeenPicture> seen, CancellationToken cancellation)
+    internal void Look(IEnumerable<PictureRequest> pictures, Action<int, SeenPicture> seen, CancellationToken cancellation)
     {
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         var queues = _workers.Select(_ => new BlockingCollection<(int, PictureRequest)>(Waiting)).ToArray();

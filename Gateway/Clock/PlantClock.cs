@@ -35,7 +35,7 @@ public sealed class PlantClock
     public bool IsConnected => Volatile.Read(ref _caller) != null;
 
     /// <summary>Each exchange with what became of it, on the thread that made it. A handler must be quick and must not throw.</summary>
-    public event SyncExchangeHandler Judged;
+    internal event SyncExchangeHandler Judged;
 
     /// <summary>Exchanges that could be used, and questions that were not answered or not usably, since the start.</summary>
     public long Exchanges => Interlocked.Read(ref _exchanges);

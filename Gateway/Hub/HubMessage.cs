@@ -34,15 +34,15 @@ public sealed class HubMessage
     public static HubMessage Of(JointStateMessage message, long receivedAt, HubSource source = null) => new(
         RosTopics.JointStates, message, receivedAt, form => RosbridgeWriter.PublishJointState(RosTopics.JointStates, message, form), source);
 
-    public static HubMessage Of(JointTrajectoryMessage message, long receivedAt) =>
+    internal static HubMessage Of(JointTrajectoryMessage message, long receivedAt) =>
         new(RosTopics.JointTrajectory, message, receivedAt, form => RosbridgeWriter.PublishJointTrajectory(RosTopics.JointTrajectory, message, form));
 
-    public static HubMessage Of(DiagnosticsMessage message, HubSource source = null) => new(
+    internal static HubMessage Of(DiagnosticsMessage message, HubSource source = null) => new(
         RosTopics.Diagnostics, message, Stopwatch.GetTimestamp(), form => RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, message, form),
         source);
 
     /// <summary>The joints that are not live, for headsets.</summary>
-    public static HubMessage JointStatus(DiagnosticsMessage message) => new(
+    internal static HubMessage JointStatus(DiagnosticsMessage message) => new(
         RosTopics.JointStatus, message, Stopwatch.GetTimestamp(),
         form => RosbridgeWriter.PublishDiagnostics(RosTopics.JointStatus, message, form));
 
@@ -54,5 +54,5 @@ public sealed class HubMessage
         RosTopics.RobotDescription, urdf, Stopwatch.GetTimestamp(), _ => RosbridgeWriter.PublishString(RosTopics.RobotDescription, urdf));
 
     /// <summary>The message as UTF-8; the same array for all who ask.</summary>
-    public ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;
+    internal ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;
 }

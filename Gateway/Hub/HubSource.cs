@@ -44,7 +44,7 @@ public sealed class HubSource : IDisposable
 
     /// <summary>The same with set-points; a source's newest are kept for whoever subscribes later: they last, and come once.</summary>
     /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
-    public string TryPublish(JointTrajectoryMessage message, long? receivedAt = null)
+    internal string TryPublish(JointTrajectoryMessage message, long? receivedAt = null)
     {
         var taken = _hub.Claim(this, RosTopics.JointTrajectory, message.Names);
         if (taken == null)
@@ -65,7 +65,7 @@ public sealed class HubSource : IDisposable
     /// <summary>What a headset shows: forwarded, and owned by nobody.</summary>
     public void PublishDisplayed(JointStateMessage message) => _hub.Publish(HubMessage.Displayed(message));
 
-    public void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message, this));
+    internal void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message, this));
 
     /// <summary>Publishes the joints that are not live; the newest message is kept for later subscribers.</summary>
     internal void PublishJointStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.JointStatus(message));

@@ -7,7 +7,7 @@ public static class Motions
 {
     /// <summary>The paper's move (Fig. 12): 500 mm, 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
     /// <remarks>The paper gives no limits; these are ours.</remarks>
-    public static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
+    internal static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
 
     /// <summary><see cref="PaperMove"/> forth and back without end, with 0.4 s dwell.</summary>
     public static AxisMotion PaperSwing(double seconds = 12)

@@ -23,7 +23,7 @@ public class DisplayedJointsTests
     [Test, Order(1)]
     public void Displayed_WithoutTheClock_IsNothing()
     {
-        _session.Received(Sample(HeadsetTime.FromSeconds(9)), HeadsetTime.FromSeconds(9));
+        _session.Listener.Received(Sample(HeadsetTime.FromSeconds(9)), HeadsetTime.FromSeconds(9));
 
         _session.Tick(HeadsetTime.FromSeconds(9));
 
@@ -90,7 +90,7 @@ public class DisplayedJointsTests
     {
         var control = new ControlTime(now.SinceEpoch);
         _session.Clock.Add(new SyncExchange(now, control, control, now), out _);
-        _session.Received(Sample(now), now);
+        _session.Listener.Received(Sample(now), now);
     }
 
     JointStateMessage Sample(HeadsetTime now) => new(

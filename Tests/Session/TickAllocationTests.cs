@@ -39,7 +39,7 @@ public class TickAllocationTests
             if (frame % 12 == 0)
                 session.Clock.Add(new SyncExchange(now - TimeSpan.FromMilliseconds(2), control, control, now), out _);
             if (frame % 3 == 0)
-                session.Received(new JointStateMessage(control - TimeSpan.FromMilliseconds(80), names, Positions(names.Length, frame)), now);
+                session.Listener.Received(new JointStateMessage(control - TimeSpan.FromMilliseconds(80), names, Positions(names.Length, frame)), now);
 
             var before = GC.GetAllocatedBytesForCurrentThread();
             session.Rendered(TimeSpan.FromMilliseconds(10 + frame % 7), RenderTimeSourceKind.DisplayGpuTime);

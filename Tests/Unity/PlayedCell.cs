@@ -158,7 +158,7 @@ sealed class PlayedCell : IDisposable
         if (_names.Length != session.Robot.MovingJoints.Count) _names = [.. session.Robot.MovingJoints.Select(joint => joint.Name)];
         var positions = new double[_names.Length];
         for (var i = 0; i < positions.Length; i++) positions[i] = Scale * PositionAt(session.Robot, now - Latency, i);
-        session.Received(new JointStateMessage(Control(now - Latency), _names, positions), now);
+        session.Listener.Received(new JointStateMessage(Control(now - Latency), _names, positions), now);
     }
 
     static ControlTime Control(HeadsetTime at) => new(at.SinceEpoch - HeadsetMinusControl);

@@ -67,7 +67,7 @@ public sealed class LatencyNudgeTests
             {
                 _nextSample = _cell.Now + 0.02;
                 var taken = _cell.Clock.Now - Late;
-                _session.Session.Received(
+                _session.Session.Listener.Received(
                     new JointStateMessage(new ControlTime(taken.SinceEpoch + TimeSpan.FromSeconds(300)), ["x"], [TruthAt(taken.SinceEpoch.TotalSeconds)]),
                     _cell.Clock.Now);
             }

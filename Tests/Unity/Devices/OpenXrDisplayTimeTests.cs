@@ -69,7 +69,7 @@ public sealed class OpenXrDisplayTimeTests
             {
                 _nextSample = _cell.Now + 0.02;
                 var taken = _cell.Clock.Read - Late;
-                _session.Session.Received(
+                _session.Session.Listener.Received(
                     new JointStateMessage(new ControlTime(taken.SinceEpoch + TimeSpan.FromSeconds(300)), ["x"], [TruthAt(taken)]), _cell.Clock.Read);
             }
             _cell.Frame(_session);
@@ -187,7 +187,7 @@ public sealed class OpenXrDisplayTimeTests
             texts.Update(_session.Statistics, _session.Settings, null, null);
             return texts.ValueOf(StatusRow.VisualisationLatency) + "|" + texts.NoteOf(StatusRow.VisualisationLatency);
         }
-        string Diagnostic() => _session.Session.Diagnostics().Values.SingleOrDefault(v => v.Key == "display_time").Value;
+        string Diagnostic() => _session.Session.Listener.Diagnostics().Values.SingleOrDefault(v => v.Key == "display_time").Value;
         int Lines(string of) => _cell.Messages.Count(m => m.Contains(of));
         HeadsetTime Right(FrameTime _) => _cell.Clock.Read + TimeSpan.FromMilliseconds(40);
         // Counts of 24 MHz taken for 10 MHz: a device that has run for a while is far ahead.

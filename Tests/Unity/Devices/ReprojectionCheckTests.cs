@@ -66,7 +66,7 @@ public sealed class ReprojectionCheckTests
         return texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
     }
 
-    string Diagnostic(string key) => _session.Session.Diagnostics().Values.SingleOrDefault(v => v.Key == key).Value;
+    string Diagnostic(string key) => _session.Session.Listener.Diagnostics().Values.SingleOrDefault(v => v.Key == key).Value;
 
     int Lines(string of) => _cell.Messages.Count(m => m.Contains(of));
 

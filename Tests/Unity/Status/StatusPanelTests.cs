@@ -98,7 +98,7 @@ public class StatusPanelTests
     public void LateUpdate_GatewayReportsAJoint_NamesItUntilItIsRepaired()
     {
         Play(10);
-        void Report(params JointReport[] joints) => _session.Session.StatusReceived(new JointStatusMessage(joints), _cell.Clock.Now);
+        void Report(params JointReport[] joints) => _session.Session.Listener.StatusReceived(new JointStatusMessage(joints), _cell.Clock.Now);
 
         Report(new JointReport("elbow_joint", JointDataState.Fault, ControlTime.FromSeconds(1305), "node deleted"));
         Run(1);

@@ -18,3 +18,19 @@ using System.Runtime.CompilerServices;
 
 // Only this package's repository has it: it emulates links by the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
+
+// The package's other assemblies: what they share is no interface for users.
+[assembly: InternalsVisibleTo("Nowpose.Unity")]
+[assembly: InternalsVisibleTo("Nowpose.Editor")]
+[assembly: InternalsVisibleTo("Nowpose.ArFoundation")]
+[assembly: InternalsVisibleTo("Nowpose.OpenXR.Anchoring")]
+[assembly: InternalsVisibleTo("Nowpose.MRTK3")]
+[assembly: InternalsVisibleTo("Nowpose.Unity.NativeWebSocket")]
+[assembly: InternalsVisibleTo("Nowpose.Prefabs")]
+[assembly: InternalsVisibleTo("Nowpose.Studies")]
+[assembly: InternalsVisibleTo("Nowpose.Mono.Aot")]
+[assembly: InternalsVisibleTo("Nowpose.Mono.Cost")]
+[assembly: InternalsVisibleTo("Nowpose.NativeWebSocket.Tests")]
+[assembly: InternalsVisibleTo("Nowpose.Peer")]
+[assembly: InternalsVisibleTo("Nowpose.UnityPlayer")]
+[assembly: InternalsVisibleTo("Nowpose.Vision")]

@@ -16,7 +16,7 @@ namespace Nowpose.Network
     /// refused only if it is none. It sends no pings of the protocol's interval either; the client asks the gateway's time
     /// instead. A pin cannot be checked through it.
     /// </remarks>
-    public sealed class NativeWebSocketLink : IWebSocketLink
+    sealed class NativeWebSocketLink : IWebSocketLink
     {
         static readonly TimeSpan Goodbye = TimeSpan.FromSeconds(1);
 

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Anchoring
 {
     /// <summary>Which sightings of markers count, when a base is locked by them, and when a marker is said to have moved.</summary>
-    public sealed class AnchoringSettings
+    sealed class AnchoringSettings
     {
         /// <param name="settleMs">How long markers are looked at, at least, before the base is locked.</param>
         /// <param name="oldestMs">A marker that was seen longer ago is not taken for seen now.</param>

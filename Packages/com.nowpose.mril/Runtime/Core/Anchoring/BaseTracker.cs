@@ -28,7 +28,7 @@ namespace Nowpose.Anchoring
         RigidTransform? _placed;
         bool _isNews, _isHeldByHand, _wasLost;
 
-        public BaseTracker(AnchoringSettings settings)
+        internal BaseTracker(AnchoringSettings settings)
         {
             _settings = settings ?? throw new ArgumentNullException(nameof(settings));
             _shown = new EasedPose(settings.Ease);
@@ -176,7 +176,7 @@ namespace Nowpose.Anchoring
         /// <param name="sightings">Of all sources; those of other codes are passed over.</param>
         /// <param name="head">Of the viewer in the room frame, x forward; null where it is not known, and what depends on it is not asked.</param>
         /// <param name="anchors">What holds places; null where nothing does.</param>
-        public void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
+        internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
         {
             if (sightings == null) throw new ArgumentNullException(nameof(sightings));
             _now = now;

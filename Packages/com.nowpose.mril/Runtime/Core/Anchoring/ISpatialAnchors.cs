@@ -6,7 +6,7 @@ namespace Nowpose.Anchoring
     /// Holds places in the room by the device's own map, and keeps them over restarts. Belongs to the frame's thread; never
     /// throws.
     /// </summary>
-    public interface ISpatialAnchors
+    interface ISpatialAnchors
     {
         /// <summary>Whether it is known by now which anchors were kept. False for ever where the device keeps none.</summary>
         bool IsReady { get; }

@@ -1,7 +1,7 @@
 namespace Nowpose.Anchoring
 {
     /// <summary>Why a sighting of one of the base's markers does not count.</summary>
-    public enum SightingFault
+    enum SightingFault
     {
         None,
 

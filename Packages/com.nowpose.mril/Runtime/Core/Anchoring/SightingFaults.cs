@@ -1,7 +1,7 @@
 namespace Nowpose.Anchoring
 {
     /// <summary>How many sightings did not count, by why.</summary>
-    public sealed class SightingFaults
+    sealed class SightingFaults
     {
         readonly long[] _counts = new long[(int)SightingFault.TwoPlaces + 1];
 

@@ -35,10 +35,10 @@ namespace Nowpose.Anchoring
         public long Sightings { get; private set; }
 
         /// <summary>Those that did not.</summary>
-        public SightingFaults Ignored { get; } = new SightingFaults();
+        internal SightingFaults Ignored { get; } = new SightingFaults();
 
         /// <summary>Why the newest sighting did not count; None where it did, or where there is none.</summary>
-        public SightingFault Fault { get; private set; }
+        internal SightingFault Fault { get; private set; }
 
         /// <summary>When it was seen last in a way that counts; null for never.</summary>
         public HeadsetTime? LastSeen => _taken;

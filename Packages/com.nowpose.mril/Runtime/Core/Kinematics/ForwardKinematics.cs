@@ -6,7 +6,7 @@ namespace Nowpose.Kinematics
     /// <remarks>
     /// Everything that does not depend on the positions is computed once. Afterwards immutable: one object serves any thread.
     /// </remarks>
-    public sealed class ForwardKinematics
+    sealed class ForwardKinematics
     {
         readonly RobotModel _model;
         readonly JointMotion[] _motions;

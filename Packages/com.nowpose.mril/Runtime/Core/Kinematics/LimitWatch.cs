@@ -9,7 +9,7 @@ namespace Nowpose.Kinematics
     /// that swings is said once. Noise at a stop, and limits that are rounded, do not count: 0.02 rad or 2 mm. Allocates only where
     /// it finds a joint for the first time; not thread-safe.
     /// </remarks>
-    public sealed class LimitWatch
+    sealed class LimitWatch
     {
         const double ToleranceRadians = 0.02, ToleranceMetres = 0.002;
         const int SamplesToFind = 3, SamplesToForget = 100;

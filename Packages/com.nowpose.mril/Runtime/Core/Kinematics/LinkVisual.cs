@@ -1,7 +1,7 @@
 namespace Nowpose.Kinematics
 {
     /// <summary>One shape that shows a link.</summary>
-    public sealed class LinkVisual
+    sealed class LinkVisual
     {
         internal LinkVisual(
             VisualShape shape, in RigidTransform origin, (double X, double Y, double Z) size, string meshFile, VisualColour? colour)

@@ -21,7 +21,7 @@ namespace Nowpose.Kinematics
         /// <summary>Index of the parent in <see cref="RobotModel.Links"/>, always lower than the link's own; -1 for the root link.</summary>
         public int ParentIndex { get; }
 
-        public IReadOnlyList<LinkVisual> Visuals { get; }
+        internal IReadOnlyList<LinkVisual> Visuals { get; }
 
         public override string ToString() => Name;
     }

@@ -30,7 +30,7 @@ namespace Nowpose.Kinematics
         public string Name { get; }
 
         /// <summary>Of the URDF text that was read: whether another text describes the same robot.</summary>
-        public UrdfHash SourceHash { get; }
+        internal UrdfHash SourceHash { get; }
 
         /// <summary>Root first, parents before their children.</summary>
         public IReadOnlyList<RobotLink> Links { get; }

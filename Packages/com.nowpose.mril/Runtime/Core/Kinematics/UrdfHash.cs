@@ -10,7 +10,7 @@ namespace Nowpose.Kinematics
     /// Line ends, a byte order mark and white space around the document do not count, since editors, version control and
     /// publishers change them. Everything else does, comments too. <c>default</c> is the hash of no text.
     /// </remarks>
-    public readonly struct UrdfHash : IEquatable<UrdfHash>
+    readonly struct UrdfHash : IEquatable<UrdfHash>
     {
         readonly string _hex;
 

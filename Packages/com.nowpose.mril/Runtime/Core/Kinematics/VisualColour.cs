@@ -1,7 +1,7 @@
 namespace Nowpose.Kinematics
 {
     /// <summary>Red, green, blue and opacity, each meant to lie in 0…1 and kept as written.</summary>
-    public readonly struct VisualColour
+    readonly struct VisualColour
     {
         public VisualColour(double red, double green, double blue, double alpha)
         {

@@ -1,6 +1,6 @@
 namespace Nowpose.Kinematics
 {
-    public enum VisualShape
+    enum VisualShape
     {
         Box,
 

@@ -4,7 +4,7 @@ namespace Nowpose.Latency
 {
     /// <summary>L_app, sample after sample: control time of arrival minus control time of the sample, Eq. (2).</summary>
     /// <remarks>Schnierle &amp; Röck 2022, Eq. (2). Allocates nothing; not thread-safe.</remarks>
-    public sealed class ApplicationLatency
+    sealed class ApplicationLatency
     {
         /// <summary>Ten seconds of samples every 50 ms.</summary>
         const int Window = 200;

@@ -8,7 +8,7 @@ namespace Nowpose.Latency
     /// a load that is suddenly a tenth or more above the limit is found within 10 frames, one a little above it some frames later,
     /// as single frames of it are below. Allocates nothing; not thread-safe.
     /// </remarks>
-    public sealed class ConstantLatencyMonitor
+    sealed class ConstantLatencyMonitor
     {
         const int Window = 15;
         const int FramesToJudge = 8;

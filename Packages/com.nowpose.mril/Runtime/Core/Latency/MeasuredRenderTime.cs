@@ -2,7 +2,7 @@ namespace Nowpose.Latency
 {
     /// <summary>Which numbers are a measured render time, Δt_render: 0.001 to 1000 ms, wherever one is measured, logged or read.</summary>
     /// <remarks>Drivers that do not measure report zero; a readback that waited out a pause reports seconds.</remarks>
-    public static class MeasuredRenderTime
+    static class MeasuredRenderTime
     {
         const double LeastMs = 0.001, GreatestMs = 1000;
 

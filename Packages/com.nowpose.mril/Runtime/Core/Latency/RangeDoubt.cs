@@ -1,7 +1,7 @@
 namespace Nowpose.Latency
 {
     /// <summary>Why a <see cref="RangeState"/> is unknown.</summary>
-    public enum RangeDoubt
+    enum RangeDoubt
     {
         /// <summary>It is known.</summary>
         None,

@@ -8,7 +8,7 @@ namespace Nowpose.Latency
     /// while no better one has begun to give times, and given up after thirty frames without any; so the choice does not go
     /// back and forth, which would start the judgement of the range anew each time. Allocates nothing once made; one thread.
     /// </remarks>
-    public sealed class RenderTimeChoice
+    sealed class RenderTimeChoice
     {
         const int TimesToTrust = 30;
         const int FramesToGiveUp = 30;

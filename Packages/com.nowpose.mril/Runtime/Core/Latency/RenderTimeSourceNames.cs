@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency
 {
     /// <summary>What render-time sources are called in files.</summary>
-    public static class RenderTimeSourceNames
+    static class RenderTimeSourceNames
     {
         static readonly string[] Names = { "", "display_gpu_time", "engine_gpu_time", "gpu_completion", "camera_cpu" };
 

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency
 {
     /// <summary>Percentiles of the newest few lengths. Allocates nothing after construction; not thread-safe.</summary>
-    public sealed class RollingPercentiles
+    sealed class RollingPercentiles
     {
         readonly long[] _byAge;
         readonly long[] _sorted;

@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Motion
 {
     /// <summary>The joints a plant publishes: all that move, mimic joints included.</summary>
-    public static class PlantJoints
+    static class PlantJoints
     {
         /// <exception cref="InputException">More than one message may carry.</exception>
         public static string[] NamesOf(RobotModel robot)

@@ -11,7 +11,7 @@ namespace Nowpose.Motion
     /// move. Before the start it stands at 0, after <see cref="Duration"/> at the distance. <c>default</c> is a move over no
     /// distance, which takes no time. Immutable, any thread.
     /// </remarks>
-    public readonly struct SevenPhaseProfile
+    readonly struct SevenPhaseProfile
     {
         readonly double _distance;
         readonly double _jerk;

@@ -7,7 +7,7 @@ namespace Nowpose.Network
     /// Waits between attempts to connect: 0.2 s doubling to 1.5 s, each varied by ±20 % so that headsets do not return
     /// all at once.
     /// </summary>
-    public sealed class Backoff
+    sealed class Backoff
     {
         readonly Random _random;
         double _seconds;

@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>ws://, or wss:// with a certificate that the device's own store trusts.</summary>
-    public sealed class ClientWebSocketLink : SystemWebSocketLink
+    sealed class ClientWebSocketLink : SystemWebSocketLink
     {
         readonly ConnectionSettings _settings;
 

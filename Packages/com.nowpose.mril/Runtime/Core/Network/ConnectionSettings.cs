@@ -40,7 +40,7 @@ namespace Nowpose.Network
         public string Host { get; }
         public int SyncPort { get; }
         public int WebSocketPort { get; }
-        public TransportSecurity Security { get; }
+        internal TransportSecurity Security { get; }
 
         /// <summary>Null unless <see cref="Security"/> is pinned.</summary>
         public CertificatePin Pin { get; }

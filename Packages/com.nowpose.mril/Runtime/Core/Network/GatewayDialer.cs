@@ -12,7 +12,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>Opens a byte stream to the gateway: TCP without delay, inside TLS when the settings say so.</summary>
-    public sealed class GatewayDialer
+    sealed class GatewayDialer
     {
         readonly ConnectionSettings _settings;
         readonly ServerTrust _trust;

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>What a <see cref="RosbridgeClient"/> serves. Called on the client's threads.</summary>
-    public interface IRosbridgeListener
+    interface IRosbridgeListener
     {
         /// <param name="message">
         /// Checked against every rule that needs no clock. A <see cref="Session.CompensationSession"/> reuses it for a later message once a frame

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>A message broke a limit in such a way that nothing tells where the next one begins: the connection has to end.</summary>
-    public sealed class MessageLimitException : IOException
+    sealed class MessageLimitException : IOException
     {
         public MessageLimitException(string message, DropReason reason, System.Exception innerException = null)
             : base(message, innerException) => Reason = reason;

@@ -7,7 +7,7 @@ namespace Nowpose.Network
 {
     /// <summary>wss:// with a pinned certificate: our own TLS check and HTTP upgrade, then the library's WebSocket on top.</summary>
     /// <remarks>Unity's WebSocket clients never ask a validation callback, so a pin cannot be checked through them.</remarks>
-    public sealed class PinnedWebSocketLink : SystemWebSocketLink
+    sealed class PinnedWebSocketLink : SystemWebSocketLink
     {
         readonly ConnectionSettings _settings;
 

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>A message that came over a WebSocket, with its moment of arrival; or why it was dropped.</summary>
-    public readonly struct ReceivedText
+    readonly struct ReceivedText
     {
         ReceivedText(ReadOnlyMemory<byte> utf8, DropReason dropped, HeadsetTime arrival)
         {

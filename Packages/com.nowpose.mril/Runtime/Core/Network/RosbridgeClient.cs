@@ -11,7 +11,7 @@ namespace Nowpose.Network
     /// Subscribes to the joint positions, the set-points ahead, the status of joints and the robot description over rosbridge, and publishes
     /// this headset's diagnostics and what it shows; reconnects for ever.
     /// </summary>
-    public sealed class RosbridgeClient : IDisposable
+    sealed class RosbridgeClient : IDisposable
     {
         static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1);
 

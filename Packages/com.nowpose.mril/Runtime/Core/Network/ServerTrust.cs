@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>Decides whether a server's certificate is the gateway's. There is no way to accept them all.</summary>
-    public sealed class ServerTrust
+    sealed class ServerTrust
     {
         readonly CertificatePin _pin;
 

@@ -8,7 +8,7 @@ using Nowpose.Sync;
 namespace Nowpose.Network
 {
     /// <summary>Exchanges timestamps with the gateway over TCP, on a thread of its own so that stamps wait for nobody; reconnects for ever.</summary>
-    public sealed class SyncClient : IDisposable
+    sealed class SyncClient : IDisposable
     {
         readonly ConnectionSettings _settings;
         readonly IHeadsetClock _clock;

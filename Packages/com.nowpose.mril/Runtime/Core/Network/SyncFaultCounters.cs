@@ -5,7 +5,7 @@ using Nowpose.Sync;
 namespace Nowpose.Network
 {
     /// <summary>Dropped sync exchanges by reason. Any thread.</summary>
-    public sealed class SyncFaultCounters
+    sealed class SyncFaultCounters
     {
         readonly long[] _counts = new long[Enum.GetValues(typeof(SyncExchangeFault)).Length];
 

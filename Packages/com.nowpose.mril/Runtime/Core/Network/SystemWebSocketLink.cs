@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>What all links over <see cref="WebSocket"/> have in common; how it is opened is the difference.</summary>
-    public abstract class SystemWebSocketLink : IWebSocketLink
+    abstract class SystemWebSocketLink : IWebSocketLink
     {
         readonly IHeadsetClock _clock;
         WebSocket _socket;

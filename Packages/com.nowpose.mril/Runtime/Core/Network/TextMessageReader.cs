@@ -14,7 +14,7 @@ namespace Nowpose.Network
     /// does not come to its end in time, or is longer than sixteen times the longest allowed, ends the connection: nothing
     /// says where the next one begins.
     /// </remarks>
-    public sealed class TextMessageReader
+    sealed class TextMessageReader
     {
         const int ChunkBytes = 64 * 1024;
 

@@ -1,7 +1,7 @@
 namespace Nowpose.Network
 {
     /// <summary>How the connections to the gateway are protected.</summary>
-    public enum TransportSecurity
+    enum TransportSecurity
     {
         /// <summary>Not at all: loopback, or a network the user trusts and said so.</summary>
         Plain,

@@ -1,7 +1,7 @@
 namespace Nowpose.Network
 {
     /// <summary>Chooses how to open the WebSocket.</summary>
-    public static class WebSocketLinks
+    static class WebSocketLinks
     {
         public static IWebSocketLink Create(ConnectionSettings settings, IHeadsetClock clock)
         {

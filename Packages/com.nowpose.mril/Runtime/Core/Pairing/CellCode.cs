@@ -10,7 +10,7 @@ namespace Nowpose.Pairing
     /// What the robot's marker says: which cell this is, how to reach its gateway, and where the marker is in the base frame. No secret.
     /// </summary>
     /// <remarks>Immutable. Each marker of a cell has a code of its own: they differ in the offset.</remarks>
-    public sealed class CellCode
+    sealed class CellCode
     {
         public const int Version = 1;
         public const double LeastSizeMetres = 0.01, GreatestSizeMetres = 5;

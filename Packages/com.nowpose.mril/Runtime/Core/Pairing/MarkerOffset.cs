@@ -9,7 +9,7 @@ namespace Nowpose.Pairing
     /// A URDF origin but for the degrees: turned about the base frame's fixed x, then y, then z axis. The marker frame has its origin in
     /// the centre of the print, x to the right along the print, y to its upper edge, z out of it.
     /// </remarks>
-    public sealed class MarkerOffset
+    sealed class MarkerOffset
     {
         public const double GreatestMetres = 100;
         public const double GreatestDegrees = 360;

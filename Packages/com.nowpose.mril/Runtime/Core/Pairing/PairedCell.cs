@@ -4,7 +4,7 @@ using System.Linq;
 namespace Nowpose.Pairing
 {
     /// <summary>A cell that the wearer has agreed to: its markers' codes, and the token that its gateway gave this headset. Immutable.</summary>
-    public sealed class PairedCell
+    sealed class PairedCell
     {
         /// <summary>More markers than this no robot has; more are not taken, for forged ones would drop the true.</summary>
         public const int GreatestCodes = 16;

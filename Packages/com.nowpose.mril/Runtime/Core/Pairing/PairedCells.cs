@@ -4,7 +4,7 @@ using System.Linq;
 namespace Nowpose.Pairing
 {
     /// <summary>All cells that the wearer has agreed to, by name, and the one in use. Immutable.</summary>
-    public sealed class PairedCells
+    sealed class PairedCells
     {
         public const int GreatestCount = 64;
 

@@ -3,7 +3,7 @@ using System.IO;
 namespace Nowpose.Pairing
 {
     /// <summary>Paired cells in a file. Whatever happens while they are saved, the file is the old or the new one, whole.</summary>
-    public static class PairedCellsFile
+    static class PairedCellsFile
     {
         const int GreatestBytes = 1024 * 1024;
         const string What = "list of paired cells";

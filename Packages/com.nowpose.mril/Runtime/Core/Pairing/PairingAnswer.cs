@@ -1,7 +1,7 @@
 namespace Nowpose.Pairing
 {
     /// <summary>What came of an exchange: the headset's own token, or why there is none.</summary>
-    public sealed class PairingAnswer
+    sealed class PairingAnswer
     {
         PairingAnswer(string token, string problem, bool isWorthRetrying)
         {

@@ -4,7 +4,7 @@ namespace Nowpose.Pairing
 {
     /// <summary>What has happened since it was asked last.</summary>
     [Flags]
-    public enum PairingChange
+    enum PairingChange
     {
         None = 0,
 

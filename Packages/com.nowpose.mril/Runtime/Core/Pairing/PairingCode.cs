@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Pairing
 {
     /// <summary>What the codes that pair a headset with a gateway have in common: "nowpose:KIND/VERSION?a=…&amp;b=…" in printable ASCII.</summary>
-    public static class PairingCode
+    static class PairingCode
     {
         /// <summary>Codes that begin otherwise are not ours.</summary>
         public const string Scheme = "nowpose:";

@@ -1,7 +1,7 @@
 namespace Nowpose.Pairing
 {
     /// <summary>What a code in view says it is.</summary>
-    public enum PairingCodeKind
+    enum PairingCodeKind
     {
         /// <summary>Somebody else's: none of our business.</summary>
         Foreign,

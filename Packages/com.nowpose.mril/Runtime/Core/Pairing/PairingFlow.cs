@@ -11,7 +11,7 @@ namespace Nowpose.Pairing
     /// for the headset's own token, and says which cell to connect to.
     /// </summary>
     /// <remarks>Belongs to the frame's thread. A frame shows it all texts in view, then ticks it; neither allocates where nothing is new.</remarks>
-    public sealed class PairingFlow : IDisposable
+    sealed class PairingFlow : IDisposable
     {
         readonly CodeExchange _exchange;
         readonly SeenCodes _seen = new SeenCodes();

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Pairing
 {
     /// <summary>Every number of the exchange, in one place for the headset and the gateway.</summary>
-    public static class PairingLimits
+    static class PairingLimits
     {
         /// <summary>On the WebSocket's port.</summary>
         public const string Path = "/pair";

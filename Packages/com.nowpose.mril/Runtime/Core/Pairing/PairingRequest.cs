@@ -12,7 +12,7 @@ namespace Nowpose.Pairing
 {
     /// <summary>Exchanges a code's token for the headset's own: one HTTP/1.1 request over the stream that the pin is checked on.</summary>
     /// <remarks>Unity's HTTP clients do not ask reliably about certificates, so a token would travel to whoever answers.</remarks>
-    public static class PairingRequest
+    static class PairingRequest
     {
         const int Nesting = 2;
 

@@ -8,7 +8,7 @@ namespace Nowpose.Pairing
     /// <summary>
     /// What the gateway shows for five minutes: a token that one headset may exchange for its own, and the key of that gateway. Secret.
     /// </summary>
-    public sealed class TokenCode
+    sealed class TokenCode
     {
         public const int Version = 1;
 

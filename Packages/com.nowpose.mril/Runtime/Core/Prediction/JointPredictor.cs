@@ -142,7 +142,7 @@ namespace Nowpose.Prediction
         /// <param name="path">Null when what was planned is off.</param>
         /// <param name="start">The plan's stamp, s since the epoch of the samples.</param>
         /// <param name="displayed">As in <see cref="Add"/>.</param>
-        public void Follow(PlannedPath path, double start, double displayed = double.NaN)
+        internal void Follow(PlannedPath path, double start, double displayed = double.NaN)
         {
             var shown = ShownAt(displayed);
             if (path == null) _plan.Drop();

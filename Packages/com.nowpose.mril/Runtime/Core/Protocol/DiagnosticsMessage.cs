@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Nowpose.Protocol
 {
     /// <summary>diagnostic_msgs/DiagnosticArray with one status: of a headset, of an adapter, or of the joints.</summary>
-    public sealed class DiagnosticsMessage
+    sealed class DiagnosticsMessage
     {
         /// <param name="level">0 ok, 1 warning, 2 error, 3 stale.</param>
         public DiagnosticsMessage(

@@ -5,7 +5,7 @@ using System.Threading;
 namespace Nowpose.Protocol
 {
     /// <summary>Counts what was dropped, by reason. Any thread may count and read; counting allocates nothing.</summary>
-    public sealed class DropCounters
+    sealed class DropCounters
     {
         static readonly int ReasonCount = Enum.GetValues(typeof(DropReason)).Length;
         readonly long[] _counts = new long[ReasonCount];

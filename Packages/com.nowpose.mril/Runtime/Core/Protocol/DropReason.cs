@@ -1,7 +1,7 @@
 namespace Nowpose.Protocol
 {
     /// <summary>Why a message or a sample was dropped; one for each rule of the protocol.</summary>
-    public enum DropReason
+    enum DropReason
     {
         /// <summary>Nothing was dropped.</summary>
         None,

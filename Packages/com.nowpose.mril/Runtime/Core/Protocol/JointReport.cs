@@ -1,7 +1,7 @@
 namespace Nowpose.Protocol
 {
     /// <summary>The gateway's status of one joint.</summary>
-    public readonly struct JointReport
+    readonly struct JointReport
     {
         /// <param name="reason">One line; empty for none.</param>
         public JointReport(string joint, JointDataState state, ControlTime since, string reason)

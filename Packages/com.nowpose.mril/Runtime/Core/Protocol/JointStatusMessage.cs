@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Nowpose.Protocol
 {
     /// <summary>A publication on /nowpose/joint_status: the joints that are not live. Empty when all of them are.</summary>
-    public sealed class JointStatusMessage
+    sealed class JointStatusMessage
     {
         public JointStatusMessage(IReadOnlyList<JointReport> joints) => Joints = joints;
 

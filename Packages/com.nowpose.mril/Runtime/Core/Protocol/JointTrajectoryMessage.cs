@@ -3,9 +3,9 @@ using System.Collections.Generic;
 namespace Nowpose.Protocol
 {
     /// <summary>trajectory_msgs/JointTrajectory: set-points ahead of time. Efforts are not read.</summary>
-    public sealed class JointTrajectoryMessage
+    sealed class JointTrajectoryMessage
     {
-        public JointTrajectoryMessage(ControlTime stamp, string[] names, IReadOnlyList<JointTrajectoryPoint> points)
+        internal JointTrajectoryMessage(ControlTime stamp, string[] names, IReadOnlyList<JointTrajectoryPoint> points)
         {
             Stamp = stamp;
             Names = names;
@@ -18,7 +18,7 @@ namespace Nowpose.Protocol
         public string[] Names { get; }
 
         /// <summary>Each later than the one before. None: what was planned for these joints is off.</summary>
-        public IReadOnlyList<JointTrajectoryPoint> Points { get; }
+        internal IReadOnlyList<JointTrajectoryPoint> Points { get; }
 
         /// <summary>The same set-points counted from another time; shares them.</summary>
         public JointTrajectoryMessage At(ControlTime stamp) => new JointTrajectoryMessage(stamp, Names, Points);

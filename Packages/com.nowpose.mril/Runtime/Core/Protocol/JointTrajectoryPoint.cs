@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Protocol
 {
     /// <summary>One set-point of a trajectory.</summary>
-    public sealed class JointTrajectoryPoint
+    sealed class JointTrajectoryPoint
     {
         public JointTrajectoryPoint(TimeSpan timeFromStart, double[] positions, double[] velocities = null, double[] accelerations = null)
         {

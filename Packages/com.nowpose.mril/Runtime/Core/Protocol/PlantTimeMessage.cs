@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Protocol
 {
     /// <summary>What a plant's adapter answers when it is asked for the time of its control system.</summary>
-    public sealed class PlantTimeMessage
+    sealed class PlantTimeMessage
     {
         /// <param name="received">t2: what the clock showed when the question arrived.</param>
         /// <param name="sent">t3: what it showed when the answer left; the same where one reading gives one time.</param>

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Protocol
 {
     /// <summary>Every number of the wire protocols, in one place for the headset and the gateway.</summary>
-    public static class ProtocolLimits
+    static class ProtocolLimits
     {
         public const int SyncPort = 47010;
         public const int WebSocketPort = 47011;

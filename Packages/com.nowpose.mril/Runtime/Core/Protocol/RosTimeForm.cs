@@ -1,7 +1,7 @@
 namespace Nowpose.Protocol
 {
     /// <summary>How a ROS time is spelt in JSON.</summary>
-    public enum RosTimeForm
+    enum RosTimeForm
     {
         /// <summary>ROS 2: <c>sec</c> and <c>nanosec</c>; also when a client names no type.</summary>
         Sec,

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Protocol
 {
     /// <summary>Names of the topics, types and services, and what a type name says about its sender.</summary>
-    public static class RosTopics
+    static class RosTopics
     {
         public const string JointStates = "/joint_states";
         public const string JointTrajectory = "/joint_trajectory";

@@ -1,7 +1,7 @@
 namespace Nowpose.Protocol
 {
     /// <summary>One rosbridge v2 message as read; what its operation does not have is null or zero. The reader overwrites it with the next message.</summary>
-    public sealed class RosbridgeMessage
+    sealed class RosbridgeMessage
     {
         internal RosbridgeMessage() { }
 

@@ -9,7 +9,7 @@ namespace Nowpose.Protocol
     /// are skipped; a known field given twice is refused. It remembers the names of the newest sources' joints, so that a source that repeats
     /// them makes no garbage. Whether a stamp lies in the future is <see cref="StampRule"/>'s, with the caller's clock.
     /// </remarks>
-    public sealed class RosbridgeReader
+    sealed class RosbridgeReader
     {
         // In the order of RosbridgeOp, from its second on.
         static readonly JsonNames Ops = new JsonNames(

@@ -8,7 +8,7 @@ using Newtonsoft.Json;
 namespace Nowpose.Protocol
 {
     /// <summary>Writes rosbridge v2 messages: valid JSON whatever the culture, numbers in full precision. Any thread.</summary>
-    public static class RosbridgeWriter
+    static class RosbridgeWriter
     {
         /// <param name="type">A type name; it also chooses the spelling of times (<see cref="RosTopics.TimeFormOf"/>). Null to name none.</param>
         /// <param name="throttleRateMs">Shortest time between two messages; 0 for all of them.</param>

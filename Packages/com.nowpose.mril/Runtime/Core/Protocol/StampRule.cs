@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Protocol
 {
     /// <summary>Which stamps are believed.</summary>
-    public static class StampRule
+    static class StampRule
     {
         /// <summary>Whether a stamp lies further ahead than the clock's own uncertainty and the protocol's allowance explain.</summary>
         /// <param name="now">The control time at which the message arrived, as the receiver believes it.</param>

@@ -8,7 +8,7 @@ namespace Nowpose.Protocol
     /// Times are raw nanoseconds: t1 on the headset clock C2, t2 and t3 on the control clock C1. They come from the wire, so any
     /// value is possible; whoever makes an exchange of them checks their order.
     /// </remarks>
-    public readonly struct SyncFrame : IEquatable<SyncFrame>
+    readonly struct SyncFrame : IEquatable<SyncFrame>
     {
         /// <summary>Bytes of a frame.</summary>
         public const int Size = 48;

@@ -1,7 +1,7 @@
 namespace Nowpose.Protocol
 {
     /// <summary>Why bytes are not a sync frame. Any of them closes the connection.</summary>
-    public enum SyncFrameFault
+    enum SyncFrameFault
     {
         None,
         WrongSize,

@@ -1,7 +1,7 @@
 namespace Nowpose.Protocol
 {
     /// <summary>What a sync frame is; the values are those on the wire.</summary>
-    public enum SyncFrameKind : byte
+    enum SyncFrameKind : byte
     {
         /// <summary>t1 from the headset.</summary>
         Request = 1,

@@ -5,7 +5,7 @@ using System.Text;
 namespace Nowpose.Protocol
 {
     /// <summary>What follows a sync frame of kind <see cref="SyncFrameKind.Token"/>: a u16 length and that many bytes of UTF-8.</summary>
-    public static class SyncToken
+    static class SyncToken
     {
         /// <summary>Bytes of the length that stands between frame and token.</summary>
         public const int LengthSize = 2;

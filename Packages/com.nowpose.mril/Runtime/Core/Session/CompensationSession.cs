@@ -62,14 +62,18 @@ namespace Nowpose.Session
 
         /// <param name="robot">Its moving joints are matched with the samples' names.</param>
         /// <param name="clock">Stamps what the network threads receive.</param>
-        /// <param name="newLink">Makes the WebSocket of each attempt to connect; null for <see cref="WebSocketLinks.Create"/>.</param>
-        public CompensationSession(
-            SessionSettings settings, RobotModel robot, IHeadsetClock clock,
-            Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink = null)
+        public CompensationSession(SessionSettings settings, RobotModel robot, IHeadsetClock clock)
+            : this(settings, robot, clock, WebSocketLinks.Create)
+        {
+        }
+
+        /// <param name="newLink">Makes the WebSocket of each attempt to connect.</param>
+        internal CompensationSession(
+            SessionSettings settings, RobotModel robot, IHeadsetClock clock, Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink)
         {
             _settings = settings;
             _clock = clock;
-            _newLink = newLink ?? WebSocketLinks.Create;
+            _newLink = newLink;
             Robot = robot;
             _jointNames = robot.MovingJoints.Select(joint => joint.Name).ToArray();
             _conditions = new ConditionCheck(settings.RewriteBeforeRender);
@@ -88,6 +92,9 @@ namespace Nowpose.Session
 
         public RobotModel Robot { get; }
 
+        /// <summary>Takes what arrives over the network, and what takes its place in simulations. Any thread.</summary>
+        internal IRosbridgeListener Listener => this;
+
         public SessionSettings Settings => _settings;
 
         /// <summary>URDF text of the robot as the gateway describes it, the newest that could be read; null before. Any thread.</summary>
@@ -97,7 +104,7 @@ namespace Nowpose.Session
         public RobotModel DescribedRobot => _description.Model;
 
         /// <summary>Whether <see cref="Robot"/> was read from the same text. Any thread.</summary>
-        public RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
+        internal RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
 
         /// <summary>Why the newest description could not be read, in one line; null when it could, or there is none. Any thread.</summary>
         public string RobotDescriptionFault => _descriptionFault;
@@ -110,21 +117,21 @@ namespace Nowpose.Session
 
         /// <summary>When to exchange, for whoever feeds <see cref="Clock"/>; each caller gets one of its own.</summary>
         /// <param name="random">As of <see cref="ExchangePace"/>.</param>
-        public ExchangePace NewExchangePace(Random random) => new ExchangePace(_settings.SyncInterval, _settings.Clock.HoldoverAfter, random);
+        internal ExchangePace NewExchangePace(Random random) => new ExchangePace(_settings.SyncInterval, _settings.Clock.HoldoverAfter, random);
 
         /// <summary>Takes sync exchanges; the network feeds it, and so may a test. A frame follows it without going back.</summary>
-        public ClockSynchroniser Clock => _synchroniser;
+        internal ClockSynchroniser Clock => _synchroniser;
 
         /// <summary>Each message whose samples were used, with its L_app where the clock is known; raised within <see cref="Tick"/>.</summary>
         /// <remarks>A handler must be quick, must not throw, and must not call back into the session. It may keep the message.</remarks>
-        public event Action<SampleArrival, TimeSpan?> SampleTaken;
+        internal event Action<SampleArrival, TimeSpan?> SampleTaken;
 
         /// <summary>
         /// Each message with why it was of no use, <see cref="DropReason.None"/> when it was. Raised within <see cref="Tick"/>,
         /// but where the queue was full already on the thread that received.
         /// </summary>
         /// <remarks>As of <see cref="SampleTaken"/>.</remarks>
-        public event Action<SampleArrival, DropReason> SampleJudged;
+        internal event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
         /// Each message of set-points with why it was of no use, <see cref="DropReason.None"/> when it could be, even if the settings
@@ -132,7 +139,7 @@ namespace Nowpose.Session
         /// queue was full, already on the thread that received.
         /// </summary>
         /// <remarks>As of <see cref="SampleJudged"/>.</remarks>
-        public event Action<PlanArrival, DropReason> PlanJudged;
+        internal event Action<PlanArrival, DropReason> PlanJudged;
 
         /// <summary>
         /// All samples are forgotten, for the clock stepped or became known; raised within <see cref="Tick"/>, before it takes
@@ -152,10 +159,10 @@ namespace Nowpose.Session
         }
 
         /// <summary>What was dropped, by reason.</summary>
-        public DropCounters Drops { get; } = new DropCounters();
+        internal DropCounters Drops { get; } = new DropCounters();
 
         /// <summary>Sync exchanges that were dropped, by reason.</summary>
-        public SyncFaultCounters SyncFaults { get; } = new SyncFaultCounters();
+        internal SyncFaultCounters SyncFaults { get; } = new SyncFaultCounters();
 
         /// <summary>L_visu as calibrated. May change while the session runs; setting it says that it comes from no profile.</summary>
         public VisualisationLatency Visualisation
@@ -214,7 +221,7 @@ namespace Nowpose.Session
         /// Conditions that change L_visu. Set to those that the device reports; read with <see cref="Reprojection"/> and the settings' second
         /// computation before rendering. They do not change what a frame shows. Any thread.
         /// </summary>
-        public DisplayConditions Conditions
+        internal DisplayConditions Conditions
         {
             get { lock (_gate) return _conditions.Conditions; }
             set { lock (_gate) _conditions.Report(value); }
@@ -335,7 +342,7 @@ namespace Nowpose.Session
         /// <summary>A message, queued for the next frame. Any thread.</summary>
         /// <param name="message">Checked already.</param>
         /// <param name="arrival">When it arrived on the headset clock.</param>
-        public void Received(JointStateMessage message, HeadsetTime arrival)
+        void IRosbridgeListener.Received(JointStateMessage message, HeadsetTime arrival)
         {
             _arrivals.Enqueue(new SampleArrival(message, arrival));
             if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) Judged(oldest, DropReason.SlowReader);
@@ -344,7 +351,7 @@ namespace Nowpose.Session
         /// <summary>Set-points ahead of time, queued for the next frame that knows the control time. Any thread.</summary>
         /// <param name="message">Checked already.</param>
         /// <param name="arrival">When it arrived on the headset clock.</param>
-        public void Planned(JointTrajectoryMessage message, HeadsetTime arrival)
+        void IRosbridgeListener.Planned(JointTrajectoryMessage message, HeadsetTime arrival)
         {
             var plan = PlannedMotion.Of(new PlanArrival(message, arrival), Robot.IndexOfMovingJoint);
             if (plan.Count == 0)
@@ -359,7 +366,7 @@ namespace Nowpose.Session
         /// <summary>The gateway's status of the joints that are not live; replaces the one before. Any thread.</summary>
         /// <param name="message">Checked already.</param>
         /// <param name="arrival">When it arrived on the headset clock.</param>
-        public void StatusReceived(JointStatusMessage message, HeadsetTime arrival) => _joints.Take(message, arrival);
+        void IRosbridgeListener.StatusReceived(JointStatusMessage message, HeadsetTime arrival) => _joints.Take(message, arrival);
 
         /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
         public void Described(string urdf)
@@ -375,7 +382,7 @@ namespace Nowpose.Session
         }
 
         /// <summary>A message that never came so far as to be queued. Any thread.</summary>
-        public void Dropped(DropReason reason) => Drops.Count(reason);
+        void IRosbridgeListener.Dropped(DropReason reason) => Drops.Count(reason);
 
         /// <summary>Begins a new run for <see cref="SessionStatistics.ToolErrorOfRun"/>, with the next frame. Any thread.</summary>
         public void RestartErrorRun()
@@ -415,7 +422,7 @@ namespace Nowpose.Session
         }
 
         /// <summary>What this headset publishes about itself once a second; stamped zero until the control time is known. Any thread.</summary>
-        public DiagnosticsMessage Diagnostics()
+        DiagnosticsMessage IRosbridgeListener.Diagnostics()
         {
             var now = _clock.Now;
             var statistics = Statistics(now);

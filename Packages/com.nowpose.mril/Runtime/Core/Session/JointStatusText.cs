@@ -5,7 +5,7 @@ using System.Text;
 namespace Nowpose.Session
 {
     /// <summary>Describes several joints in one line; neighbours with the same description are named together.</summary>
-    public static class JointStatusText
+    static class JointStatusText
     {
         /// <summary>Returns for instance "joint a1: assumed at rest since 9 s; joints a3, a4: no data since 4 s"; empty for no joints.</summary>
         /// <param name="describe">Describes one joint without its name; null for <see cref="JointStatus.Description"/>.</param>

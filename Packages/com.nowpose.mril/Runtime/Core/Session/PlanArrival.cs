@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Session
 {
     /// <summary>A message of set-points and when it arrived.</summary>
-    public readonly struct PlanArrival
+    readonly struct PlanArrival
     {
         public PlanArrival(JointTrajectoryMessage message, HeadsetTime at)
         {

@@ -1,7 +1,7 @@
 namespace Nowpose.Session
 {
     /// <summary>Whether the robot that is displayed is the one the gateway describes.</summary>
-    public enum RobotDescriptionMatch
+    enum RobotDescriptionMatch
     {
         /// <summary>The gateway has sent no description that can be read.</summary>
         Unknown,

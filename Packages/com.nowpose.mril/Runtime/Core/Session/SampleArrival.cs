@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Session
 {
     /// <summary>A message and when it arrived.</summary>
-    public readonly struct SampleArrival
+    readonly struct SampleArrival
     {
         public SampleArrival(JointStateMessage message, HeadsetTime at)
         {

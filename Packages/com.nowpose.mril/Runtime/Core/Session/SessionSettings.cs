@@ -72,7 +72,7 @@ namespace Nowpose.Session
             Profile, OutsideRange);
 
         /// <summary>A fresh estimator of the chosen kind.</summary>
-        public IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
+        internal IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
 
         /// <summary>Whether whoever shows the pose computes and writes it once more right before rendering.</summary>
         public bool RewriteBeforeRender { get; }

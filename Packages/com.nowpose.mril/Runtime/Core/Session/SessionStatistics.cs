@@ -77,7 +77,7 @@ namespace Nowpose.Session
         public RangeState Range { get; internal set; }
 
         /// <summary>Why <see cref="Range"/> is unknown.</summary>
-        public RangeDoubt RangeDoubt { get; internal set; }
+        internal RangeDoubt RangeDoubt { get; set; }
 
         /// <summary>
         /// Distance of the displayed tool from where the samples that came later say it was, over the newest ten seconds, mm. What
@@ -114,7 +114,7 @@ namespace Nowpose.Session
         /// <summary>What is shown outside the constant-latency range.</summary>
         public OutsideRangeResponse OutsideRange { get; internal set; }
 
-        public RobotDescriptionMatch RobotDescriptionMatch { get; internal set; }
+        internal RobotDescriptionMatch RobotDescriptionMatch { get; set; }
 
         /// <summary>
         /// The first joint whose samples are outside its limits, so that it is drawn elsewhere than it is: another robot's description, or
@@ -130,7 +130,7 @@ namespace Nowpose.Session
 
         public LinkStatus SyncLink { get; internal set; } = LinkStatus.Idle;
         public LinkStatus SampleLink { get; internal set; } = LinkStatus.Idle;
-        public TransportSecurity Security { get; internal set; }
+        internal TransportSecurity Security { get; set; }
 
         internal List<JointStatus> ChangeableJointStatuses => _jointStatuses;
 

@@ -9,7 +9,7 @@ namespace Nowpose.Session
     /// once, and news of one kind alternates: no second <see cref="SessionChange.Lost"/> without a
     /// <see cref="SessionChange.Synchronised"/> between. Allocates nothing; one thread.
     /// </remarks>
-    public sealed class SessionWatch
+    sealed class SessionWatch
     {
         static readonly TimeSpan Settle = TimeSpan.FromMilliseconds(500);
 

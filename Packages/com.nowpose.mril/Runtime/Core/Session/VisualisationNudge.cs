@@ -9,7 +9,7 @@ namespace Nowpose.Session
     /// profile again. Another calibration ends the nudge, a session that begins anew with the same one keeps it. Not
     /// thread-safe; allocates nothing.
     /// </remarks>
-    public sealed class VisualisationNudge
+    sealed class VisualisationNudge
     {
         /// <summary>More than an error of a calibration: beyond, calibrate.</summary>
         public const double GreatestMs = 50;

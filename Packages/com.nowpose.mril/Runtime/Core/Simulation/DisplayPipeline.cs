@@ -9,7 +9,7 @@ namespace Nowpose.Simulation
     /// take longer than a refresh queue up. Render times grow with the load and scatter a little, and one frame in a hundred is
     /// much slower. Seeded; allocates nothing once made; not thread-safe.
     /// </remarks>
-    public sealed class DisplayPipeline
+    sealed class DisplayPipeline
     {
         readonly DisplayPipelineSettings _settings;
         readonly Random _random;

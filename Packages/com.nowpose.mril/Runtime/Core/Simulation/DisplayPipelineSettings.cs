@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Simulation
 {
     /// <summary>What a <see cref="DisplayPipeline"/> is like. Immutable, checked once; the tests' limits rest on the defaults.</summary>
-    public sealed class DisplayPipelineSettings
+    sealed class DisplayPipelineSettings
     {
         /// <param name="refreshMs">From one refresh to the next, ms, 1 to 100; 60 Hz by default.</param>
         /// <param name="latchMs">So long before the refresh that shows it a frame must be done, ms, 0 to 0.99 refreshes.</param>

@@ -60,9 +60,9 @@ namespace Nowpose.Simulation
             ?? throw new InputException("network: '" + name + "' is not known; allowed are " + string.Join(", ", All.Select(p => p.Name)));
 
         /// <summary>Delays from the headset to the control system.</summary>
-        public PathDelay Up(int seed) => new PathDelay(this, SpikeChanceUp, seed);
+        internal PathDelay Up(int seed) => new PathDelay(this, SpikeChanceUp, seed);
 
         /// <summary>Delays from the control system to the headset.</summary>
-        public PathDelay Down(int seed) => new PathDelay(this, SpikeChanceDown, seed);
+        internal PathDelay Down(int seed) => new PathDelay(this, SpikeChanceDown, seed);
     }
 }

@@ -4,7 +4,7 @@ using MathNet.Numerics.Distributions;
 namespace Nowpose.Simulation
 {
     /// <summary>The delays of one direction of one connection, packet after packet. Seeded, not thread-safe.</summary>
-    public sealed class PathDelay
+    sealed class PathDelay
     {
         const double ChanceThatASpikeGoesOn = 0.3;
 

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Simulation
 {
     /// <summary>How one frame passed through a <see cref="DisplayPipeline"/>.</summary>
-    public readonly struct PipelineFrame
+    readonly struct PipelineFrame
     {
         internal PipelineFrame(TimeSpan start, TimeSpan renderTime, TimeSpan done, TimeSpan visualisation)
         {

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Simulation
 {
     /// <summary>What a planner publishes of a motion: the set-points of the next moments, with velocities and accelerations.</summary>
-    public sealed class SetPointsAhead
+    sealed class SetPointsAhead
     {
         /// <summary>From one message to the next: often enough that what it says never runs out.</summary>
         public static readonly TimeSpan Interval = new TimeSpan(TimeSpan.TicksPerSecond / 4);

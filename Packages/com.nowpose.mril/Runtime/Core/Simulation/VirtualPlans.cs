@@ -33,7 +33,7 @@ namespace Nowpose.Simulation
             while (_underway.Count > 0 && _underway.Peek().At <= now)
             {
                 var (message, at) = _underway.Dequeue();
-                session.Planned(message, at);
+                session.Listener.Planned(message, at);
             }
         }
 

@@ -37,7 +37,7 @@ namespace Nowpose.Simulation
             while (_lastTaken + settings.SamplingInterval <= now) Take(_lastTaken += settings.SamplingInterval, settings);
             var arrived = 0;
             for (; arrived < _underway.Count && _underway[arrived].At <= now; arrived++)
-                session.Received(_underway[arrived].Message, _underway[arrived].At);
+                session.Listener.Received(_underway[arrived].Message, _underway[arrived].At);
             _underway.RemoveRange(0, arrived);
         }
 

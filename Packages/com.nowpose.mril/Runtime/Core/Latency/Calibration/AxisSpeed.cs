@@ -4,7 +4,7 @@ namespace Nowpose.Latency
 {
     /// <summary>How fast a tool moves along an axis, and whether it does so steadily, over the newest 30 frames.</summary>
     /// <remarks>Allocates nothing after construction; not thread-safe.</remarks>
-    public sealed class AxisSpeed
+    sealed class AxisSpeed
     {
         const int Window = 30;
 

@@ -3,7 +3,7 @@ using Nowpose.VisibleLight;
 namespace Nowpose.Latency
 {
     /// <summary>One picture of a calibration: how long the frame rendered, and how late its light was.</summary>
-    public readonly struct LatencyPair
+    readonly struct LatencyPair
     {
         /// <summary>A code begins anew after so long, ms: a misread picture may be off by as much, and is the fit's to leave out.</summary>
         const double GreatestVisuMs = TimestampCode.PeriodMs;

@@ -6,7 +6,7 @@ using System.Linq;
 namespace Nowpose.Latency
 {
     /// <summary>Marks by eye, each with the speed that was measured with it; the direction is that of the speed.</summary>
-    public sealed class MarkedNudges
+    sealed class MarkedNudges
     {
         const double LeastSpeedMmPerS = 20;
 

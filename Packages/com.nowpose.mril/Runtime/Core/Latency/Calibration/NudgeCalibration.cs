@@ -7,7 +7,7 @@ namespace Nowpose.Latency
     /// With e = true L_visu − told L_visu and a base that is misplaced by d, it takes v·e + d forward and −v·e + d backward: half
     /// the difference over the speed is e, and half the sum d. Not thread-safe.
     /// </remarks>
-    public sealed class NudgeCalibration
+    sealed class NudgeCalibration
     {
         /// <summary>No eye places a ghost better, one standard deviation, mm.</summary>
         public const double EyeMm = 1;

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency
 {
     /// <summary>What marks by eye say of L_visu.</summary>
-    public readonly struct NudgeResult
+    readonly struct NudgeResult
     {
         internal NudgeResult(VisualisationLatency visualisation, TimeSpan spread, double offsetMm, int count)
         {

@@ -11,7 +11,7 @@ namespace Nowpose.Latency
     /// pairs changes, chosen by the greatest likelihood (<see cref="RangeSplit"/>), so that neither misread pictures nor frames
     /// that waited behind a slow one move it. Without enough pairs beyond it there is no limit, only a range that was seen.
     /// </remarks>
-    public static class RangeFit
+    static class RangeFit
     {
         /// <summary>Fewer pairs tell nothing.</summary>
         public const int LeastPairs = 20;

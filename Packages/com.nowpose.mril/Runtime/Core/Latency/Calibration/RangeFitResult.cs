@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency
 {
     /// <summary>The constant-latency range as <see cref="RangeFit"/> found it.</summary>
-    public sealed class RangeFitResult
+    sealed class RangeFitResult
     {
         internal RangeFitResult(double visuMs, double spreadMs, double validToMs, bool isReached, int pairs, int used, int rejected, double? openToMs)
         {

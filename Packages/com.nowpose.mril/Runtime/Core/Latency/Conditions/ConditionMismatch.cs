@@ -11,7 +11,7 @@ namespace Nowpose.Latency
             Words = WordsOf();
         }
 
-        public DisplayCondition Condition { get; }
+        internal DisplayCondition Condition { get; }
 
         /// <summary>Name of the condition's field in files.</summary>
         public string Field => DisplayConditionNames.FieldOf(Condition);

@@ -1,7 +1,7 @@
 namespace Nowpose.Latency
 {
     /// <summary>Something that changes L_visu, the visualisation latency.</summary>
-    public enum DisplayCondition
+    enum DisplayCondition
     {
         /// <summary>Model of the headset.</summary>
         Device,

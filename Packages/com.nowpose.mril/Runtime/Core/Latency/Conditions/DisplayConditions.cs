@@ -7,7 +7,7 @@ namespace Nowpose.Latency
 {
     /// <summary>The conditions under which L_visu was measured, or under which a device runs. Null means that a condition is not known.</summary>
     /// <remarks>Immutable.</remarks>
-    public sealed class DisplayConditions : IEquatable<DisplayConditions>
+    sealed class DisplayConditions : IEquatable<DisplayConditions>
     {
         /// <summary>Maximum length of a text, characters.</summary>
         public const int MaxTextLength = 128;

@@ -7,7 +7,7 @@ namespace Nowpose.Latency
     /// Either the calibration is of something else (another mode of the display, an update of the runtime) or the prediction
     /// leaves something out. Single frames with a bad prediction are ignored. Allocates nothing; not thread-safe.
     /// </remarks>
-    public sealed class DisplayTimeCheck
+    sealed class DisplayTimeCheck
     {
         /// <summary>A second at 60 Hz.</summary>
         const int Window = 60;

@@ -7,7 +7,7 @@ namespace Nowpose.Latency
     /// A frame's steps end within its share of time. One that takes longer by itself, or whose kind is not known yet, has a frame for
     /// itself, so that work always goes on. Allocates nothing; not thread-safe.
     /// </remarks>
-    public sealed class FrameShare
+    sealed class FrameShare
     {
         /// <summary>By so much of the difference a shorter step is believed: the next one may be as long as the longest again.</summary>
         const int Patience = 8;

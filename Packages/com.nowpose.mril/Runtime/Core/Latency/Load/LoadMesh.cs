@@ -8,7 +8,7 @@ namespace Nowpose.Latency
     /// Its patches fill it from the middle outwards, each a part of its own, so that a load grows without what is there being built
     /// anew. No triangle is degenerate. 1 or 2 vertices make no triangle and count as none.
     /// </remarks>
-    public static class LoadMesh
+    static class LoadMesh
     {
         /// <summary>Vertices of a full patch: what is handed to the GPU in one go.</summary>
         public const int PatchVertices = LoadPatch.Columns * LoadPatch.Rows;

@@ -6,7 +6,7 @@ namespace Nowpose.Latency
     /// <remarks>
     /// Vertices go row by row from the lower left; what each adds to the triangles is known by itself, so any few can be built at a time.
     /// </remarks>
-    public readonly struct LoadPatch
+    readonly struct LoadPatch
     {
         /// <summary>Vertices in a row, and rows, of a full patch.</summary>
         public const int Columns = 250, Rows = 100;

@@ -1,7 +1,7 @@
 namespace Nowpose.Latency
 {
     /// <summary>How L_visu was found, from the most to the least exact.</summary>
-    public enum CalibrationMethod
+    enum CalibrationMethod
     {
         /// <summary>Pictures of both clocks' codes, Schnierle &amp; Röck 2022, Eq. (7).</summary>
         VisibleLight,

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency
 {
     /// <summary>What calibration methods are called in files.</summary>
-    public static class CalibrationMethodNames
+    static class CalibrationMethodNames
     {
         static readonly string[] Names = { "vlc", "sine", "nudge", "manual" };
 

@@ -4,7 +4,7 @@ namespace Nowpose.Latency
 {
     /// <summary>Latency of the picture's position for head motion, which late-stage reprojection shortens.</summary>
     /// <remarks>L_visu is the age of the content, which late-stage reprojection leaves as it is.</remarks>
-    public sealed class HeadMotionLatency
+    sealed class HeadMotionLatency
     {
         internal const double MinMs = -500, MaxMs = 500;
 

@@ -24,7 +24,7 @@ namespace Nowpose.Latency
         /// <param name="renderTimeSource">As of the other constructor.</param>
         /// <param name="validToRenderMs">As of the other constructor.</param>
         /// <exception cref="InputException">A value is out of range; one line names it.</exception>
-        public LatencyProfile(
+        internal LatencyProfile(
             double visuMs, double spreadMs, string device, double displayHz, DateTime measuredUtc, CalibrationMethod method,
             int measurements, double? renderLimitMs = null, RenderTimeSourceKind renderTimeSource = RenderTimeSourceKind.None,
             double? validToRenderMs = null)
@@ -47,7 +47,7 @@ namespace Nowpose.Latency
         /// </param>
         /// <param name="headMotion">Latency that remains for head motion; null when it was not measured.</param>
         /// <exception cref="InputException">A value is out of range; one line names it.</exception>
-        public LatencyProfile(
+        internal LatencyProfile(
             double visuMs, double spreadMs, DisplayConditions conditions, DateTime measuredUtc, CalibrationMethod method,
             int measurements, double? renderLimitMs = null, RenderTimeSourceKind renderTimeSource = RenderTimeSourceKind.None,
             double? validToRenderMs = null, HeadMotionLatency headMotion = null)
@@ -74,7 +74,7 @@ namespace Nowpose.Latency
         public TimeSpan Spread { get; }
 
         /// <summary>Conditions of the measurement.</summary>
-        public DisplayConditions Conditions { get; }
+        internal DisplayConditions Conditions { get; }
 
         /// <summary>The model; empty when it is not known.</summary>
         public string Device => Conditions.Device ?? "";
@@ -83,11 +83,11 @@ namespace Nowpose.Latency
         public double DisplayHz => Conditions.DisplayHz ?? 0;
 
         /// <summary>Latency that remains for head motion; null when it was not measured.</summary>
-        public HeadMotionLatency HeadMotion { get; }
+        internal HeadMotionLatency HeadMotion { get; }
 
         public DateTime MeasuredUtc { get; }
 
-        public CalibrationMethod Method { get; }
+        internal CalibrationMethod Method { get; }
 
         public int Measurements { get; }
 
@@ -106,7 +106,7 @@ namespace Nowpose.Latency
         /// <summary>Conditions that are known on both sides and differ.</summary>
         /// <param name="actual">Conditions of the device that uses the profile.</param>
         /// <returns>Empty when nothing differs.</returns>
-        public IReadOnlyList<ConditionMismatch> MismatchesWith(DisplayConditions actual) => Conditions.MismatchesWith(actual);
+        internal IReadOnlyList<ConditionMismatch> MismatchesWith(DisplayConditions actual) => Conditions.MismatchesWith(actual);
 
         /// <summary>Why the profile must not be used on a device; null when it may. What either side does not know is not compared.</summary>
         /// <param name="device">As the device names its model; upper and lower case are the same.</param>
@@ -116,6 +116,6 @@ namespace Nowpose.Latency
 
         /// <summary>Why the profile must not be used under these conditions; null when it may.</summary>
         /// <returns>The <see cref="ConditionMismatch.Words"/> of the first mismatch that is a refusal.</returns>
-        public string RefusalFor(DisplayConditions actual) => MismatchesWith(actual).FirstOrDefault(each => each.IsRefusal)?.Words;
+        internal string RefusalFor(DisplayConditions actual) => MismatchesWith(actual).FirstOrDefault(each => each.IsRefusal)?.Words;
     }
 }

@@ -6,7 +6,7 @@ using Newtonsoft.Json;
 namespace Nowpose.Latency
 {
     /// <summary>Latency profiles as JSON text, version 1: lengths in ms, null for what is not known.</summary>
-    public static class LatencyProfileJson
+    static class LatencyProfileJson
     {
         const string Format = "nowpose-latency-profile";
         const int Version = 1;

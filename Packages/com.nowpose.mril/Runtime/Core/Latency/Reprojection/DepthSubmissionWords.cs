@@ -1,7 +1,7 @@
 namespace Nowpose.Latency
 {
     /// <summary>Names of depth submission in diagnostics, and words for what is wrong with it.</summary>
-    public static class DepthSubmissionWords
+    static class DepthSubmissionWords
     {
         static readonly string[] Names = { "unknown", "active", "turned_off", "not_supported", "no_main_camera", "not_requested" };
 

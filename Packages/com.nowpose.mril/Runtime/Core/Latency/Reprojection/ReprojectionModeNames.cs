@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency
 {
     /// <summary>Names of reprojection modes in files, diagnostics and messages.</summary>
-    public static class ReprojectionModeNames
+    static class ReprojectionModeNames
     {
         static readonly string[] Names = { "unknown", "none", "orientation_only", "planar_manual", "planar_from_depth", "depth" };
 

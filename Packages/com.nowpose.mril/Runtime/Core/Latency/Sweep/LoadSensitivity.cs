@@ -22,7 +22,7 @@ namespace Nowpose.Latency
             Words = words;
         }
 
-        public LoadSight Sight { get; }
+        internal LoadSight Sight { get; }
 
         /// <summary>The source that most render times were measured with, of which this is said; times of others do not count.</summary>
         public RenderTimeSourceKind Source { get; }
@@ -31,7 +31,7 @@ namespace Nowpose.Latency
         public string Words { get; }
 
         /// <param name="rows">Of a whole sweep, in the order of their frames.</param>
-        public static LoadSensitivity Judge(IReadOnlyList<SweepRow> rows)
+        internal static LoadSensitivity Judge(IReadOnlyList<SweepRow> rows)
         {
             var source = SourceOf(rows);
             if (source == RenderTimeSourceKind.None)

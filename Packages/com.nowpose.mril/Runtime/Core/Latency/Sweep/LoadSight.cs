@@ -1,7 +1,7 @@
 namespace Nowpose.Latency
 {
     /// <summary>Whether a source of the render time sees how much the GPU has to draw.</summary>
-    public enum LoadSight
+    enum LoadSight
     {
         /// <summary>The sweep has too few loads or render times to tell.</summary>
         Unclear,

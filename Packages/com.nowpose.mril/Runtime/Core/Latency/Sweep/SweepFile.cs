@@ -8,7 +8,7 @@ namespace Nowpose.Latency
 {
     /// <summary>Writes a sweep's log while it runs, one load at a time and on another thread: no frame waits for the disk.</summary>
     /// <remarks>Belongs to one thread, but for what says otherwise. When the application dies the loads before the present one are in the file.</remarks>
-    public sealed class SweepFile
+    sealed class SweepFile
     {
         readonly int _rowsPerLoad;
         readonly DisplayConditions _conditions;

@@ -9,7 +9,7 @@ namespace Nowpose.Latency
     /// became known in the frame), what measured it, device, display rate (empty when unknown). Above the header, lines "# field: value"
     /// hold the other conditions that are known; readers of versions before 0.2 refuse a log with such lines.
     /// </remarks>
-    public static class SweepLog
+    static class SweepLog
     {
         public const string Header = "control_ns,vertices,render_ms,source,device,display_hz";
 

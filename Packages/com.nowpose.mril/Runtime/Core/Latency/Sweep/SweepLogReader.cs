@@ -6,7 +6,7 @@ using System.IO;
 namespace Nowpose.Latency
 {
     /// <summary>Reads what <see cref="SweepLog"/> wrote; whatever is wrong is one line with file, line and field.</summary>
-    public static class SweepLogReader
+    static class SweepLogReader
     {
         const string Nanoseconds = "control_ns", Vertices = "vertices", RenderMs = "render_ms", Source = "source", DisplayHz = "display_hz";
 

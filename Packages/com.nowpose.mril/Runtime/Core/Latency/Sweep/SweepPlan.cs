@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Nowpose.Latency
 {
     /// <summary>The loads of a sweep in their order, and how long each is shown. Immutable, checked once.</summary>
-    public sealed class SweepPlan
+    sealed class SweepPlan
     {
         /// <summary>The most vertices that a load has.</summary>
         public const int GreatestVertices = 2_000_000;

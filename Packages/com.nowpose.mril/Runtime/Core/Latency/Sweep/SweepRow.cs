@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency
 {
     /// <summary>One frame of a load sweep: which load it showed, and the render time that was known in it.</summary>
-    public readonly struct SweepRow
+    readonly struct SweepRow
     {
         /// <param name="frameStart">Control time at which the frame began: the one that its timestamp code shows.</param>
         /// <param name="vertices">Vertices of the load that were drawn, 0 to <see cref="SweepPlan.GreatestVertices"/>.</param>

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Latency
 {
     /// <summary>Where a sweep stands in its plan. Time moves with the frames that it is told of; not thread-safe, allocates nothing.</summary>
-    public sealed class SweepRun
+    sealed class SweepRun
     {
         readonly SweepPlan _plan;
         HeadsetTime? _since;

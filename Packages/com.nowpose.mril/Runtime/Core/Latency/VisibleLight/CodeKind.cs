@@ -1,7 +1,7 @@
 namespace Nowpose.VisibleLight
 {
     /// <summary>Who shows a code. The marks in its ring tell them apart, so that a picture's two codes are never mixed up.</summary>
-    public enum CodeKind
+    enum CodeKind
     {
         /// <summary>The control system, by LEDs or by a monitor: C1(t_VLC) of Eq. (7).</summary>
         Control,

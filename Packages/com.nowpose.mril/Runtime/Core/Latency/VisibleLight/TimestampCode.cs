@@ -13,7 +13,7 @@ namespace Nowpose.VisibleLight
     /// From one millisecond to the next one Gray bit and one parity bit change, so that an exposure over several
     /// milliseconds blurs few pairs.
     /// </remarks>
-    public static class TimestampCode
+    static class TimestampCode
     {
         /// <summary>Cells along one side.</summary>
         public const int Side = 8;

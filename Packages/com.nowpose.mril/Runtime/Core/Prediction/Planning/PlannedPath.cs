@@ -9,7 +9,7 @@ namespace Nowpose.Prediction.Planning
     /// Positions alone are joined by straight lines, with velocities by cubics, with accelerations too by quintics. Immutable; any
     /// thread.
     /// </remarks>
-    public sealed class PlannedPath
+    sealed class PlannedPath
     {
         readonly double[] _times;
         readonly double[] _positions;

@@ -1,7 +1,7 @@
 namespace Nowpose.Recording
 {
     /// <summary>What a session file says of itself.</summary>
-    public static class SessionFormat
+    static class SessionFormat
     {
         public const string Name = "nowpose-session";
 

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Nowpose.Sync
 {
     /// <summary>The clock estimators by the names that settings and command lines use.</summary>
-    public static class ClockEstimators
+    static class ClockEstimators
     {
         /// <summary>What is used where nothing is asked for: <see cref="EnvelopeClockEstimator"/>.</summary>
         public const string Default = "default";

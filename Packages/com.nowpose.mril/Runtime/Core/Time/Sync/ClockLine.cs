@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>What an estimator believes: Φ as a line over the headset clock, with its statistical uncertainty.</summary>
-    public readonly struct ClockLine
+    readonly struct ClockLine
     {
         /// <summary>
         /// Two rates differ by no more: quartzes are good to 100 ppm each, and one that is slewed to a reference runs up to

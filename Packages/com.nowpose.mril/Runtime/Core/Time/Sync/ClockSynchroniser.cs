@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>Keeps the clock model: exchanges go in on any thread, the model comes out on any other.</summary>
-    public sealed class ClockSynchroniser
+    sealed class ClockSynchroniser
     {
         /// <summary>Exchanges before the state may be coarse: fewer do not tell how their delays scatter.</summary>
         const int ExchangesToBeCoarse = 5;

@@ -7,7 +7,7 @@ namespace Nowpose.Sync
     /// and while a step is suspected; slowly when the clock is known so well that more would not help; in between as set.
     /// One thread.
     /// </summary>
-    public sealed class ExchangePace
+    sealed class ExchangePace
     {
         /// <summary>Least time between two exchanges that is gone down to: half of what a server bears.</summary>
         static readonly TimeSpan Shortest = TimeSpan.FromMilliseconds(20);

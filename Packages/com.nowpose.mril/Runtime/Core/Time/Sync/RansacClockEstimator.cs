@@ -7,7 +7,7 @@ namespace Nowpose.Sync
     /// The paper's estimator: the offsets of Eq. (5), outliers removed by RANSAC, a least-squares line through the rest
     /// (Eq. (6)), and a moving average over the fitted lines (Schnierle &amp; Röck 2022, 2.1.1 and Fig. 8).
     /// </summary>
-    public sealed class RansacClockEstimator : IClockEstimator
+    sealed class RansacClockEstimator : IClockEstimator
     {
         const int FewestForALine = 3;
 

@@ -4,7 +4,7 @@ namespace Nowpose.Sync
 {
     /// <summary>One sync exchange: four timestamps, two on each clock (Schnierle &amp; Röck 2022, Fig. 7).</summary>
     /// <remarks>Only exchanges that passed <see cref="SyncExchangeRules.Check"/> should reach an estimator.</remarks>
-    public readonly struct SyncExchange
+    readonly struct SyncExchange
     {
         /// <param name="t1">Headset time of sending the request.</param>
         /// <param name="t2">Control time of its arrival.</param>

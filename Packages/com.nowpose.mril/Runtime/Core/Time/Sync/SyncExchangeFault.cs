@@ -1,7 +1,7 @@
 namespace Nowpose.Sync
 {
     /// <summary>Why a sync exchange was dropped.</summary>
-    public enum SyncExchangeFault
+    enum SyncExchangeFault
     {
         None,
 

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>What an exchange must satisfy before an estimator may see it.</summary>
-    public static class SyncExchangeRules
+    static class SyncExchangeRules
     {
         /// <summary>Half of what 64 bits of nanoseconds hold.</summary>
         static readonly TimeSpan Farthest = new TimeSpan(long.MaxValue / 2 / ClockTicks.NanosecondsPerTick);

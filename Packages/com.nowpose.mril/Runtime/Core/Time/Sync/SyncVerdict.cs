@@ -1,7 +1,7 @@
 namespace Nowpose.Sync
 {
     /// <summary>What became of an exchange that was added to a <see cref="ClockSynchroniser"/>.</summary>
-    public enum SyncVerdict
+    enum SyncVerdict
     {
         /// <summary>Dropped: it broke a rule of the exchange itself.</summary>
         Dropped,

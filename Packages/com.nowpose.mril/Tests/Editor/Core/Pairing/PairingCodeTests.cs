@@ -16,6 +16,6 @@ namespace Nowpose.Tests
         [TestCase("nowpose:cell/", PairingCodeKind.Cell)]
         [TestCase("nowpose:cell/7?q=1", PairingCodeKind.Cell)]
         [TestCase("nowpose:token/1?", PairingCodeKind.Token)]
-        public void KindOf_Beginning_Decides(string text, PairingCodeKind kind) => Assert.That(PairingCode.KindOf(text), Is.EqualTo(kind));
+        public void KindOf_Beginning_Decides(string text, object kind) => Assert.That(PairingCode.KindOf(text), Is.EqualTo((PairingCodeKind)kind));
     }
 }

@@ -20,14 +20,14 @@ namespace Nowpose.Tests
 
         [TestCase(RosTimeForm.Sec)]
         [TestCase(RosTimeForm.Secs)]
-        public void JointState_ReadBack_IsTheSame(RosTimeForm form)
+        public void JointState_ReadBack_IsTheSame(object form)
         {
             var random = new Random(Seed);
             for (var i = 0; i < 300; i++)
             {
                 var state = RandomState(random);
 
-                var read = Read(RosbridgeWriter.PublishJointState("/joint_states", state, form)).JointState;
+                var read = Read(RosbridgeWriter.PublishJointState("/joint_states", state, (RosTimeForm)form)).JointState;
 
                 Assert.That(read.Stamp, Is.EqualTo(state.Stamp), "message " + i + ", seed " + Seed);
                 Assert.That(read.Names, Is.EqualTo(state.Names));

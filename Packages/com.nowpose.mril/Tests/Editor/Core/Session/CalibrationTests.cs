@@ -222,7 +222,7 @@ namespace Nowpose.Tests
             session.DisplayTimeSource = new ConstantDisplayTime();
             for (var i = 0; i < 60; i++) session.Tick(HeadsetTime.FromSeconds(i / 60.0));
 
-            var values = session.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
+            var values = session.Listener.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
 
             Assert.That(values["l_visu_ms"], Is.EqualTo("47"));
             Assert.That(values["display_time_difference_ms"], Is.EqualTo("7"));

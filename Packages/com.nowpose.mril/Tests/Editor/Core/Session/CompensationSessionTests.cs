@@ -95,13 +95,13 @@ namespace Nowpose.Tests
                 new SessionSettings(
                     new ConnectionSettings("127.0.0.1", headsetName: "left"), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
                 TestRobot.Model, clock);
-            var before = session.Diagnostics();
+            var before = session.Listener.Diagnostics();
             session.Clock.Add(new SyncExchange(
                 HeadsetTime.FromSeconds(1), ControlTime.FromSeconds(101.001),
                 ControlTime.FromSeconds(101.001), HeadsetTime.FromSeconds(1.002)), out _);
             clock.Now = HeadsetTime.FromSeconds(1.002);
 
-            var after = session.Diagnostics();
+            var after = session.Listener.Diagnostics();
 
             Assert.That(before.HardwareId, Is.EqualTo("left"));
             Assert.That(before.Values.Select(v => v.Key), Is.EqualTo(new[]
@@ -200,7 +200,7 @@ namespace Nowpose.Tests
             var now = HeadsetTime.FromSeconds(simulated.Now);
             var future = simulated.Link.TrueOffset(now).ToControl(now) + TimeSpan.FromSeconds(30);
 
-            simulated.Session.Received(new JointStateMessage(future, new[] { "shoulder" }, new[] { 2.9 }), now);
+            simulated.Session.Listener.Received(new JointStateMessage(future, new[] { "shoulder" }, new[] { 2.9 }), now);
             simulated.Run(1, (frame, light) =>
                 Assert.That(frame.Joints[Shoulder], Is.EqualTo(SimulatedSession.TruthAt(light).Shoulder).Within(0.05)));
 
@@ -212,7 +212,7 @@ namespace Nowpose.Tests
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             foreach (var at in new[] { 1.0, 1.1, 1.2, 1.3, 1.3, 1.3, 0.5, 1.4 }) Send(session, at, at);
-            session.Received(new JointStateMessage(ControlTime.FromSeconds(2), new[] { "other_robot" }, new[] { 1.0 }), default);
+            session.Listener.Received(new JointStateMessage(ControlTime.FromSeconds(2), new[] { "other_robot" }, new[] { 1.0 }), default);
 
             session.Tick(HeadsetTime.FromSeconds(1));
 
@@ -232,7 +232,7 @@ namespace Nowpose.Tests
             var now = HeadsetTime.FromSeconds(simulated.Now);
             var stamp = simulated.Link.TrueOffset(now).ToControl(now);
             foreach (var each in new[] { stamp - TimeSpan.FromSeconds(20), stamp })
-                simulated.Session.Received(new JointStateMessage(each, new[] { "shoulder", "elbow" }, new[] { 0.1, 0.1 }), now);
+                simulated.Session.Listener.Received(new JointStateMessage(each, new[] { "shoulder", "elbow" }, new[] { 0.1, 0.1 }), now);
 
             var frame = simulated.Session.Tick(now);
 
@@ -245,9 +245,9 @@ namespace Nowpose.Tests
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             var now = HeadsetTime.FromSeconds(0.5);
-            simulated.Session.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "shoulder" }, new[] { 0.5 }), now);
+            simulated.Session.Listener.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "shoulder" }, new[] { 0.5 }), now);
             var half = simulated.Session.Tick(now).State;
-            simulated.Session.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "elbow" }, new[] { 0.5 }), now);
+            simulated.Session.Listener.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "elbow" }, new[] { 0.5 }), now);
 
             var whole = simulated.Session.Tick(now).State;
 
@@ -261,7 +261,7 @@ namespace Nowpose.Tests
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             var (grip, follower) = (TestRobot.Model.IndexOfMovingJoint("grip"), TestRobot.Model.IndexOfMovingJoint("grip_mirror"));
             var before = session.Tick(default).Kinds[follower];
-            session.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "grip" }, new[] { 0.02 }), default);
+            session.Listener.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "grip" }, new[] { 0.02 }), default);
 
             var frame = session.Tick(default);
 
@@ -298,7 +298,7 @@ namespace Nowpose.Tests
                 var now = HeadsetTime.FromSeconds(simulated.Now);
                 var (shoulder, elbow) = SimulatedSession.TruthAt(simulated.Now);
                 var coarse = HeadsetTime.FromSeconds(Math.Floor(simulated.Now / 0.004) * 0.004);
-                simulated.Session.Received(
+                simulated.Session.Listener.Received(
                     new JointStateMessage(
                         simulated.Link.TrueOffset(coarse).ToControl(coarse), new[] { "shoulder", "elbow" }, new[] { shoulder, elbow }), now);
                 simulated.Run(0.001, (frame, light) => states.Add(frame.State));
@@ -315,7 +315,7 @@ namespace Nowpose.Tests
             for (var i = 0; i < 40; i++)
             {
                 var now = HeadsetTime.FromSeconds(simulated.Now);
-                simulated.Session.Received(
+                simulated.Session.Listener.Received(
                     new JointStateMessage(simulated.Link.TrueOffset(now).ToControl(now), new[] { "shoulder", "elbow" }, new[] { 3.3, 9 }), now);
                 simulated.Run(0.05, (frame, light) => shown = frame.Joints[TestRobot.Model.IndexOfMovingJoint("shoulder")]);
             }
@@ -344,7 +344,7 @@ namespace Nowpose.Tests
                 foreach (var age in order)
                 {
                     var t = HeadsetTime.FromSeconds(1 - age);
-                    simulated.Session.Received(new JointStateMessage(
+                    simulated.Session.Listener.Received(new JointStateMessage(
                         simulated.Link.TrueOffset(t).ToControl(t), new[] { "shoulder" }, new[] { 4 * age * age }), HeadsetTime.FromSeconds(1));
                 }
                 return simulated.Session.Tick(HeadsetTime.FromSeconds(1.02)).Joints[Shoulder];
@@ -359,13 +359,13 @@ namespace Nowpose.Tests
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             var now = HeadsetTime.FromSeconds(0);
-            simulated.Session.Received(
+            simulated.Session.Listener.Received(
                 new JointStateMessage(simulated.Link.TrueOffset(now).ToControl(now), new[] { "grip" }, new[] { 0.02 }), now);
             simulated.Run(0.05);
             simulated.Run(10);
             var grip = TestRobot.Model.IndexOfMovingJoint("grip");
             var at = HeadsetTime.FromSeconds(simulated.Now);
-            simulated.Session.Received(
+            simulated.Session.Listener.Received(
                 new JointStateMessage(simulated.Link.TrueOffset(at).ToControl(at), new[] { "grip" }, new[] { 0.03 }), at);
 
             simulated.Run(2, (frame, light) =>
@@ -391,7 +391,7 @@ namespace Nowpose.Tests
             foreach (var age in new[] { 0.2, 0.1, 0.0 })
             {
                 var t = HeadsetTime.FromSeconds(4 - age);
-                session.Received(new JointStateMessage(
+                session.Listener.Received(new JointStateMessage(
                     simulated.Link.TrueOffset(t).ToControl(t), new[] { "shoulder" }, new[] { 2.99 - 2 * age }), t);
             }
 
@@ -418,7 +418,7 @@ namespace Nowpose.Tests
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             var judged = new List<(ControlTime Stamp, DropReason Reason)>();
             session.SampleJudged += (arrival, reason) => judged.Add((arrival.Message.Stamp, reason));
-            session.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "grip" }, new[] { 0.02 }), default);
+            session.Listener.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "grip" }, new[] { 0.02 }), default);
             for (var i = 1; i < 1000; i++) Send(session, 1 + i * 0.01, i * 0.001);
 
             var frame = session.Tick(HeadsetTime.FromSeconds(20));
@@ -495,7 +495,7 @@ namespace Nowpose.Tests
                 Is.EqualTo("sync interval: 5 ms is out of range; allowed are 20 to 10000 ms"));
         }
 
-        static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Received(
+        static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Listener.Received(
             new JointStateMessage(ControlTime.FromSeconds(controlSeconds), new[] { "shoulder", "elbow" }, new[] { shoulder, 0 }), default);
     }
 }

@@ -189,7 +189,7 @@ namespace Nowpose.Tests
             for (var i = 0; i < 200; i++)
             {
                 var now = HeadsetTime.FromSeconds(simulated.Now);
-                simulated.Session.Received(new JointStateMessage(
+                simulated.Session.Listener.Received(new JointStateMessage(
                     simulated.Link.TrueOffset(now).ToControl(now), new[] { "shoulder", "elbow" }, new[] { 0.5, 0.5 }), now);
                 simulated.Run(0.05);
             }
@@ -211,7 +211,7 @@ namespace Nowpose.Tests
             {
                 var now = HeadsetTime.FromSeconds(simulated.Now);
                 var ahead = Lengths.Ms(i < 60 ? 300 : 0);
-                simulated.Session.Received(new JointStateMessage(
+                simulated.Session.Listener.Received(new JointStateMessage(
                     simulated.Link.TrueOffset(now).ToControl(now) + ahead, new[] { "shoulder", "elbow" }, new[] { 0.01 * i, 0 }), now);
                 simulated.Run(0.05);
                 if (i >= 60 && Statistics(simulated).HoldErrorMm.HasValue) known++;
@@ -229,7 +229,7 @@ namespace Nowpose.Tests
             void Send(TimeSpan ahead)
             {
                 var now = HeadsetTime.FromSeconds(simulated.Now);
-                simulated.Session.Received(new JointStateMessage(
+                simulated.Session.Listener.Received(new JointStateMessage(
                     simulated.Link.TrueOffset(now).ToControl(now) + ahead, new[] { "shoulder", "elbow" },
                     new[] { Math.Sin(3 * simulated.Now), 0 }), now);
                 simulated.Run(0.02);
@@ -257,8 +257,8 @@ namespace Nowpose.Tests
             {
                 var now = HeadsetTime.FromSeconds(simulated.Now);
                 var stamp = simulated.Link.TrueOffset(now).ToControl(now);
-                simulated.Session.Received(new JointStateMessage(stamp, new[] { "shoulder" }, new[] { 0.1 * (i % 7) }), now);
-                if (i == 3) simulated.Session.Received(new JointStateMessage(stamp, new[] { "elbow" }, new[] { 0.5 }), now);
+                simulated.Session.Listener.Received(new JointStateMessage(stamp, new[] { "shoulder" }, new[] { 0.1 * (i % 7) }), now);
+                if (i == 3) simulated.Session.Listener.Received(new JointStateMessage(stamp, new[] { "elbow" }, new[] { 0.5 }), now);
                 simulated.Run(0.05);
             }
 
@@ -279,12 +279,12 @@ namespace Nowpose.Tests
                 var control = new ControlTime(clock.Now.SinceEpoch);
                 var taken = control - TimeSpan.FromMilliseconds(60);
                 session.Clock.Add(new SyncExchange(clock.Now - TimeSpan.FromMilliseconds(2), control, control, clock.Now), out _);
-                session.Received(
+                session.Listener.Received(
                     new JointStateMessage(taken, new[] { "shoulder", "elbow" }, new[] { Math.Sin(taken.SinceEpoch.TotalSeconds), 0 }), clock.Now);
                 session.Tick(clock.Now);
             }
 
-            var values = session.Diagnostics().Values.ToDictionary(v => v.Key, v => double.TryParse(v.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var n) ? n : double.NaN);
+            var values = session.Listener.Diagnostics().Values.ToDictionary(v => v.Key, v => double.TryParse(v.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var n) ? n : double.NaN);
 
             // One metre of arm, 1/√2 rad/s on average, 100 ms of latency.
             Assert.That(values["error_mm_hold"], Is.EqualTo(71).Within(5));

@@ -36,7 +36,7 @@ namespace Nowpose.Tests
         }
 
         static void Report(SimulatedSession simulated, params JointReport[] joints) =>
-            simulated.Session.StatusReceived(new JointStatusMessage(joints), HeadsetTime.FromSeconds(simulated.Now));
+            simulated.Session.Listener.StatusReceived(new JointStatusMessage(joints), HeadsetTime.FromSeconds(simulated.Now));
 
         static void Report(SimulatedSession simulated, string joint, JointDataState state, double secondsAgo = 0, string reason = "") =>
             Report(simulated, new JointReport(joint, state, ControlNow(simulated) - Lengths.Seconds(secondsAgo), reason));

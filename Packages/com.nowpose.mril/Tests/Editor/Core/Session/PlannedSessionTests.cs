@@ -94,7 +94,7 @@ namespace Nowpose.Tests
             double Truth(double t) => Planned(Math.Min(t, 13));
             var (kinds, errors) = (new List<(double At, PredictionKind Kind)>(), new List<(double At, double Error)>());
 
-            session.Planned(plan, HeadsetTime.FromSeconds(11));
+            session.Listener.Planned(plan, HeadsetTime.FromSeconds(11));
             Drive(session, 11, 15, Truth, (at, frame) =>
             {
                 kinds.Add((at, frame.Kinds[0]));
@@ -111,12 +111,12 @@ namespace Nowpose.Tests
         public void Tick_PlanCancelled_Predicts()
         {
             var session = NewSession();
-            session.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
+            session.Listener.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
             var kinds = new List<PredictionKind>();
             Drive(session, 11, 12, t => t - 11, (_, frame) => kinds.Add(frame.Kinds[0]));
             Assert.That(kinds.Last(), Is.EqualTo(PredictionKind.Planned));
 
-            session.Planned(new JointTrajectoryMessage(ControlTime.FromSeconds(12), new[] { "shoulder" }, Array.Empty<JointTrajectoryPoint>()), HeadsetTime.FromSeconds(12));
+            session.Listener.Planned(new JointTrajectoryMessage(ControlTime.FromSeconds(12), new[] { "shoulder" }, Array.Empty<JointTrajectoryPoint>()), HeadsetTime.FromSeconds(12));
             Drive(session, 12, 12.5, t => t - 11, (_, frame) => kinds.Add(frame.Kinds[0]));
 
             Assert.That(kinds.Last(), Is.EqualTo(PredictionKind.Predicted));
@@ -126,7 +126,7 @@ namespace Nowpose.Tests
         public void Tick_SamplesStop_ThePlanDoesNotGoOnAlone()
         {
             var session = NewSession();
-            session.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
+            session.Listener.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
             Drive(session, 11, 12, t => t - 11, (_, _) => { });
 
             var frame = session.Tick(HeadsetTime.FromSeconds(13));
@@ -138,7 +138,7 @@ namespace Nowpose.Tests
         public void Planned_BeforeTheClockIsKnown_CountsOnceItIs()
         {
             var session = NewSession(isClockKnown: false);
-            session.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
+            session.Listener.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
             session.Tick(HeadsetTime.FromSeconds(11));
             var kind = default(PredictionKind);
             Exchange(session, 11);
@@ -152,7 +152,7 @@ namespace Nowpose.Tests
         public void Planned_StampInTheFuture_IsDroppedAndShowsNothing()
         {
             var session = NewSession();
-            session.Planned(Straight(15, 25), HeadsetTime.FromSeconds(11));
+            session.Listener.Planned(Straight(15, 25), HeadsetTime.FromSeconds(11));
 
             Drive(session, 11, 12, t => t - 11, (_, frame) => Assert.That(frame.Kinds[0], Is.Not.EqualTo(PredictionKind.Planned)));
 
@@ -164,7 +164,7 @@ namespace Nowpose.Tests
         {
             var session = NewSession();
 
-            session.Planned(new JointTrajectoryMessage(
+            session.Listener.Planned(new JointTrajectoryMessage(
                 ControlTime.FromSeconds(11), new[] { "wing" }, new[] { new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1.0 }) }), default);
 
             Assert.That(session.Drops[DropReason.UnknownJoint], Is.EqualTo(1));
@@ -175,7 +175,7 @@ namespace Nowpose.Tests
         public void Planned_NotWanted_ShowsNothing(string predictor, bool follow)
         {
             var session = NewSession(prediction: new PredictionSettings(predictor, followPlan: follow));
-            session.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
+            session.Listener.Planned(Straight(11, 20), HeadsetTime.FromSeconds(11));
 
             Drive(session, 11, 12, t => t - 11, (_, frame) => Assert.That(frame.Kinds[0], Is.Not.EqualTo(PredictionKind.Planned)));
         }
@@ -210,7 +210,7 @@ namespace Nowpose.Tests
             for (var at = from; at < to; at += 1 / 60.0)
             {
                 for (; next + 0.06 <= at; next += 0.05)
-                    session.Received(
+                    session.Listener.Received(
                         new JointStateMessage(ControlTime.FromSeconds(next), new[] { "shoulder", "elbow" }, new[] { truth(next), 0 }),
                         HeadsetTime.FromSeconds(next + 0.06));
                 Exchange(session, at);

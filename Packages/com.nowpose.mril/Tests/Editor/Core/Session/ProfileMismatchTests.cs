@@ -20,7 +20,7 @@ namespace Nowpose.Tests
             session.Statistics(default).ProfileMismatches.Select(each => each.Field).ToArray();
 
         static string DiagnosticOf(CompensationSession session) =>
-            session.Diagnostics().Values.Where(value => value.Key == "profile_mismatch").Select(value => value.Value).SingleOrDefault();
+            session.Listener.Diagnostics().Values.Where(value => value.Key == "profile_mismatch").Select(value => value.Value).SingleOrDefault();
 
         [Test]
         public void ProfileMismatches_NothingKnownOrNoProfile_IsEmpty()

@@ -94,10 +94,10 @@ namespace Nowpose.Tests
         {
             var session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), default, range: Range), TestRobot.Model, new SetClock());
-            var before = session.Diagnostics().Values.Select(v => v.Key).ToList();
+            var before = session.Listener.Diagnostics().Values.Select(v => v.Key).ToList();
             for (var i = 0; i < 20; i++) session.Rendered(Lengths.Ms(renderMs), RenderTimeSourceKind.DisplayGpuTime);
 
-            var values = session.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
+            var values = session.Listener.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
 
             Assert.That(before, Has.No.Member("render_ms").And.No.Member("range"), "unknown is left out");
             Assert.That(values["render_ms"], Is.EqualTo(renderMs == 16 ? "16" : "9.5"));

@@ -12,7 +12,7 @@ namespace Nowpose.Tests
             new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), TestRobot.Model, new SetClock());
 
         static string DiagnosticOf(CompensationSession session, string key) =>
-            session.Diagnostics().Values.Where(value => value.Key == key).Select(value => value.Value).SingleOrDefault();
+            session.Listener.Diagnostics().Values.Where(value => value.Key == key).Select(value => value.Value).SingleOrDefault();
 
         [Test]
         public void Reprojection_NothingReportsIt_IsUnknownAndLeftOutOfDiagnostics()

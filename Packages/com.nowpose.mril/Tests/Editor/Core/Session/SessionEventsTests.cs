@@ -40,7 +40,7 @@ namespace Nowpose.Tests
         public void Tick_FirstExchangeAndSample_AreToldInTheOrderInWhichTheyAct()
         {
             _session.Clock.Add(Exchange(Start), out _);
-            _session.Received(Sample(Start.SinceEpoch), Start);
+            _session.Listener.Received(Sample(Start.SinceEpoch), Start);
 
             _session.Tick(Start + Lengths.Ms(10));
 
@@ -62,8 +62,8 @@ namespace Nowpose.Tests
         public void Sample_OfNoUse_IsToldWithTheReason(string joint, double aheadMs, string reason)
         {
             _session.Clock.Add(Exchange(Start), out _);
-            _session.Received(Sample(Start.SinceEpoch), Start);
-            _session.Received(Sample(Start.SinceEpoch + Lengths.Ms(aheadMs), joint), Start);
+            _session.Listener.Received(Sample(Start.SinceEpoch), Start);
+            _session.Listener.Received(Sample(Start.SinceEpoch + Lengths.Ms(aheadMs), joint), Start);
 
             _session.Tick(Start + Lengths.Ms(10));
 
@@ -73,7 +73,7 @@ namespace Nowpose.Tests
         [Test]
         public void Sample_ThatOverflowsTheQueue_IsToldAtOnce()
         {
-            for (var i = 0; i <= 1000; i++) _session.Received(Sample(Start.SinceEpoch + Lengths.Ms(i)), Start);
+            for (var i = 0; i <= 1000; i++) _session.Listener.Received(Sample(Start.SinceEpoch + Lengths.Ms(i)), Start);
 
             Assert.That(_told, Is.EqualTo(new[] { "sample SlowReader" }));
         }

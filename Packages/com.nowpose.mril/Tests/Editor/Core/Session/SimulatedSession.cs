@@ -90,7 +90,7 @@ namespace Nowpose.Tests
             while (_underway.Count > 0 && _underway.Peek().At <= now)
             {
                 var (at, message) = _underway.Dequeue();
-                Session.Received(message, at);
+                Session.Listener.Received(message, at);
             }
             if (_exchange?.T4 > now) return;
             if (_exchange.HasValue) Session.Clock.Add(_exchange.Value, out _);

@@ -110,7 +110,7 @@ namespace Nowpose.Tests
             while (_underway.Count > 0 && _underway.Peek().At <= now)
             {
                 var arrival = _underway.Dequeue();
-                Session.Received(arrival.Message, arrival.At);
+                Session.Listener.Received(arrival.Message, arrival.At);
             }
         }
 

@@ -224,9 +224,9 @@ namespace Nowpose.Tests
         [TestCase(CalibrationMethod.Sine, "40.2 ms|by sine jog, 2026-11-20")]
         [TestCase(CalibrationMethod.Nudge, "40.2 ms|by eye, 2026-11-20")]
         [TestCase(CalibrationMethod.Manual, "40.2 ms|by hand, 2026-11-20")]
-        public void Update_VisualisationLatencyOfAProfile_SaysHowAndWhenItWasMeasured(CalibrationMethod method, string expected)
+        public void Update_VisualisationLatencyOfAProfile_SaysHowAndWhenItWasMeasured(object method, string expected)
         {
-            var profile = new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 11, 20, 23, 0, 0, DateTimeKind.Utc), method, 3);
+            var profile = new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 11, 20, 23, 0, 0, DateTimeKind.Utc), (CalibrationMethod)method, 3);
 
             Assert.That(Row(StatusRow.VisualisationLatency, ("VisualisationLatency", Ms(40.2)), ("Profile", profile)), Is.EqualTo(expected));
         }
@@ -267,9 +267,9 @@ namespace Nowpose.Tests
         [TestCase(RangeState.Unknown, RangeDoubt.TooFewFrames, "–|measuring")]
         [TestCase(RangeState.Unknown, RangeDoubt.BeyondMeasured, "–|beyond what was measured")]
         [TestCase(RangeState.Unknown, RangeDoubt.OtherSource, "–|limit of another source")]
-        public void Update_Range_SaysWhyItIsNotKnown(RangeState range, RangeDoubt doubt, string expected)
+        public void Update_Range_SaysWhyItIsNotKnown(RangeState range, object doubt, string expected)
         {
-            Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeDoubt", doubt)), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeDoubt", (RangeDoubt)doubt)), Is.EqualTo(expected));
         }
 
         static DisplayedError Error(double rms, double p95, double? reduction, double? uncertainty) =>
@@ -353,9 +353,9 @@ namespace Nowpose.Tests
         [TestCase(RobotDescriptionMatch.Same, "as the gateway's|youBot")]
         [TestCase(RobotDescriptionMatch.Different, "! differs|youBot")]
         [TestCase(RobotDescriptionMatch.Unknown, "–|youBot")]
-        public void Update_Robot_SaysWhetherTheGatewaysIsTheSame(RobotDescriptionMatch match, string expected)
+        public void Update_Robot_SaysWhetherTheGatewaysIsTheSame(object match, string expected)
         {
-            Assert.That(Row(StatusRow.Robot, Statistics(("RobotDescriptionMatch", match)), robot: "youBot"), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Robot, Statistics(("RobotDescriptionMatch", (RobotDescriptionMatch)match)), robot: "youBot"), Is.EqualTo(expected));
         }
 
         [Test]

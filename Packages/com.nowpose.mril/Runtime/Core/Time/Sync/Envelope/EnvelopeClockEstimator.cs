@@ -11,7 +11,7 @@ namespace Nowpose.Sync
     /// The paper's offsets of Eq. (5) average a request with its reply, and are wrong when either is late. Here each counts
     /// by itself. An asymmetry of the least delays themselves cannot be seen by anybody: the error bound allows for it.
     /// </remarks>
-    public sealed class EnvelopeClockEstimator : IClockEstimator
+    sealed class EnvelopeClockEstimator : IClockEstimator
     {
         /// <summary>Exchanges kept, and for how long, s: three minutes at five a second. What is older follows from the rest no better.</summary>
         const int History = 900;

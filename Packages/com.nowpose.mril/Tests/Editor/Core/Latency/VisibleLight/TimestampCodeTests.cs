@@ -61,11 +61,11 @@ namespace Nowpose.Tests
         }
 
         [Test]
-        public void Draw_AnyTime_LightsOneCellOfEachPair([Values] CodeKind kind)
+        public void Draw_AnyTime_LightsOneCellOfEachPair([Values] object kind)
         {
             for (var value = 0; value < TimestampCode.PeriodMs; value += 97)
             {
-                var cells = Drawn(value, kind);
+                var cells = Drawn(value, (CodeKind)kind);
 
                 for (var pair = 0; pair < TimestampCode.PairCount; pair++)
                 {

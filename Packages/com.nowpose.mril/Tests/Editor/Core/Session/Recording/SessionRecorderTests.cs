@@ -167,8 +167,8 @@ namespace Nowpose.Tests
             var message = new JointStateMessage(
                 new ControlTime(Start.SinceEpoch), new[] { "elbow", "shoulder" }, new[] { 0.1, 1 / 3.0 }, new[] { double.NaN, -2e-7 });
 
-            session.Received(message, Start);
-            session.Received(message, Start);
+            session.Listener.Received(message, Start);
+            session.Listener.Received(message, Start);
             session.Tick(Start);
             run.Close();
 
@@ -188,13 +188,13 @@ namespace Nowpose.Tests
             session.Clock.Add(Exchange(Start), out _);
             var stamp = new ControlTime(Start.SinceEpoch);
 
-            session.Planned(new JointTrajectoryMessage(stamp, new[] { "elbow" }, new[]
+            session.Listener.Planned(new JointTrajectoryMessage(stamp, new[] { "elbow" }, new[]
             {
                 new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1 / 3.0 }, new[] { double.NaN }),
                 new JointTrajectoryPoint(new TimeSpan(1234567), new[] { 0.5 }, null, new[] { -2e-7 }),
             }), Start - Lengths.Ms(3));
-            session.Planned(new JointTrajectoryMessage(stamp, new[] { "wing" }, Array.Empty<JointTrajectoryPoint>()), Start);
-            session.Planned(new JointTrajectoryMessage(stamp + Lengths.Ms(5000), new[] { "elbow" }, Array.Empty<JointTrajectoryPoint>()), Start);
+            session.Listener.Planned(new JointTrajectoryMessage(stamp, new[] { "wing" }, Array.Empty<JointTrajectoryPoint>()), Start);
+            session.Listener.Planned(new JointTrajectoryMessage(stamp + Lengths.Ms(5000), new[] { "elbow" }, Array.Empty<JointTrajectoryPoint>()), Start);
             session.Tick(Start);
             run.Close();
 
