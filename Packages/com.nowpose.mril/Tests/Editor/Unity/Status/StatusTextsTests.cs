@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
@@ -17,11 +18,13 @@ namespace Nowpose.Tests
         static readonly SessionSettings Loopback = new SessionSettings(new ConnectionSettings("127.0.0.1"), default);
         static readonly SessionSettings Plain = new SessionSettings(new ConnectionSettings("192.168.0.5", insecureLan: true), default);
 
+        const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+
         // The setters are the session's.
         static SessionStatistics Statistics(params (string Property, object Value)[] values)
         {
             var statistics = new SessionStatistics();
-            foreach (var (property, value) in values) typeof(SessionStatistics).GetProperty(property).SetValue(statistics, value);
+            foreach (var (property, value) in values) typeof(SessionStatistics).GetProperty(property, Declared).SetValue(statistics, value);
             return statistics;
         }
 
