@@ -19,6 +19,9 @@ sealed class RawWebSocket : IDisposable
     /// <summary>For bytes that come in another order than this class sends and reads them.</summary>
     public Stream Stream => _stream;
 
+    /// <summary>Bytes that can be read without waiting.</summary>
+    public int Available => _tcp.Available;
+
     /// <summary>Nothing more is sent; what comes is still read.</summary>
     public void EndSending()
     {
@@ -32,17 +35,19 @@ sealed class RawWebSocket : IDisposable
         }
     }
 
-    public static async Task<RawWebSocket> ConnectAsync(GatewayServer gateway)
+    /// <param name="receiveBytes">Size of the system's receive buffer; 0 leaves the default.</param>
+    public static async Task<RawWebSocket> ConnectAsync(GatewayServer gateway, int receiveBytes = 0)
     {
         var raw = new RawWebSocket();
+        if (receiveBytes > 0) raw._tcp.ReceiveBufferSize = receiveBytes;
         await raw._tcp.ConnectAsync(gateway.WebSocketEndPoint).Bounded();
         raw._stream = raw._tcp.GetStream();
         return raw;
     }
 
-    public static async Task<RawWebSocket> OpenAsync(GatewayServer gateway, string headers = "")
+    public static async Task<RawWebSocket> OpenAsync(GatewayServer gateway, string headers = "", int receiveBytes = 0)
     {
-        var raw = await ConnectAsync(gateway);
+        var raw = await ConnectAsync(gateway, receiveBytes);
         var upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
             + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n";
         Assert.That(await raw.RequestAsync(upgrade + headers), Does.StartWith("HTTP/1.1 101 "));

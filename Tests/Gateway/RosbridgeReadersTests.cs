@@ -65,6 +65,36 @@ public class RosbridgeReadersTests
         Assert.That(received.Count, Is.EqualTo(Count - gateway.Drops[DropReason.SlowReader]), "each of the others is counted");
     }
 
+    // Age counts in samples of the source, and so does the pace of the readers: a busy machine slows down both.
+    [Test]
+    public async Task Reader_Of4KilobytesASecond_GetsNoSampleOlderThanASecond()
+    {
+        const int Bytes = 80, Samples = 100;
+        var interval = TimeSpan.FromMilliseconds(20);
+        await using var gateway = await Gateways.StartAsync();
+        using var small = await PacedReader.OpenAsync(gateway, receiveBytes: 1024);
+        using var standard = await PacedReader.OpenAsync(gateway);
+        PacedReader[] readers = [small, standard];
+        using var source = gateway.Hub.OpenSource();
+        using var timer = new PeriodicTimer(interval);
+        var now = Gateways.Start;
+
+        for (var i = 0; i < Samples; i++)
+        {
+            await timer.WaitForNextTickAsync();
+            now += interval;
+            source.TryPublish(SevenJoints(now));
+            foreach (var reader in readers) await reader.ReadAsync(Bytes, now);
+        }
+
+        var ages = readers.Select(reader => reader.MaxAge.TotalSeconds).ToArray();
+        Assert.That(ages, Has.All.InRange(interval.TotalSeconds, 1.0), "age in s: small and standard receive buffer");
+        Assert.That(readers.Select(reader => reader.Pongs), Has.All.GreaterThan(1));
+        await Soon.BecomesAsync(() => Array.TrueForAll(readers, reader => ReadRest(reader, now)), "the newest is read");
+        Assert.That(readers.Sum(reader => reader.Samples), Is.EqualTo((readers.Length * Samples) - gateway.Drops[DropReason.SlowReader]));
+        Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(readers.Length));
+    }
+
     [Test]
     public async Task Reader_ThatAnswersNoPing_IsClosed()
     {
@@ -117,5 +147,20 @@ public class RosbridgeReadersTests
         Assert.That((first, second), Is.EqualTo((1.0, 20.0)));
         Assert.That(System.Diagnostics.Stopwatch.GetElapsedTime(since).TotalSeconds, Is.GreaterThan(1.9));
         Assert.That(gateway.Drops.Total, Is.Zero);
+    }
+
+    static bool ReadRest(PacedReader reader, ControlTime newest)
+    {
+        reader.ReadAsync(int.MaxValue, newest).GetAwaiter().GetResult();
+        return reader.Newest == newest;
+    }
+
+    // About 450 bytes as JSON, as of an arm that is moving.
+    static JointStateMessage SevenJoints(ControlTime stamp)
+    {
+        var seconds = (stamp - Gateways.Start).TotalSeconds;
+        var joints = Enumerable.Range(1, 7).ToArray();
+        return new JointStateMessage(
+            stamp, [.. joints.Select(i => $"joint_{i}")], [.. joints.Select(i => Math.Sin(i + seconds))], [.. joints.Select(i => Math.Cos(i + seconds))]);
     }
 }
