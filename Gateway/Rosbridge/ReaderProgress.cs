@@ -3,27 +3,50 @@ using System.Buffers.Binary;
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Follows by pings how far a client has read, and says when more may be sent to it. Any thread.</summary>
-/// <param name="sendPing">Sends a ping with a payload after everything that was sent before.</param>
-sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time)
+sealed class ReaderProgress : IDisposable
 {
     const int PayloadBytes = sizeof(long);
 
     /// <summary>A client that reads more slowly than this may be closed while a long message is on its way to it.</summary>
     const double MinBytesPerSecond = 3000;
 
+    /// <summary>Time from the message that makes a ping due to the ping.</summary>
+    /// <remarks>A sample goes to all clients at once. Pings that followed it without a delay, and their pongs, delayed those who got it last.</remarks>
+    internal static readonly TimeSpan PingDelay = TimeSpan.FromMilliseconds(5);
+
     static readonly TimeSpan MaxTick = TimeSpan.FromMilliseconds(250);
 
+    readonly Func<ReadOnlyMemory<byte>, Task> _sendPing;
+    readonly TimeSpan _pingInterval;
+    readonly TimeSpan _pongTimeout;
+    readonly TimeProvider _time;
     readonly Lock _lock = new();
     readonly SendWindow _window = new();
-    readonly long _start = time.GetTimestamp();
-    TaskCompletionSource _changed = NewSignal();
+    readonly long _start;
+    readonly ITimer _delayedPing;
+    // Only one ping is on its way at a time.
+    readonly byte[] _payload = new byte[PayloadBytes];
+    bool _isPingPlanned;
+    // Null while nobody waits.
+    TaskCompletionSource _changed;
     TimeSpan _lastPing;
     TimeSpan _lastReceived;
 
-    TimeSpan Now => time.GetElapsedTime(_start);
+    /// <param name="sendPing">Sends a ping with a payload after everything that was sent before.</param>
+    public ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time)
+    {
+        _sendPing = sendPing;
+        _pingInterval = pingInterval;
+        _pongTimeout = pongTimeout;
+        _time = time;
+        _start = time.GetTimestamp();
+        _delayedPing = time.CreateTimer(_ => _ = PingAsync(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
+    }
+
+    TimeSpan Now => _time.GetElapsedTime(_start);
 
     /// <summary>How long a client may take to read some bytes, and to answer.</summary>
-    public TimeSpan Patience(long bytes) => pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
+    public TimeSpan Patience(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
 
     /// <summary>Until when messages had to wait for the client the last time, a count of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
@@ -39,7 +62,7 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     }
 
     /// <summary>Notes that a message had to wait for the client. By one thread at a time, as <see cref="OpensAsync"/>.</summary>
-    public void OnWaited() => WaitedUntil = time.GetTimestamp();
+    public void OnWaited() => WaitedUntil = _time.GetTimestamp();
 
     /// <summary>To be called before a message is sent.</summary>
     public Task SendsAsync(int bytes)
@@ -50,15 +73,13 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     }
 
     /// <summary>To be called after a message was sent.</summary>
-    public Task SentAsync(int bytes)
+    public void OnSent(int bytes)
     {
         lock (_lock)
         {
             _window.OnSent(bytes);
-            if (!_window.IsPingDue) return Task.CompletedTask;
+            PlanPing();
         }
-
-        return PingAsync();
     }
 
     /// <summary>Notes that something came from the client.</summary>
@@ -71,28 +92,26 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     public void OnPong(ReadOnlySpan<byte> payload)
     {
         if (payload.Length != PayloadBytes) return;
-        bool isPingDue;
         lock (_lock)
         {
             _window.OnPong(BinaryPrimitives.ReadInt64BigEndian(payload), Now);
-            isPingDue = _window.IsPingDue;
+            PlanPing();
         }
 
         Signal();
-        if (isPingDue) _ = PingAsync();
     }
 
     /// <summary>Sends a ping each interval until the client does not answer in time.</summary>
     /// <exception cref="OperationCanceledException">Stopped.</exception>
     public async Task BecomesSilentAsync(CancellationToken stop)
     {
-        var shortest = pingInterval < pongTimeout ? pingInterval : pongTimeout;
-        using var timer = new PeriodicTimer(shortest / 4 < MaxTick ? shortest / 4 : MaxTick, time);
+        var shortest = _pingInterval < _pongTimeout ? _pingInterval : _pongTimeout;
+        using var timer = new PeriodicTimer(shortest / 4 < MaxTick ? shortest / 4 : MaxTick, _time);
         while (await timer.WaitForNextTickAsync(stop))
         {
             if (IsSilent()) return;
             bool isPingDue;
-            lock (_lock) isPingDue = _window.PingAt == null && Now - _lastPing >= pingInterval;
+            lock (_lock) isPingDue = _window.PingAt == null && Now - _lastPing >= _pingInterval;
             // Time passes for a window, too: it opens for a client that answers no pings.
             Signal();
             if (isPingDue) _ = PingAsync();
@@ -112,19 +131,29 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
         }
     }
 
+    public void Dispose() => _delayedPing.Dispose();
+
+    // Under the lock.
+    void PlanPing()
+    {
+        if (_isPingPlanned || !_window.IsPingDue) return;
+        _isPingPlanned = true;
+        _delayedPing.Change(PingDelay, Timeout.InfiniteTimeSpan);
+    }
+
     async Task PingAsync()
     {
-        var payload = new byte[PayloadBytes];
         lock (_lock)
         {
+            _isPingPlanned = false;
             if (_window.PingAt != null) return;
             _lastPing = Now;
-            BinaryPrimitives.WriteInt64BigEndian(payload, _window.OnPing(_lastPing));
+            BinaryPrimitives.WriteInt64BigEndian(_payload, _window.OnPing(_lastPing));
         }
 
         try
         {
-            await sendPing(payload);
+            await _sendPing(_payload);
         }
         catch (Exception e) when (e is IOException or ObjectDisposedException or InvalidOperationException or OperationCanceledException)
         {
@@ -135,15 +164,14 @@ sealed class ReaderProgress(Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan 
     // Null while the window is open.
     Task NextChange()
     {
-        lock (_lock) return _window.IsOpen(Now) ? null : _changed.Task;
+        lock (_lock)
+            return _window.IsOpen(Now) ? null : (_changed ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously)).Task;
     }
 
     void Signal()
     {
         TaskCompletionSource changed;
-        lock (_lock) (changed, _changed) = (_changed, NewSignal());
-        changed.TrySetResult();
+        lock (_lock) (changed, _changed) = (_changed, null);
+        changed?.TrySetResult();
     }
-
-    static TaskCompletionSource NewSignal() => new(TaskCreationOptions.RunContinuationsAsynchronously);
 }

@@ -135,7 +135,7 @@ sealed class RosbridgeConnection : IDisposable
                 await sending;
             else
                 await BecomesSentAsync(sending.AsTask(), message.Length);
-            await _reader.SentAsync(message.Length);
+            _reader.OnSent(message.Length);
         }
         finally
         {

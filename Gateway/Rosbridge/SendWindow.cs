@@ -9,8 +9,8 @@ namespace Nowpose.Gateway.Rosbridge;
 /// </remarks>
 sealed class SendWindow
 {
-    /// <summary>A window this long keeps two messages of an arm on their way; a reader of 4 kB/s needs 0.25 s for it.</summary>
-    internal const int MinBytes = 1024;
+    /// <summary>A window this long keeps two messages of an arm on their way, because the last one may exceed it; a reader of 1 kB/s needs a second for them.</summary>
+    internal const int MinBytes = 512;
 
     /// <summary>Before the first pong. At 4 kB/s it is read within a third of a second.</summary>
     internal const int FirstBytes = 1280;
@@ -25,8 +25,12 @@ sealed class SendWindow
     /// <summary>A ping stands at least half a window behind the oldest unread byte, so at most twice this is on its way.</summary>
     internal static readonly TimeSpan Target = TimeSpan.FromMilliseconds(200);
 
-    /// <summary>A client that has answered no ping by then is sent everything: only the kernel's send buffer limits what waits for it.</summary>
-    internal static readonly TimeSpan FirstPongTimeout = TimeSpan.FromSeconds(1);
+    /// <summary>A client that has not answered the first ping by then is sent everything: only the buffers of its connection limit what waits for it.</summary>
+    /// <remarks>A client that reads 700 bytes a second answers in time.</remarks>
+    internal static readonly TimeSpan FirstPongTimeout = TimeSpan.FromSeconds(2);
+
+    /// <summary>Window size of a client whose window was not full, as a multiple of what was on its way.</summary>
+    const double Reserve = 1.5;
 
     long _sent;
     long _read;
@@ -34,6 +38,7 @@ sealed class SendWindow
     long _pingId;
     TimeSpan? _pingAt;
     bool _wasFull;
+    bool _mayGrow;
     bool _hasAnswered;
     bool _isUnlimited;
 
@@ -67,7 +72,7 @@ sealed class SendWindow
     public bool IsPingDueBefore(int bytes) => !_hasAnswered && _pingAt == null && bytes > FirstBytes;
 
     /// <summary>Whether a ping should follow what was sent.</summary>
-    public bool IsPingDue => _pingAt == null && 2 * (_sent - Math.Max(_read, _pingPosition)) >= Size;
+    public bool IsPingDue => _pingAt == null && 2 * (_sent - Math.Max(_read, _pingPosition)) >= Math.Min(Size, QuickBytes);
 
     /// <summary>Notes a ping at the end of what was sent.</summary>
     /// <returns>Its number, which the pong repeats.</returns>
@@ -83,20 +88,23 @@ sealed class SendWindow
     {
         if (_pingAt is not { } pingAt || id != _pingId) return;
         _pingAt = null;
+        var unread = Unread;
         var hadData = _pingPosition > _read;
         _read = _pingPosition;
         _hasAnswered = true;
         _isUnlimited = false;
-        // A connection that is idle, or slower than its window, says nothing about how fast the client could read.
-        var took = now - pingAt;
-        if (hadData && (_wasFull || took > Target)) Size = Fitted(took);
-        if (hadData && took < Quick) Size = Math.Max(Size, QuickBytes);
+        // The pong of an idle connection says nothing about how fast the client could read.
+        if (hadData) Resize(now - pingAt, unread);
+        _mayGrow = _wasFull;
         _wasFull = false;
     }
 
-    int Fitted(TimeSpan took)
+    // A full window grows with the next pong: the first one of a client that has just become slow is still a quick one.
+    // A window that is not full shrinks to what it needs: a burst of messages must not leave it large for a client that becomes slow later.
+    void Resize(TimeSpan took, long unread)
     {
         var factor = Math.Clamp(Target / (took + TimeSpan.FromTicks(1)), 0.25, 2);
-        return (int)Math.Clamp(Size * factor, MinBytes, MaxBytes);
+        var size = took > Target || _mayGrow ? Size * factor : Math.Min(Size, Math.Max(QuickBytes, Reserve * unread));
+        Size = (int)Math.Clamp(size, took < Quick ? QuickBytes : MinBytes, MaxBytes);
     }
 }

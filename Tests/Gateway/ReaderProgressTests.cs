@@ -10,14 +10,33 @@ public class ReaderProgressTests
     static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
     [Test]
+    public void OnSent_PingIsDue_IsPingedAfterTheDelay()
+    {
+        var time = new SteppedTimers();
+        var pings = new List<byte[]>();
+        using var progress = Progress(time, pings);
+        var step = TimeSpan.FromMilliseconds(1);
+
+        for (var sent = TimeSpan.Zero; sent < ReaderProgress.PingDelay; sent += step)
+        {
+            Assert.That(pings, Is.Empty);
+            progress.OnSent(700);
+            time.Advance(step);
+        }
+
+        Assert.That(pings, Has.Count.EqualTo(1), "after the first message that makes it due, not after the last one");
+    }
+
+    [Test]
     public async Task IsSilent_LongMessageOnItsWay_WaitsAsLongAsASlowReaderNeeds()
     {
-        var time = new SteppedTime();
+        var time = new SteppedTimers();
         var pings = new List<byte[]>();
-        var progress = Progress(time, pings);
+        using var progress = Progress(time, pings);
         await progress.SendsAsync(LongMessage);
-        await progress.SentAsync(LongMessage);
+        progress.OnSent(LongMessage);
         progress.OnPong(pings[0]);
+        time.Advance(ReaderProgress.PingDelay);
 
         time.Advance(TimeSpan.FromSeconds(LongMessage / 4000.0));
 
@@ -30,12 +49,14 @@ public class ReaderProgressTests
     [Test]
     public void IsSilent_ClientThatAnsweredOnceAndSends_IsSilentWithoutAPong()
     {
-        var time = new SteppedTime();
+        var time = new SteppedTimers();
         var pings = new List<byte[]>();
-        var progress = Progress(time, pings);
-        progress.SentAsync(2000);
+        using var progress = Progress(time, pings);
+        progress.OnSent(2000);
+        time.Advance(ReaderProgress.PingDelay);
         progress.OnPong(pings[0]);
-        progress.SentAsync(4000);
+        progress.OnSent(4000);
+        time.Advance(ReaderProgress.PingDelay);
 
         time.Advance(PongTimeout + TimeSpan.FromSeconds(2));
         progress.OnReceived();
@@ -46,14 +67,14 @@ public class ReaderProgressTests
     [Test]
     public void IsSilent_ClientThatNeverAnswersAndSendsNothing_IsSilentInTimeWhateverItIsSent()
     {
-        var time = new SteppedTime();
+        var time = new SteppedTimers();
         var pings = new List<byte[]>();
-        var progress = Progress(time, pings);
+        using var progress = Progress(time, pings);
         var seconds = 0.0;
 
         for (; seconds < 60 && !progress.IsSilent(); seconds += 0.1)
         {
-            progress.SentAsync(600);
+            progress.OnSent(600);
             time.Advance(TimeSpan.FromSeconds(0.1));
         }
 
@@ -63,9 +84,9 @@ public class ReaderProgressTests
     [Test]
     public void IsSilent_ClientThatNeverAnswersAPingAndSends_IsNot()
     {
-        var time = new SteppedTime();
-        var progress = Progress(time, []);
-        progress.SentAsync(2000);
+        var time = new SteppedTimers();
+        using var progress = Progress(time, []);
+        progress.OnSent(2000);
 
         for (var i = 0; i < 60; i++)
         {
@@ -81,10 +102,11 @@ public class ReaderProgressTests
     [Test]
     public async Task OpensAsync_PongOfAnotherPing_IsIgnored()
     {
-        var time = new SteppedTime();
+        var time = new SteppedTimers();
         var pings = new List<byte[]>();
-        var progress = Progress(time, pings);
-        await progress.SentAsync(5000);
+        using var progress = Progress(time, pings);
+        progress.OnSent(5000);
+        time.Advance(ReaderProgress.PingDelay);
         using var stop = new CancellationTokenSource();
         var opens = progress.OpensAsync(stop.Token);
 

@@ -50,6 +50,21 @@ public class SendWindowTests
     }
 
     [Test]
+    public void Reader_ThatSuddenlyReads4KilobytesASecond_GetsNothingOlderThanTheLimit(
+        [Values(20, 50)] int intervalMs, [Values(1, 20)] int roundTripMs, [Values(0, 40_000)] int burstBytes, [Range(0, 80, 16)] int phaseMs)
+    {
+        var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs, roundTripMs);
+        run.Continue(TimeSpan.FromSeconds(1));
+        run.SendBurst(burstBytes);
+        run.Continue(TimeSpan.FromSeconds(2) + (phaseMs * Step));
+
+        run.BytesPerSecond = 4000;
+        run.Continue(TimeSpan.FromSeconds(10));
+
+        Assert.That(run.MaxAge.TotalSeconds, Is.LessThan(MaxAgeSeconds), $"window {run.Window.Size} bytes");
+    }
+
+    [Test]
     public void IsOpen_ClientThatNeverAnswersAPing_OpensAfterTheTimeout()
     {
         var window = new SendWindow();
@@ -95,6 +110,8 @@ public class SendWindowTests
         readonly Queue<(TimeSpan Arrives, double Bytes, TimeSpan Made, long Ping)> _way = [];
         readonly Queue<(TimeSpan Arrives, long Ping)> _pongs = [];
         TimeSpan _now;
+        TimeSpan? _nextPing;
+        int _burst;
         double _credit;
 
         public double BytesPerSecond { get; set; } = bytesPerSecond;
@@ -112,30 +129,41 @@ public class SendWindowTests
                 while (_pongs.TryPeek(out var pong) && pong.Arrives <= _now)
                 {
                     Window.OnPong(_pongs.Dequeue().Ping, _now);
-                    PingWhenDue();
+                    PlanPing();
                 }
 
-                if ((long)_now.TotalMilliseconds % intervalMs == 0) Send();
+                for (; _burst > 0 && Window.IsOpen(_now); _burst -= messageBytes) Send();
+                if ((long)_now.TotalMilliseconds % intervalMs == 0) SendWhenOpen();
+                if (_nextPing <= _now) Ping();
                 Read();
             }
         }
 
-        void Send()
-        {
-            if (!Window.IsOpen(_now))
-            {
-                Refused++;
-                return;
-            }
+        /// <summary>Sends messages with so many bytes together as soon as the window is open.</summary>
+        public void SendBurst(int bytes) => _burst = bytes;
 
-            Window.OnSent(messageBytes);
-            _way.Enqueue((_now + OneWay, messageBytes, _now, 0));
-            PingWhenDue();
+        void SendWhenOpen()
+        {
+            if (Window.IsOpen(_now)) Send();
+            else Refused++;
         }
 
-        void PingWhenDue()
+        void Send()
         {
-            if (Window.IsPingDue) _way.Enqueue((_now + OneWay, PingBytes, _now, Window.OnPing(_now)));
+            Window.OnSent(messageBytes);
+            _way.Enqueue((_now + OneWay, messageBytes, _now, 0));
+            PlanPing();
+        }
+
+        void PlanPing()
+        {
+            if (Window.IsPingDue) _nextPing ??= _now + ReaderProgress.PingDelay;
+        }
+
+        void Ping()
+        {
+            _nextPing = null;
+            _way.Enqueue((_now + OneWay, PingBytes, _now, Window.OnPing(_now)));
         }
 
         void Read()

@@ -1,0 +1,59 @@
+namespace Nowpose.Tests.Common;
+
+/// <summary>Time that goes on when a test says so, with timers that fire once meanwhile.</summary>
+sealed class SteppedTimers : TimeProvider
+{
+    readonly List<Timer> _timers = [];
+    readonly SteppedTime _time = new();
+
+    public override long TimestampFrequency => _time.TimestampFrequency;
+    public override DateTimeOffset GetUtcNow() => _time.GetUtcNow();
+    public override long GetTimestamp() => _time.GetTimestamp();
+
+    /// <summary>Fires the timers that are due by then, on the calling thread.</summary>
+    public void Advance(TimeSpan by)
+    {
+        var end = GetTimestamp() + by.Ticks;
+        while (_timers.Where(timer => timer.Due <= end).MinBy(timer => timer.Due) is { } next)
+        {
+            _time.Advance(new TimeSpan(next.Due - GetTimestamp()));
+            next.Fire();
+        }
+
+        _time.Advance(new TimeSpan(end - GetTimestamp()));
+    }
+
+    public override ITimer CreateTimer(TimerCallback callback, object state, TimeSpan dueTime, TimeSpan period)
+    {
+        var timer = new Timer(this, () => callback(state));
+        timer.Change(dueTime, period);
+        _timers.Add(timer);
+        return timer;
+    }
+
+    sealed class Timer(TimeProvider time, Action fire) : ITimer
+    {
+        public long Due { get; private set; } = long.MaxValue;
+
+        public bool Change(TimeSpan dueTime, TimeSpan period)
+        {
+            if (period != Timeout.InfiniteTimeSpan) throw new NotSupportedException("timers fire once");
+            Due = dueTime == Timeout.InfiniteTimeSpan ? long.MaxValue : time.GetTimestamp() + dueTime.Ticks;
+            return true;
+        }
+
+        public void Fire()
+        {
+            Due = long.MaxValue;
+            fire();
+        }
+
+        public void Dispose() => Due = long.MaxValue;
+
+        public ValueTask DisposeAsync()
+        {
+            Dispose();
+            return ValueTask.CompletedTask;
+        }
+    }
+}
