@@ -87,7 +87,9 @@ namespace Nowpose.Sync
                 var resolution = ClockTicks.Seconds(exchange.Resolution);
                 // The newest bounds tilt the curve when a path has changed, which would hide the change.
                 var steady = new OffsetCurve(_steadySkew, _curve.Bend);
-                if (_up.Update(steady, _steadySkewError, resolution) | _down.Update(steady, _steadySkewError, resolution)) _memory.Explain();
+                _up.Measure(steady);
+                _down.Measure(steady);
+                if (_up.Update(_down, _steadySkewError, resolution) | _down.Update(_up, _steadySkewError, resolution)) _memory.Explain();
             }
             if (_exchanges++ == 0)
             {

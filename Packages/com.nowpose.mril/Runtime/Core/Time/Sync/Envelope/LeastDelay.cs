@@ -30,17 +30,20 @@ namespace Nowpose.Sync
         /// </summary>
         static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(10), MinDurationScattered = TimeSpan.FromSeconds(30);
 
-        /// <summary>Median lateness of a window over that of the exchanges before, above which delays count as scattered more.</summary>
-        const double MaxScatterGrowth = 2;
+        /// <summary>
+        /// Share by which the median lateness of a window may exceed that of the exchanges before, times the root of the window's length. Above
+        /// it, delays count as scattered more. About two standard errors of the median of exponential delays.
+        /// </summary>
+        const double MaxScatterGrowth = 3;
 
         /// <summary>
         /// Lengths of the windows in which every bound must be late, more where these are less than the least duration. A quiet direction
         /// shows a change in the first, a noisy one needs the last.
         /// </summary>
-        static readonly int[] Windows = { 30, 60, 150, MaxWindow };
+        static readonly int[] Windows = { 30, 60, 105, 150, 210, 300, MaxWindow };
 
-        /// <summary>15 s at 20 exchanges a second.</summary>
-        const int MaxWindow = 300;
+        /// <summary>90 s at five exchanges a second.</summary>
+        const int MaxWindow = 450;
 
         /// <summary>
         /// The oldest of so many parts of a window does not tell how large a change is: it may hold a late exchange from before.
@@ -59,8 +62,11 @@ namespace Nowpose.Sync
         /// <summary>How much shorter a delay must be, in median latenesses divided by the number of earlier exchanges.</summary>
         const double LatenessShare = 15;
 
-        /// <summary>Standard errors of the skew by which the bounds before a change may seem shifted.</summary>
-        const double SkewErrors = 1.5;
+        /// <summary>
+        /// Standard errors of the skew by which the bounds before a change may seem shifted. Fewer for a longer delay, as the round trips
+        /// show it too.
+        /// </summary>
+        const double SkewErrorsLonger = 1, SkewErrorsShorter = 1.5;
 
         readonly int _sign;
         readonly BoundsHistory _history;
@@ -68,7 +74,7 @@ namespace Nowpose.Sync
         readonly double[] _shorter = new double[ShorterWindow];
         readonly double[] _lateness = new double[MaxWindow + MaxEarlier];
         double _excess, _excessError, _referenceError;
-        int _sinceChange, _looks;
+        int _count, _sinceChange, _looks;
 
         /// <param name="sign">1 for the bounds below the offset, which requests give; −1 for those above, which replies give.</param>
         public LeastDelay(int sign, BoundsHistory history)
@@ -89,20 +95,29 @@ namespace Nowpose.Sync
             _sinceChange = _looks = 0;
         }
 
-        /// <summary>Looks at the newest exchange of the history, which has been corrected by <see cref="Excess"/>.</summary>
+        /// <summary>Measures the bounds of the history along a curve. The newest has been corrected by <see cref="Excess"/>.</summary>
         /// <param name="curve">Runs as the offset does; its height does not matter.</param>
-        /// <param name="skewError">One standard error of its slope.</param>
+        public void Measure(OffsetCurve curve)
+        {
+            _count = Math.Min(_history.Count, _tightness.Length);
+            for (var i = 0; i < _count; i++) _tightness[i] = Tightness(i, curve);
+        }
+
+        /// <summary>Looks for a change in the bounds that were measured.</summary>
+        /// <param name="other">The other direction, measured along the same curve.</param>
+        /// <param name="skewError">One standard error of the curve's slope.</param>
         /// <param name="resolution">Of the control clock, s: so far bounds move without any change.</param>
         /// <returns>Whether a change was recognised.</returns>
-        public bool Update(OffsetCurve curve, double skewError, double resolution)
+        public bool Update(LeastDelay other, double skewError, double resolution)
         {
             _sinceChange++;
-            var count = Math.Min(_history.Count, _tightness.Length);
-            if (count < MinEarlier + ShorterWindow) return false;
-            for (var i = 0; i < count; i++) _tightness[i] = Tightness(i, curve);
-            if (_excess > 0) FollowShorterAgain(count);
-            return FindLonger(count, skewError, resolution) || FindShorter(count, skewError, resolution);
+            if (_count < MinEarlier + ShorterWindow) return false;
+            if (_excess > 0) FollowShorterAgain(_count);
+            return FindLonger(other, _count, skewError, resolution) || FindShorter(_count, skewError, resolution);
         }
+
+        // How late the most punctual bound of a window is; negative where it proves more than the earlier ones.
+        double Lateness(int window, int earlier) => Max(window, earlier) - Max(0, window);
 
         double Tightness(int age, OffsetCurve curve)
         {
@@ -127,7 +142,7 @@ namespace Nowpose.Sync
             if (!isEstimate) _sinceChange = 1;
         }
 
-        bool FindLonger(int count, double skewError, double resolution)
+        bool FindLonger(LeastDelay other, int count, double skewError, double resolution)
         {
             foreach (var least in Windows)
             {
@@ -140,11 +155,13 @@ namespace Nowpose.Sync
                 var reference = Max(window, earlier);
                 var late = reference - Max(0, window);
                 var change = reference - Max(0, window - window / BoundaryShare);
-                if (late <= Margin(earlier, skewError, resolution)) continue;
+                if (late <= Margin(earlier, SkewErrorsLonger * skewError, resolution)) continue;
+                // A wrong skew makes one direction late by as much as the other proves more. The least round trip then stays as it was.
+                if (late + Math.Min(0, other.Lateness(window, earlier)) <= MinChange + resolution) continue;
                 if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-Significance / window))) continue;
                 var typicalSince = Quantile(0, window, reference - change, 0.5);
                 var typical = Quantile(window, earlier, reference, 0.5);
-                if (typicalSince > MaxScatterGrowth * typical && duration < MinDurationScattered) continue;
+                if (typicalSince > (1 + MaxScatterGrowth / Math.Sqrt(window)) * typical && duration < MinDurationScattered) continue;
                 _excessError += typical / (earlier - window) + typicalSince / window;
                 _excess += change;
                 _sinceChange = window;
@@ -171,7 +188,7 @@ namespace Nowpose.Sync
             }
             // Any amount confirms a bound that has exceeded the margin.
             var margin = times > 0 ? 0 : Math.Max(
-                Margin(earlier, skewError, resolution), LatenessShare * Quantile(1, earlier, reference, 0.5) / (earlier - 1));
+                Margin(earlier, SkewErrorsShorter * skewError, resolution), LatenessShare * Quantile(1, earlier, reference, 0.5) / (earlier - 1));
             if (shorter <= margin) return false;
             _shorter[(_looks - 1) % ShorterWindow] = shorter;
             change = Math.Max(change, shorter);
@@ -187,8 +204,8 @@ namespace Nowpose.Sync
 
         TimeSpan Duration(int exchanges) => _history[0].Received - _history[exchanges - 1].Received;
 
-        double Margin(int earlier, double skewError, double resolution) =>
-            MinChange + resolution + SkewErrors * skewError * ClockTicks.Seconds(Duration(earlier));
+        double Margin(int earlier, double skewDoubt, double resolution) =>
+            MinChange + resolution + skewDoubt * ClockTicks.Seconds(Duration(earlier));
 
         // Of the lateness behind the reference.
         double Quantile(int from, int to, double reference, double share)
