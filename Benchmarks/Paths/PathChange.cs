@@ -9,6 +9,8 @@ sealed record PathChange(string Name, Func<double, (double Up, double Down)> Ext
     /// <summary>Seconds after which a path changes back.</summary>
     const double Stay = 100;
 
+    public static readonly PathChange None = new("no change", _ => (0, 0), 0);
+
     public static readonly IReadOnlyList<PathChange> All =
     [
         new("requests longer", since => (since < 0 ? 0 : 1, 0), 0.5),

@@ -8,6 +8,7 @@ namespace Nowpose.Headless.Tests.Links;
 public class PathRunTests
 {
     const double SizeMs = 4;
+    const int FirstSeed = 7000, Seeds = 2;
 
     /// <summary>On a quiet link exchanges are rare when the path changes, and frequent as soon as the clock is known less well.</summary>
     [Test]
@@ -21,6 +22,37 @@ public class PathRunTests
         Assert.That(run.Within, Is.EqualTo(1));
     }
 
+    /// <summary>All links and changes but the one that is known to miss its limit: the skew of "bad, shorter than ever" moves by up to 8 ppm.</summary>
+    static IEnumerable<TestCaseData> ChangesWithinLimits =>
+        from link in LinkProfile.All
+        where link.StallInterval == TimeSpan.Zero
+        from change in PathChange.All
+        where link != LinkProfile.Bad || change.Name != "shorter than ever"
+        select new TestCaseData(link.Name, change.Name);
+
+    /// <summary>The limits of the verb `paths`, which plays more seeds and sizes.</summary>
+    [TestCaseSource(nameof(ChangesWithinLimits))]
+    public void Missed_ChangeOnALink_IsEmpty(string link, string change) =>
+        Assert.That(Cell(link, change, SizeMs, ClockEstimators.Default).Missed, Is.Empty, $"seeds {FirstSeed} and up");
+
+    /// <summary>Half a millisecond is recognised by the round trips, where the margin for a wrong skew alone would hide it.</summary>
+    [TestCase("wifi", "requests longer")]
+    [TestCase("wifi", "longer and back")]
+    [TestCase("cellular", "requests longer")]
+    [TestCase("cellular", "replies longer")]
+    [TestCase("cellular", "longer and back")]
+    public void Missed_SmallChange_IsEmpty(string link, string change) =>
+        Assert.That(Cell(link, change, 0.5, ClockEstimators.Default).Missed, Is.Empty, $"seeds {FirstSeed} and up");
+
+    [Test]
+    public void Missed_PapersEstimator_NamesTheSkew()
+    {
+        var missed = Cell("clean", "requests longer", SizeMs, ClockEstimators.Ransac).Missed.ToArray();
+
+        Assert.That(missed, Has.Some.Contains("skew moved by"));
+        Assert.That(missed, Has.All.StartsWith("clean, requests longer, 4 ms: "));
+    }
+
     [Test]
     public void Play_PapersEstimator_ErrsByHalfTheChangeOrMore()
     {
@@ -29,6 +61,14 @@ public class PathRunTests
         var run = PathRun.Play(LinkProfile.Clean, change, SizeMs, ClockEstimators.Ransac, 7000);
 
         Assert.That(run.ErrorMs, Is.GreaterThan(0.9 * change.Limit * SizeMs));
+    }
+
+    static PathCell Cell(string link, string change, double sizeMs, string estimator)
+    {
+        var profile = LinkProfile.Named(link);
+        PathRun[] Play(PathChange what, double size) =>
+            [.. Enumerable.Range(FirstSeed, Seeds).Select(seed => PathRun.Play(profile, what, size, estimator, seed))];
+        return new PathCell(profile, Named(change), sizeMs, Play(Named(change), sizeMs), Play(PathChange.None, 0));
     }
 
     static PathChange Named(string name) => PathChange.All.Single(change => change.Name == name);
