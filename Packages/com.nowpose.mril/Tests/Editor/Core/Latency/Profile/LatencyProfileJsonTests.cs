@@ -12,10 +12,8 @@ namespace Nowpose.Tests
 
         static string FaultOf(string text) => Assert.Throws<InputException>(() => LatencyProfileJson.Read(text, "profile.json")).Message;
 
-        static readonly Array Methods = Enum.GetValues(typeof(CalibrationMethod));
-
         [Test]
-        public void Read_Written_IsTheSame([ValueSource(nameof(Methods))] object method)
+        public void Read_Written_IsTheSame([Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
         {
             var random = new Random((int)(CalibrationMethod)method);
             for (var i = 0; i < 200; i++)

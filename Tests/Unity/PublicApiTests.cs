@@ -1,0 +1,32 @@
+using System.Reflection;
+using NUnit.Framework;
+
+namespace Nowpose.Unity.Tests;
+
+/// <summary>The public surface is in the repository, so that a review sees each change of it.</summary>
+public class PublicApiTests
+{
+    /// <summary>Public types of the assembly without an engine, nested ones counted.</summary>
+    const int MaxCoreTypes = 80;
+
+    static readonly string[] Assemblies =
+    [
+        "Nowpose", "Nowpose.Unity", "Nowpose.Editor", "Nowpose.ArFoundation", "Nowpose.MRTK3", "Nowpose.OpenXR", "Nowpose.OpenXR.Anchoring",
+    ];
+
+    [TestCaseSource(nameof(Assemblies))]
+    public void Assembly_PublicTypesAndMembers_AreThoseOfItsList(string name)
+    {
+        var list = Path.Combine(RepositoryFiles.Root, "Tests", "Unity", "Api", name + ".txt");
+        var actual = PublicApi.Of(Assembly.Load(name)).ToList();
+        var written = Path.Combine(TestContext.CurrentContext.WorkDirectory, name + ".txt");
+        File.WriteAllLines(written, actual);
+        var listed = File.Exists(list) ? File.ReadAllLines(list) : [];
+
+        Assert.That(actual.Except(listed), Is.Empty, $"public and not in the list; if this is meant, copy {written} to {list}");
+        Assert.That(listed.Except(actual), Is.Empty, $"in the list and not public any more; if this is meant, copy {written} to {list}");
+    }
+
+    [Test]
+    public void Core_PublicTypes_AreFew() => Assert.That(Assembly.Load("Nowpose").GetExportedTypes(), Has.Length.LessThanOrEqualTo(MaxCoreTypes));
+}
