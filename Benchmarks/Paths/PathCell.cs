@@ -36,7 +36,7 @@ sealed class PathCell
 
     double MaxErrorMs => (ErrorFactor * _physicsMs) + _ownErrorMs;
 
-    /// <summary>What misses its limit, one line each; empty when all limits are kept.</summary>
+    /// <summary>A line for each limit that is missed; empty when all limits are kept.</summary>
     public IEnumerable<string> Missed
     {
         get

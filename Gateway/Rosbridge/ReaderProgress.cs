@@ -27,7 +27,7 @@ sealed class ReaderProgress : IDisposable
     // Only one ping is on its way at a time.
     readonly byte[] _payload = new byte[PayloadBytes];
     bool _isPingPlanned;
-    // Null while nobody waits.
+    // Null while no message waits.
     TaskCompletionSource _changed;
     TimeSpan _lastPing;
     TimeSpan _lastReceived;

@@ -1,6 +1,6 @@
 namespace Nowpose.Tests.Common;
 
-/// <summary>Time that goes on when a test says so, with timers that fire once meanwhile.</summary>
+/// <summary>Time that passes only in a test's steps, with timers that fire once meanwhile.</summary>
 sealed class SteppedTimers : TimeProvider
 {
     readonly List<Timer> _timers = [];

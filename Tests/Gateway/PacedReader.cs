@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>A client that subscribes to joint states, reads as many bytes as it is told to, and answers each ping when it reads it.</summary>
+/// <summary>A client that subscribes to joint states, reads a given number of bytes at a time, and answers each ping when it reads it.</summary>
 sealed class PacedReader : IDisposable
 {
     const int Header = 2, LongHeader = 4;
@@ -42,7 +42,7 @@ sealed class PacedReader : IDisposable
         return reader;
     }
 
-    /// <summary>Reads what has come, at most so many bytes.</summary>
+    /// <summary>Reads what has arrived, up to a number of bytes.</summary>
     /// <param name="now">Time at which it is read.</param>
     public async Task ReadAsync(int bytes, ControlTime now)
     {

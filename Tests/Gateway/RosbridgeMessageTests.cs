@@ -59,7 +59,7 @@ public class RosbridgeMessageTests
     [TestCase(StampedAt + """{"sec":5100,"nanosec":0}},"name":["a"],"position":[1]}}""", DropReason.StampInFuture, "future")]
     [TestCase("""{"op":"publish","topic":"/cmd_vel","msg":{}}""", DropReason.UnknownTopic, "/cmd_vel")]
     [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", DropReason.WrongType, "type")]
-    public async Task Message_AgainstARule_IsDroppedCountedToldAndTheConnectionGoesOn(string text, object reason, string part)
+    public async Task Message_AgainstARule_IsDroppedAndCountedAndTheConnectionStaysOpen(string text, object reason, string part)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

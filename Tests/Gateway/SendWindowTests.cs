@@ -139,7 +139,7 @@ public class SendWindowTests
             }
         }
 
-        /// <summary>Sends messages with so many bytes together as soon as the window is open.</summary>
+        /// <summary>Sends messages with this many bytes together as soon as the window is open.</summary>
         public void SendBurst(int bytes) => _burst = bytes;
 
         void SendWhenOpen()

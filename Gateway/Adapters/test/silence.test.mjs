@@ -119,7 +119,7 @@ describe('silence', () => {
     assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s² that its samples show; set max_deceleration if it can brake harder$/);
   });
 
-  it('Motion_CutBelowTheFloorBeforeAnyDeceleration_IsRestWithDoubtAlsoWhileAnotherJointGoesOn', () => {
+  it('Motion_CutBelowTheFloorBeforeAnyDeceleration_IsUncertainRestAlsoWhileAnotherJointGoesOn', () => {
     const cell = plant();
     for (; cell.time.ms < 3000; cell.time.ms += 50) {
       // 0.4 rad/s from 0.5 s on: to stop there within 50 ms needs up to 8 rad/s².
@@ -133,11 +133,11 @@ describe('silence', () => {
     assert.match(cell.status.values()['joint/a'], /the stop itself was not observed/);
   });
 
-  it('Motion_OfAllJointsCutBelowTheFloor_IsRestWithDoubt', () => {
+  it('Motion_OfAllJointsCutBelowTheFloor_IsUncertainRest', () => {
     const cell = swing([0, 1]);
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b'), cell.status.level], ['rest', 'rest', 1]);
-    assert.match(cell.status.values()['doubt/a'], /^the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
+    assert.match(cell.status.values()['uncertain/a'], /^the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
     assert.match(cell.status.message, /^a may not be at rest: the stop itself was not observed/);
     assert.match(cell.status.values()['joint/a'], /assumed at rest; the stop itself was not observed; it would need 1\d\.\d rad\/s²$/);
   });

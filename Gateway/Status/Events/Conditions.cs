@@ -33,7 +33,7 @@ sealed class Conditions(
         var said = diagnostics.Read();
         return
         [
-            .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(said)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfDoubts(joints))
+            .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(said)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(said.SelectMany(Of)).Concat(OfRefusals()).Concat(OfLimits()).Concat(OfRecording()).Concat(OfCertificate())
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
@@ -53,8 +53,8 @@ sealed class Conditions(
             IsNormalAtStart = row.State == JointDataState.Missing,
         };
 
-    static IEnumerable<Condition> OfDoubts(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Doubt.Length > 0).Select(
-        row => new Condition("joint", $"{row.Name} ({row.Source})", "may not be at rest", row.Doubt, Level.Warning, Since: row.Since)
+    static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
+        row => new Condition("joint", $"{row.Name} ({row.Source})", "may not be at rest", row.Uncertainty, Level.Warning, Since: row.Since)
         {
             Remedy = "Check that the joint really stands still; if it does, set its max_deceleration in the plant's configuration.",
         });

@@ -5,18 +5,18 @@ namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>State of one joint as its adapter reports it: the value STATE SINCE REASON of the key joint/NAME.</summary>
 /// <param name="Since">On the wall clock of the adapter's machine.</param>
-/// <param name="Doubt">Why it is not certain that the joint rests, the value of the key doubt/NAME; empty for none.</param>
-readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset Since, string Reason, string Doubt = "")
+/// <param name="Uncertainty">Why it is not certain that the joint rests, the value of the key uncertain/NAME; empty for none.</param>
+readonly record struct AdapterJointReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "")
 {
     public const string KeyPrefix = "joint/";
-    public const string DoubtPrefix = "doubt/";
+    public const string UncertainPrefix = "uncertain/";
     const int MaxReasonLength = 300;
 
     // The year 9999, the last that DateTimeOffset holds.
     const double MaxUnixSeconds = 253_402_300_799;
 
     public static bool IsKey(string key) =>
-        key.StartsWith(KeyPrefix, StringComparison.Ordinal) || key.StartsWith(DoubtPrefix, StringComparison.Ordinal);
+        key.StartsWith(KeyPrefix, StringComparison.Ordinal) || key.StartsWith(UncertainPrefix, StringComparison.Ordinal);
 
     public static bool TryParse(string value, out AdapterJointReport report)
     {

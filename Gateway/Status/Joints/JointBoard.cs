@@ -62,15 +62,15 @@ sealed class JointBoard(TimeProvider time)
     public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values)
     {
         var reports = new Dictionary<string, AdapterJointReport>();
-        var doubts = values.Where(pair => pair.Key.StartsWith(AdapterJointReport.DoubtPrefix, StringComparison.Ordinal)).Take(ProtocolLimits.Joints)
-            .DistinctBy(pair => pair.Key).ToDictionary(pair => pair.Key[AdapterJointReport.DoubtPrefix.Length..], pair => AdapterJointReport.Sentence(pair.Value));
+        var uncertainties = values.Where(pair => pair.Key.StartsWith(AdapterJointReport.UncertainPrefix, StringComparison.Ordinal)).Take(ProtocolLimits.Joints)
+            .DistinctBy(pair => pair.Key).ToDictionary(pair => pair.Key[AdapterJointReport.UncertainPrefix.Length..], pair => AdapterJointReport.Sentence(pair.Value));
         foreach (var (key, value) in values)
         {
             if (reports.Count >= ProtocolLimits.Joints) break;
             if (key.StartsWith(AdapterJointReport.KeyPrefix, StringComparison.Ordinal) && AdapterJointReport.TryParse(value, out var report))
             {
                 var name = key[AdapterJointReport.KeyPrefix.Length..];
-                reports[name] = report with { Doubt = doubts.GetValueOrDefault(name, "") };
+                reports[name] = report with { Uncertainty = uncertainties.GetValueOrDefault(name, "") };
             }
         }
 

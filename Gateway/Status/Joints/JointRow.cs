@@ -41,7 +41,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         _last = state;
         return new JointStatus(joint, Source, state, _since, flow?.Age, Math.Round(flow?.RateHz ?? 0, 2), reason)
         {
-            Doubt = state == JointDataState.Rest ? _report.Doubt : "",
+            Uncertainty = state == JointDataState.Rest ? _report.Uncertainty : "",
         };
     }
 

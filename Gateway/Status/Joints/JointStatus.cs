@@ -10,7 +10,7 @@ readonly record struct JointStatus(
     string Name, string Source, JointDataState State, DateTimeOffset Since, TimeSpan? Age, double RateHz, string Reason)
 {
     /// <summary>Why it is not certain that the joint rests; empty for none.</summary>
-    public string Doubt { get; init; } = "";
+    public string Uncertainty { get; init; } = "";
 
     public bool IsGood => State.IsGood();
     public string Word => JointDataStates.Of(State);

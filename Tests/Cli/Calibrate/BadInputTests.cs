@@ -84,7 +84,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     [TestCase(CodeKind.Control, "half.png: control code partly covered")]
     [TestCase(CodeKind.Headset, "half.png: no headset code found")]
-    public async Task Picture_WithHalfACode_SaysWhich(object half, string message) =>
+    public async Task Picture_WithHalfACode_NamesTheCode(object half, string message) =>
         await RefusedWith(message, "vlc", Picture("half.png", shot => Halved(shot, (CodeKind)half)));
 
     [Test]

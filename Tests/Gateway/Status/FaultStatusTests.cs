@@ -159,12 +159,12 @@ public class FaultStatusTests
     }
 
     [Test]
-    public async Task Joint_AtRestInDoubt_IsAWarningUntilItMoves()
+    public async Task Joint_AtRestUncertainly_IsAWarningUntilItMoves()
     {
         await StartAsync(options => options with { ExpectsSources = true });
         Publish("a");
 
-        Report("adapter/press", ("state", "connected"), ("joint/a", $"rest {Since(3)} assumed at rest"), ("doubt/a", "the stop itself was not observed"));
+        Report("adapter/press", ("state", "connected"), ("joint/a", $"rest {Since(3)} assumed at rest"), ("uncertain/a", "the stop itself was not observed"));
 
         await BeginsAsync("joint", "a (press)");
         var status = (await StateAsync()).GetProperty("status");

@@ -13,7 +13,7 @@ export interface JointCondition {
   /** One sentence; empty while live. */
   reason: string;
   /** Why it is not certain that a joint at rest rests; empty for none. */
-  doubt: string;
+  uncertainty: string;
 }
 
 const isGood = ({ state }: JointCondition): boolean => state === 'live' || state === 'rest';
@@ -30,7 +30,7 @@ export class JointConditions {
 
   /** Expects a joint, which is missing until its first usable value. */
   expect(joint: string): void {
-    if (!this.#joints.has(joint)) this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has come since the start', doubt: '' });
+    if (!this.#joints.has(joint)) this.#joints.set(joint, { state: 'missing', since: this.now(), reason: 'no value has come since the start', uncertainty: '' });
   }
 
   has(joint: string): boolean { return this.#joints.has(joint); }
@@ -43,9 +43,9 @@ export class JointConditions {
   }
 
   /** The first joint at rest of which that is not certain, with the reason; null when there is none. */
-  get doubt(): [string, string] | null {
-    const found = [...this.#joints].find(([, { doubt }]) => doubt !== '');
-    return found === undefined ? null : [found[0], found[1].doubt];
+  get uncertainty(): [string, string] | null {
+    const found = [...this.#joints].find(([, { uncertainty }]) => uncertainty !== '');
+    return found === undefined ? null : [found[0], found[1].uncertainty];
   }
 
   live(joint: string): void {
@@ -54,10 +54,10 @@ export class JointConditions {
     this.log.resume(`joint ${joint}`, `${joint} is live again`);
   }
 
-  /** @param since Time of the last sample. @param doubt Why rest is not certain; empty for none. */
-  rest(joint: string, since: number, doubt = ''): void {
+  /** @param since Time of the last sample. @param uncertainty Why rest is not certain; empty for none. */
+  rest(joint: string, since: number, uncertainty = ''): void {
     if (this.stateOf(joint) === 'rest') return;
-    this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${doubt === '' ? '' : `; ${doubt}`}`, since, doubt);
+    this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`, since, uncertainty);
     this.log.resume(`joint ${joint}`, `${joint} is at rest, without fault`);
   }
 
@@ -82,9 +82,9 @@ export class JointConditions {
   /** Keys and values of each joint for the diagnostics; joints with a trouble first, in case the receiver keeps a part only. */
   values(): Record<string, string> {
     const sorted = [...this.#joints].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
-    return Object.fromEntries(sorted.flatMap(([joint, { state, since, reason, doubt }]) => [
+    return Object.fromEntries(sorted.flatMap(([joint, { state, since, reason, uncertainty }]) => [
       [`joint/${joint}`, `${state} ${(since / 1000).toFixed(3)}${reason === '' ? '' : ` ${reason}`}`],
-      ...(doubt === '' ? [] : [[`doubt/${joint}`, doubt]]),
+      ...(uncertainty === '' ? [] : [[`uncertain/${joint}`, uncertainty]]),
     ]));
   }
 
@@ -97,8 +97,8 @@ export class JointConditions {
     if (isLogged) this.log.change(`joint ${joint}`, `${entered} ${reason}`, `${joint} ${entered}: ${reason}`);
   }
 
-  #enter(joint: string, state: JointState, reason: string, since: number, doubt = ''): void {
-    this.#joints.set(joint, { state, since, reason, doubt });
+  #enter(joint: string, state: JointState, reason: string, since: number, uncertainty = ''): void {
+    this.#joints.set(joint, { state, since, reason, uncertainty });
     this.changed();
   }
 }

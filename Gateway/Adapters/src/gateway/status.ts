@@ -52,14 +52,14 @@ export class AdapterStatus {
   get level(): 0 | 1 | 2 {
     if (this.#state === 'connecting' && this.#failure === '') return 1;
     if (this.#state !== 'connected' || this.joints.trouble !== null) return 2;
-    return this.joints.doubt === null ? 0 : 1;
+    return this.joints.uncertainty === null ? 0 : 1;
   }
 
   /** The plant's state or, while it is connected, the first joint with a trouble. */
   get message(): string {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
-    if (this.joints.trouble === null) return this.joints.doubt === null ? this.#state : `${this.joints.doubt[0]} may not be at rest: ${this.joints.doubt[1]}`;
+    if (this.joints.trouble === null) return this.joints.uncertainty === null ? this.#state : `${this.joints.uncertainty[0]} may not be at rest: ${this.joints.uncertainty[1]}`;
     const [joint, { state, reason }] = this.joints.trouble;
     return `${joint} ${state}: ${reason}`;
   }

@@ -109,7 +109,7 @@ export class JointOutput {
     for (const sample of standing) {
       this.#standing.heard(sample);
       this.#repeated.add(sample.joint);
-      this.silence.confirm(this.joints[sample.joint].joint, this.#doubtOf(sample.joint));
+      this.silence.confirm(this.joints[sample.joint].joint, this.#uncertaintyOf(sample.joint));
     }
     this.#send(standing);
   }
@@ -165,7 +165,7 @@ export class JointOutput {
   }
 
   /** Why it is not certain that the joint rests; empty when nothing contradicts it. */
-  #doubtOf(joint: number): string {
+  #uncertaintyOf(joint: number): string {
     const required = this.#unobserved.get(joint);
     return required === undefined ? '' : `the stop itself was not observed; it would need ${required.toFixed(1)} ${this.#unitOf(joint)}`;
   }

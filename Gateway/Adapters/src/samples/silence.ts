@@ -37,13 +37,13 @@ export class Silence {
 
   /**
    * The source has sent all changes up to now, and none of this joint: it still has its last value.
-   * @param doubt Why it is not certain that the joint rests; empty for none.
+   * @param uncertainty Why it is not certain that the joint rests; empty for none.
    */
-  confirm(joint: string, doubt = ''): void {
+  confirm(joint: string, uncertainty = ''): void {
     const heard = this.#heard.get(joint);
     if (heard === undefined) return;
     heard.confirmed = this.now();
-    if (this.status.joints.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard, doubt);
+    if (this.status.joints.stateOf(joint) !== 'live' || heard.confirmed - heard.sample >= REST_MS) this.#rest(joint, heard, uncertainty);
   }
 
   /** Wall clock time of the last sample in milliseconds. */
@@ -78,8 +78,8 @@ export class Silence {
     this.status.joints.fault(joint, reason, this.lastSample(joint));
   }
 
-  #rest(joint: string, heard: Heard, doubt = ''): void {
+  #rest(joint: string, heard: Heard, uncertainty = ''): void {
     const limit = this.faultAfterMs(joint);
-    if (limit === null || this.now() - heard.sample <= limit) this.status.joints.rest(joint, this.lastSample(joint), doubt);
+    if (limit === null || this.now() - heard.sample <= limit) this.status.joints.rest(joint, this.lastSample(joint), uncertainty);
   }
 }

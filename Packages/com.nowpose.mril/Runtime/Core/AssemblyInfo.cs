@@ -19,7 +19,7 @@ using System.Runtime.CompilerServices;
 // Only this package's repository has it: it emulates links by the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 
-// The package's other assemblies: what they share is no interface for users.
+// The package's other assemblies and tools share what is not an interface for users.
 [assembly: InternalsVisibleTo("Nowpose.Unity")]
 [assembly: InternalsVisibleTo("Nowpose.Editor")]
 [assembly: InternalsVisibleTo("Nowpose.ArFoundation")]

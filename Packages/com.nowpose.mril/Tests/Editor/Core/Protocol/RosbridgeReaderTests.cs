@@ -199,7 +199,7 @@ namespace Nowpose.Tests
         [TestCase("{\"sec\":1,\"nsecs\":0}", DropReason.DuplicateField)]
         [TestCase("{}", DropReason.MissingField)]
         [TestCase("null", DropReason.WrongType)]
-        public void TryRead_BadStamp_SaysWhy(string stamp, object expected) =>
+        public void TryRead_BadStamp_ReturnsTheReason(string stamp, object expected) =>
             Refuse(Publish("{\"header\":{\"stamp\":" + stamp + "},\"name\":[],\"position\":[]}"), (DropReason)expected);
 
         [TestCase("{\"sec\":4294967295,\"nanosec\":999999999}", 4_294_967_296_000_000_000)]

@@ -72,7 +72,7 @@ namespace Nowpose.Tests
         [TestCase(3, SyncFrameFault.WrongMagic)]
         [TestCase(4, SyncFrameFault.WrongVersion)]
         [TestCase(5, SyncFrameFault.WrongKind)]
-        public void TryRead_OneByteWrong_SaysWhich(int at, object expected)
+        public void TryRead_OneByteWrong_ReturnsTheFault(int at, object expected)
         {
             var bytes = (byte[])GoldenReply.Clone();
             bytes[at] ^= 0x40;

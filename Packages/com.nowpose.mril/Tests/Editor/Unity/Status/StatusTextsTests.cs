@@ -227,7 +227,7 @@ namespace Nowpose.Tests
         [TestCase(CalibrationMethod.Sine, "40.2 ms|by sine jog, 2026-11-20")]
         [TestCase(CalibrationMethod.Nudge, "40.2 ms|by eye, 2026-11-20")]
         [TestCase(CalibrationMethod.Manual, "40.2 ms|by hand, 2026-11-20")]
-        public void Update_VisualisationLatencyOfAProfile_SaysHowAndWhenItWasMeasured(object method, string expected)
+        public void Update_VisualisationLatencyOfAProfile_ShowsMethodAndDate(object method, string expected)
         {
             var profile = new LatencyProfile(40.2, 1, "", 0, new DateTime(2026, 11, 20, 23, 0, 0, DateTimeKind.Utc), (CalibrationMethod)method, 3);
 
@@ -270,7 +270,7 @@ namespace Nowpose.Tests
         [TestCase(RangeState.Unknown, RangeDoubt.TooFewFrames, "–|measuring")]
         [TestCase(RangeState.Unknown, RangeDoubt.BeyondMeasured, "–|beyond what was measured")]
         [TestCase(RangeState.Unknown, RangeDoubt.OtherSource, "–|limit of another source")]
-        public void Update_Range_SaysWhyItIsNotKnown(RangeState range, object doubt, string expected)
+        public void Update_Range_ShowsWhyItIsNotKnown(RangeState range, object doubt, string expected)
         {
             Assert.That(Row(StatusRow.Range, ("Range", range), ("RangeDoubt", (RangeDoubt)doubt)), Is.EqualTo(expected));
         }
@@ -356,7 +356,7 @@ namespace Nowpose.Tests
         [TestCase(RobotDescriptionMatch.Same, "as the gateway's|youBot")]
         [TestCase(RobotDescriptionMatch.Different, "! differs|youBot")]
         [TestCase(RobotDescriptionMatch.Unknown, "–|youBot")]
-        public void Update_Robot_SaysWhetherTheGatewaysIsTheSame(object match, string expected)
+        public void Update_Robot_ShowsWhetherTheGatewayDescribesTheSame(object match, string expected)
         {
             Assert.That(Row(StatusRow.Robot, Statistics(("RobotDescriptionMatch", (RobotDescriptionMatch)match)), robot: "youBot"), Is.EqualTo(expected));
         }

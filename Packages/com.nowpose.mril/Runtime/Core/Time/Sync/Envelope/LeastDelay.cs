@@ -204,8 +204,8 @@ namespace Nowpose.Sync
 
         TimeSpan Duration(int exchanges) => _history[0].Received - _history[exchanges - 1].Received;
 
-        double Margin(int earlier, double skewDoubt, double resolution) =>
-            MinChange + resolution + skewDoubt * ClockTicks.Seconds(Duration(earlier));
+        double Margin(int earlier, double skewError, double resolution) =>
+            MinChange + resolution + skewError * ClockTicks.Seconds(Duration(earlier));
 
         // Of the lateness behind the reference.
         double Quantile(int from, int to, double reference, double share)

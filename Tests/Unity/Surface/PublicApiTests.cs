@@ -1,7 +1,7 @@
 using System.Reflection;
 using NUnit.Framework;
 
-namespace Nowpose.Unity.Tests;
+namespace Nowpose.Unity.Tests.Surface;
 
 /// <summary>The public surface is in the repository, so that a review sees each change of it.</summary>
 public class PublicApiTests
@@ -17,7 +17,7 @@ public class PublicApiTests
     [TestCaseSource(nameof(Assemblies))]
     public void Assembly_PublicTypesAndMembers_AreThoseOfItsList(string name)
     {
-        var list = Path.Combine(RepositoryFiles.Root, "Tests", "Unity", "Api", name + ".txt");
+        var list = Path.Combine(RepositoryFiles.Root, "Tests", "Unity", "Surface", name + ".txt");
         var actual = PublicApi.Of(Assembly.Load(name)).ToList();
         var written = Path.Combine(TestContext.CurrentContext.WorkDirectory, name + ".txt");
         File.WriteAllLines(written, actual);

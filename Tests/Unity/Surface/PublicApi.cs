@@ -1,9 +1,9 @@
 using System.Globalization;
 using System.Reflection;
 
-namespace Nowpose.Unity.Tests;
+namespace Nowpose.Unity.Tests.Surface;
 
-/// <summary>What users of an assembly can use: a line for each public type and each public or protected member, sorted.</summary>
+/// <summary>Lists the public surface of an assembly: a line for each public type and each public or protected member, sorted.</summary>
 static class PublicApi
 {
     const BindingFlags Declared = BindingFlags.DeclaredOnly | BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
