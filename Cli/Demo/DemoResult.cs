@@ -1,3 +1,5 @@
+using System.Text.Json.Serialization;
+
 namespace Nowpose.Cli.Demo;
 
 /// <summary>What a demo run measured, in the words of result.json. Null stands for "nothing was measured".</summary>
@@ -9,11 +11,11 @@ sealed record DemoResult(
     /// <summary>Milliseconds; <see cref="Visu"/> is the simulated headset's true one.</summary>
     public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
 
-    /// <param name="StatedErrorUsP50">The ± that the runtime states.</param>
+    /// <param name="StatedErrorUsP50">The ± that the runtime states. For table and report; result.json has a fixed set of fields, likewise the next.</param>
     /// <param name="WithinStatedShare">Part of the time in which the true error was within the ±.</param>
     public sealed record ClockErrors(
         double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS,
-        double? StatedErrorUsP50, double? WithinStatedShare);
+        [property: JsonIgnore] double? StatedErrorUsP50, [property: JsonIgnore] double? WithinStatedShare);
 
     public sealed record ToolErrors(
         double? HoldRms, double? HoldMax, double? Rms, double? P95, double? Max,

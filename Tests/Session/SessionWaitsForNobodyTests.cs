@@ -27,7 +27,7 @@ public class SessionWaitsForNobodyTests
         new(
             new SessionSettings(
                 new ConnectionSettings(host, syncPort, webSocketPort, insecureLan: true), new VisualisationLatency(TimeSpan.FromMilliseconds(40))),
-            RobotFiles.Load("youbot"), new StopwatchHeadsetClock(), newLink);
+            RobotFiles.Load("youbot"), new StopwatchHeadsetClock(), newLink ?? WebSocketLinks.Create);
 
     static void RequireQuick(Action action, string what)
     {

@@ -51,6 +51,22 @@ describe('silence', () => {
     assert.equal(cell.lines.filter(line => line.includes('a fault')).length, 1);
   });
 
+  it('Motion_CutThenAnotherConnection_IsFaultUntilANewerSample', () => {
+    const cell = plant();
+    moveAndStop(cell, 1);
+    const since = cell.status.values()['joint/a'].split(' ')[1];
+
+    // Another connection, or a node that is monitored again, begins with the last value and its stamp.
+    cell.output.startAnew();
+    cell.output.publish([{ joint: 0, value: 0.44, stamp: T + 490n * MS, isFirst: true }]);
+    moveAndStop(cell, 2);
+
+    const [state, later] = cell.status.values()['joint/a'].split(' ');
+    assert.deepEqual([state, cell.stateOf('b'), cell.status.level, later], ['fault', 'live', 2, since]);
+    cell.value(0, 0.9);
+    assert.equal(cell.stateOf('a'), 'live');
+  });
+
   for (const [maxDeceleration, limit] of [[undefined, '12.0 rad/s² that is assumed for it; set max_deceleration if it can brake harder'], [20, '20.0 rad/s² of max_deceleration']]) {
     it(`Motion_CutWith${maxDeceleration === undefined ? 'out' : ''}MaxDeceleration_NamesTheLimitAndWhereItComesFrom`, () => {
       const cell = plant([{ joint: 'a', maxDeceleration }, { joint: 'b' }]);

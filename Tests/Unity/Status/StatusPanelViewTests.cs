@@ -158,10 +158,12 @@ public sealed class StatusPanelViewTests(string scene)
 
     static TimeSpan Ms(double ms) => TimeSpan.FromMilliseconds(ms);
 
+    const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+
     static (string, StatusTexts) State(string what, params (string Property, object Value)[] values)
     {
         var statistics = new SessionStatistics();
-        foreach (var (property, value) in values) typeof(SessionStatistics).GetProperty(property).SetValue(statistics, value);
+        foreach (var (property, value) in values) typeof(SessionStatistics).GetProperty(property, Declared).SetValue(statistics, value);
         var texts = new StatusTexts();
         texts.Update(statistics, Network, "youbot", null);
         return (what, texts);

@@ -66,6 +66,8 @@ export class JointOutput {
   readonly #ends: EndOfData[];
   /** Joints whose end of data was judged since their last sample. */
   readonly #judged = new Set<number>();
+  /** Joints whose data ended in mid-motion. Only a newer sample ends that: another connection begins with the last value again. */
+  readonly #ended = new Set<number>();
   /** Joints that were repeated since their last sample, and the deceleration that the stop of a joint needs where it was not observed. */
   readonly #repeated = new Set<number>();
   readonly #unobserved = new Map<number, number>();
@@ -159,6 +161,7 @@ export class JointOutput {
     if (verdict === null) return false;
     const { joint: name } = this.joints[joint], unit = this.#unitOf(joint);
     this.#standing.forget(joint);
+    this.#ended.add(joint);
     this.status.joints.fault(name, `its data ended in mid-motion: to stop there needs ${verdict.required.toFixed(1)} ${unit}, `
       + `more than the ${verdict.limit.toFixed(1)} ${unit} ${LIMITS[verdict.basis]}`, this.silence.lastSample(name));
     return true;
@@ -205,6 +208,7 @@ export class JointOutput {
     }
     const refusal = this.#rule.judge(joint, stamp, now);
     if (refusal !== null && isFirst === true && now !== null && OF_LONG_AGO.includes(refusal.reason)) {
+      if (this.#ended.has(joint) && refusal.reason === 'stamp-not-newer') return null;
       // Shown when it turns out to stand: the next may bear such a stamp too, by another clock than the control clock.
       this.#standing.heard({ joint, position, stamp: now });
       this.silence.arrived(this.joints[joint].joint);
@@ -217,6 +221,7 @@ export class JointOutput {
     const sample = { joint, position, stamp: stamp! };
     this.#standing.heard(sample);
     this.#judged.delete(joint);
+    this.#ended.delete(joint);
     this.#repeated.delete(joint);
     this.#unobserved.delete(joint);
     this.#ends[joint].add(stamp!, position);
