@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using Nowpose.Benchmarks.Paths;
 using Nowpose.Simulation;
 using Nowpose.Sync;
@@ -65,11 +66,15 @@ public class PathRunTests
 
     static PathCell Cell(string link, string change, double sizeMs, string estimator)
     {
-        var profile = LinkProfile.Named(link);
-        PathRun[] Play(PathChange what, double size) =>
-            [.. Enumerable.Range(FirstSeed, Seeds).Select(seed => PathRun.Play(profile, what, size, estimator, seed))];
-        return new PathCell(profile, Named(change), sizeMs, Play(Named(change), sizeMs), Play(PathChange.None, 0));
+        var unchanged = Unchanged.GetOrAdd((link, estimator), key => new Lazy<PathRun[]>(() => Play(key.Link, PathChange.None, 0, key.Estimator)));
+        return new PathCell(LinkProfile.Named(link), Named(change), sizeMs, Play(link, Named(change), sizeMs, estimator), unchanged.Value);
     }
+
+    // The same for all changes.
+    static readonly ConcurrentDictionary<(string Link, string Estimator), Lazy<PathRun[]>> Unchanged = new();
+
+    static PathRun[] Play(string link, PathChange change, double sizeMs, string estimator) =>
+        [.. Enumerable.Range(FirstSeed, Seeds).Select(seed => PathRun.Play(LinkProfile.Named(link), change, sizeMs, estimator, seed))];
 
     static PathChange Named(string name) => PathChange.All.Single(change => change.Name == name);
 }
