@@ -9,6 +9,7 @@ import { after, afterEach, before, describe, it } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import { Browser } from './browser.mjs';
+import { drawn } from './drawn.mjs';
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
 const html = readFileSync(path('../dist/vlc.html'));
@@ -276,9 +277,10 @@ describe('the page of the control clock\'s code', () => {
 
     await page.keyboard.press('f');
     await page.waitForFunction(() => document.fullscreenElement != null);
-    const box = await page.locator('#code').boundingBox();
+    const isLargeSquare = box => box !== null && box.width > 300 && Math.abs(box.width - box.height) < 2;
+    const box = await drawn(() => page.locator('#code').boundingBox(), isLargeSquare);
 
-    assert.ok(box.width > 300 && Math.abs(box.width - box.height) < 2, JSON.stringify(box));
+    assert.ok(isLargeSquare(box), JSON.stringify(box));
     assertRight(await sight(page));
   });
 
