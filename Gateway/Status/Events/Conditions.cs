@@ -110,7 +110,7 @@ sealed class Conditions(
     // One whose reports stop later is found by them.
     IEnumerable<Condition> OfAdapters(IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>>)> said) =>
         from state in Adapters.Select(adapter => adapter())
-        let isReporting = said.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunsSince)
+        let isReporting = said.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunTime)
         where !isReporting
         let end = state.End is { } end ? $"its program ended with {end}" : null
         select new Condition(

@@ -247,7 +247,7 @@ public class FaultStatusTests
         ];
 
         Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected));
-        lathe = lathe with { RunsSince = TimeSpan.FromSeconds(0.2) };
+        lathe = lathe with { RunTime = TimeSpan.FromSeconds(0.2) };
         Assert.That(await ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected), "it runs, but has not reported");
         Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
 
