@@ -6,15 +6,20 @@ sealed class SourceStamps
     readonly Second[] _seconds = new Second[StampWatch.Seconds];
     long? _first;
 
+    /// <summary>The least ages of the first seconds, with which later ones are compared; null until there are enough.</summary>
+    public LeastAges? Usual { get; set; }
+
     /// <param name="now">Number of the present second.</param>
     /// <param name="age">Control time minus the stamp.</param>
+    /// <param name="systemAge">System time minus the stamp.</param>
     /// <param name="isAhead">Whether the stamp lies further in the future than the clocks explain.</param>
-    public void Add(long now, TimeSpan age, bool isRefused, bool fitsSystem, bool isAhead)
+    public void Add(long now, TimeSpan age, TimeSpan systemAge, bool isRefused, bool fitsSystem, bool isAhead)
     {
         _first ??= now;
         ref var second = ref _seconds[now % StampWatch.Seconds];
-        if (second.Number != now) second = new Second { Number = now };
+        if (second.Samples == 0 || second.Number != now) second = new Second { Number = now, Least = new LeastAges(TimeSpan.MaxValue, TimeSpan.MaxValue) };
         second.Samples++;
+        second.Least = second.Least.With(new LeastAges(age, systemAge));
         if (isRefused) second.Refused++;
         if (fitsSystem) second.OnSystem++;
         if (isAhead) second.Ahead++;
@@ -22,12 +27,18 @@ sealed class SourceStamps
     }
 
     /// <summary>Sums up the seconds that are not older than <see cref="StampWatch.Seconds"/>.</summary>
-    public StampCounts Read(long now)
+    /// <param name="isCorrected">Whether the clocks have been corrected against each other, so that stamps of now are no measure for later.</param>
+    public StampCounts Read(long now, bool isCorrected)
     {
         var recent = Array.FindAll(_seconds, second => second.Samples > 0 && second.Number > now - StampWatch.Seconds);
+        var isLasting = now - _first >= StampWatch.Seconds;
+        if (!isCorrected && recent.Length == StampWatch.Seconds && recent.All(second => second.IsPlausible)
+            && LeastAges.Agree(recent.Select(second => second.Least)))
+            Usual ??= recent.Select(second => second.Least).Aggregate((one, other) => one.With(other));
+        var shift = Usual is { } usual && recent.Length > 0 ? recent.MaxBy(second => second.Number).Least.ShiftWithSystem(usual) : TimeSpan.Zero;
         return new StampCounts(
             recent.Sum(second => second.Samples), recent.Sum(second => second.Refused), recent.Sum(second => second.OnSystem),
-            recent.Sum(second => second.Ahead), now - _first >= StampWatch.Seconds,
+            recent.Sum(second => second.Ahead), isLasting, shift,
             recent.OrderBy(second => second.Number).LastOrDefault(second => second.Age != TimeSpan.Zero).Age);
     }
 
@@ -36,6 +47,37 @@ sealed class SourceStamps
         public long Number;
         public int Samples, Refused, OnSystem, Ahead;
         public TimeSpan Age;
+        public LeastAges Least;
+
+        public readonly bool IsPlausible => Refused == 0 && OnSystem == 0 && Ahead == 0;
+    }
+}
+
+/// <summary>The least ages of a source's samples in some time, once by the control clock and once by the system clock.</summary>
+readonly record struct LeastAges(TimeSpan Control, TimeSpan System)
+{
+    /// <summary>Both clocks went on together where the difference of the ages stays within this.</summary>
+    static readonly TimeSpan MaxDifference = TimeSpan.FromMilliseconds(20);
+
+    TimeSpan Ahead => Control - System;
+
+    public LeastAges With(LeastAges other) =>
+        new(Control < other.Control ? Control : other.Control, System < other.System ? System : other.System);
+
+    /// <summary>Whether neither clock was corrected meanwhile.</summary>
+    public static bool Agree(IEnumerable<LeastAges> all)
+    {
+        var ahead = all.Select(one => one.Ahead).ToArray();
+        return ahead.Max() - ahead.Min() <= MaxDifference;
+    }
+
+    /// <summary>
+    /// By how much the stamps have moved against the control clock, if they have kept their distance from the system clock; zero otherwise.
+    /// </summary>
+    public TimeSpan ShiftWithSystem(LeastAges usual)
+    {
+        var shift = Control - usual.Control;
+        return shift.Duration() >= StampWatch.MinCorrection && (System - usual.System).Duration() <= shift.Duration() / 4 ? shift : TimeSpan.Zero;
     }
 }
 
@@ -43,10 +85,16 @@ sealed class SourceStamps
 /// <param name="OnSystem">Samples that fit the system clock and not the control clock.</param>
 /// <param name="Ahead">Samples whose stamps lie in the future, refused or not.</param>
 /// <param name="IsLasting">Whether the source has sent samples for <see cref="StampWatch.Seconds"/> or longer.</param>
+/// <param name="Shift">By how much the stamps followed a correction of the system clock, at plausible ages; positive when they became older.</param>
 /// <param name="Age">Control time minus the newest of these stamps.</param>
-readonly record struct StampCounts(int Samples, int Refused, int OnSystem, int Ahead, bool IsLasting, TimeSpan Age)
+readonly record struct StampCounts(int Samples, int Refused, int OnSystem, int Ahead, bool IsLasting, TimeSpan Shift, TimeSpan Age)
 {
-    public bool IsContradiction => Samples >= StampWatch.MinSamples && 2 * Math.Max(Refused, OnSystem) > Samples;
+    public bool IsContradiction => IsImplausible || IsShifted;
+
+    /// <summary>Whether most stamps cannot be those of live samples.</summary>
+    public bool IsImplausible => Samples >= StampWatch.MinSamples && 2 * Math.Max(Refused, OnSystem) > Samples;
+
+    public bool IsShifted => Samples >= StampWatch.MinSamples && Shift != TimeSpan.Zero;
     public bool IsAhead => IsLasting && !IsContradiction && Samples >= StampWatch.MinSamples && 2 * Ahead > Samples;
     public bool FitsSystem => 2 * OnSystem > Samples;
     public double Percent => 100.0 * Math.Max(Refused, OnSystem) / Samples;

@@ -40,6 +40,8 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
 
     readonly Lock _lock = new();
     readonly Dictionary<HubSource, SourceStamps> _sources = [];
+    // By the source's title, so that one that connects again is still compared with its first seconds.
+    readonly Dictionary<string, LeastAges> _usual = [];
     TimeSpan? _ahead;
     ControlTime _since;
     TimeSpan _correction;
@@ -64,17 +66,18 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     public void Add(HubSource source, ControlTime stamp, bool isRefused)
     {
         var age = control() - stamp;
-        var fitsSystem = !IsPlausible(age) && IsPlausible(system() - stamp);
+        var systemAge = system() - stamp;
+        var fitsSystem = !IsPlausible(age) && IsPlausible(systemAge);
         var isAhead = age < -(MaxAhead + errorBound());
         lock (_lock)
         {
             if (!_sources.TryGetValue(source, out var stamps))
             {
                 if (_sources.Count >= MaxSources) return;
-                _sources.Add(source, stamps = new SourceStamps());
+                _sources.Add(source, stamps = new SourceStamps { Usual = _usual.TryGetValue(source.Title, out var usual) ? usual : null });
             }
 
-            stamps.Add(Now, age, isRefused, fitsSystem, isAhead);
+            stamps.Add(Now, age, systemAge, isRefused, fitsSystem, isAhead);
         }
     }
 
@@ -84,7 +87,8 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
         MeasureCorrection();
         var sources = Read();
         Ahead = [.. sources.Where(one => one.Counts.IsAhead).DistinctBy(one => one.Source).Select(one => (one.Source, Length(-one.Counts.Age)))];
-        var contradicting = sources.Where(one => one.Counts.IsContradiction).OrderByDescending(one => one.Counts.Percent).ToArray();
+        var contradicting = sources.Where(one => one.Counts.IsContradiction)
+            .OrderByDescending(one => one.Counts.IsImplausible).ThenByDescending(one => one.Counts.Percent).ToArray();
         Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
         var kind = IsContradicted ? "contradiction" : Warning;
         if (kind == _said) return;
@@ -98,9 +102,14 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
         lock (_lock)
         {
             var now = Now;
-            var all = _sources.Select(one => (Source: one.Key, Counts: one.Value.Read(now))).ToArray();
+            var isCorrected = _correction.Duration() >= MinCorrection / 2;
+            var all = _sources.Select(one => (Source: one.Key, Counts: one.Value.Read(now, isCorrected))).ToArray();
             foreach (var (source, counts) in all)
+            {
+                if (_sources[source].Usual is { } usual && _usual.Count < MaxSources) _usual.TryAdd(source.Title, usual);
                 if (counts.Samples == 0) _sources.Remove(source);
+            }
+
             return [.. all.Where(one => one.Counts.Samples > 0).Select(one => (one.Source.Title, one.Counts))];
         }
     }
@@ -133,12 +142,18 @@ sealed class StampWatch(Func<ControlTime> control, Func<TimeSpan> errorBound, Fu
     StampWarning Contradiction((string Source, StampCounts Counts)[] sources)
     {
         var (source, counts) = sources[0];
+        var others = sources.Skip(1).Select(one => one.Source).Distinct().Take(MaxNamed).ToArray();
+        var same = others.Length == 0 ? "" : $"; the same is true of {string.Join(", ", others)}";
+        if (!counts.IsImplausible)
+            return new StampWarning(
+                $"the stamps of the source {source} became {Length(counts.Shift.Duration())} {(counts.Shift > TimeSpan.Zero ? "older" : "newer")} by the "
+                    + $"control clock, but not by the system clock: they followed a correction of the system clock{same}",
+                Remedy, true);
         var where = counts.Age < TimeSpan.Zero
             ? Text($"in the future of the control clock, by {Length(-counts.Age)}") : Text($"before the control clock, by {Length(counts.Age)}");
         var fits = counts.FitsSystem && own() != null;
-        var others = sources.Skip(1).Select(one => one.Source).Distinct().Take(MaxNamed).ToArray();
         var reason = Text($"{counts.Percent:0} % of the samples of the source {source} have stamps that lie {where}")
-            + (fits ? ", and that fit the system clock" : "") + (others.Length == 0 ? "" : $"; the same is true of {string.Join(", ", others)}");
+            + (fits ? ", and that fit the system clock" : "") + same;
         return new StampWarning(reason, fits ? Remedy : "Set the clock of the source, or let its adapter offer that clock.", true);
     }
 

@@ -58,6 +58,53 @@ public class StampWatchTests
         Assert.That(_log, Has.Count.LessThanOrEqualTo(2), "the correction, then the contradiction, each once");
     }
 
+    [TestCase(-0.11, "110 ms older")]
+    [TestCase(-0.2, "200 ms older")]
+    [TestCase(-0.6, "600 ms older")]
+    [TestCase(-0.9, "900 ms older")]
+    [TestCase(0.11, "110 ms newer")]
+    public void Look_SmallCorrectionThatLeavesStampsPlausible_IsAContradictionOfTheSourcesThatFollow(double seconds, string expected)
+    {
+        var withoutCorrection = () => _own.Now;
+        Run(StampWatch.Seconds + 1, () => System, withoutCorrection);
+        Assert.That(_watch.Warning, Is.Null);
+
+        _correction = TimeSpan.FromSeconds(seconds);
+        Run(2, () => System, withoutCorrection);
+
+        Assert.That(_watch.IsContradicted, Is.True);
+        Assert.That(_watch.Found.Reason, Does.Contain("source first").And.Contain(expected).And.Not.Contain("second"));
+        Assert.That(_watch.Found.Remedy, Does.Contain("--own-clock system"));
+        Run(60, () => System, withoutCorrection);
+        Assert.That(_watch.IsContradicted, Is.True, "and it does not become usual");
+
+        _correction = TimeSpan.Zero;
+        Run(1, () => System, withoutCorrection);
+        Assert.That(_watch.IsContradicted, Is.False, "corrected back");
+    }
+
+    [Test]
+    public void Look_SourceConnectsAgainAfterASmallCorrection_IsStillComparedWithItsFirstSeconds()
+    {
+        Run(StampWatch.Seconds + 1, () => System);
+        Run(StampWatch.Seconds + 1);
+
+        _correction = TimeSpan.FromSeconds(-0.2);
+        _sources[0] = Open(new MessageHub(), _sources[0].Name);
+        Run(2, () => System);
+
+        Assert.That(_watch.IsContradicted, Is.True);
+    }
+
+    [Test]
+    public void Look_SamplesBecomeLaterWithoutACorrection_IsNoContradiction()
+    {
+        Run(StampWatch.Seconds + 1, () => System);
+        Run(60, () => System - TimeSpan.FromSeconds(0.4));
+
+        Assert.That(_watch.Warning, Is.Null);
+    }
+
     [Test]
     public void Look_SystemClockCorrectedAndSourcesAskTheGateway_IsAWarningOnly()
     {
