@@ -109,6 +109,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var statistics = session.Statistics(now);
         var clock = statistics.Clock;
         var pose = _poses.Result(PoseStateName.Of(statistics.Pose, clock));
+        var outages = _outages.Result();
         var result = new HeadsetResult(
             length.TotalSeconds, _frames, robot.Name, statistics.Samples, statistics.Dropped,
             new HeadsetResult.ClockResult(
@@ -121,8 +122,8 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
                 statistics.VisualisationLatency.TotalMilliseconds, statistics.EndToEndLatency?.TotalMilliseconds),
             pose, _stretches.Total,
             [.. statistics.JointStatuses.Where(joint => joint.IsMissing).Select(joint => joint.Joint)],
-            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), _outages.Result());
-        WhyFailed = HeadsetVerdict.FailureOf(pose, statistics, _wasTimeTrusted);
+            [.. statistics.JointStatuses.Select(HeadsetResult.JointResult.Of)], _stretches.Result(), outages);
+        WhyFailed = HeadsetVerdict.FailureOf(pose, statistics, _wasTimeTrusted, outages);
         return result;
     }
 }

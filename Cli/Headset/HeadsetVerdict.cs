@@ -12,14 +12,16 @@ static class HeadsetVerdict
     /// <summary>Why the run failed, in one line; null when it did not.</summary>
     /// <param name="statistics">At the end of the run.</param>
     /// <param name="wasTimeTrusted">Whether the clock was ever known well enough for a current pose.</param>
-    public static string FailureOf(HeadsetResult.PoseResult pose, SessionStatistics statistics, bool wasTimeTrusted)
+    /// <param name="outages">Times without a current pose; the longest one gives the reason where all is well at the end.</param>
+    public static string FailureOf(
+        HeadsetResult.PoseResult pose, SessionStatistics statistics, bool wasTimeTrusted, IReadOnlyList<HeadsetResult.OutageResult> outages)
     {
         var share = pose.CurrentShareOfRun ?? 0;
         if (pose.CurrentAfterS != null && share >= MinCurrentShare) return null;
         if (!wasTimeTrusted) return $"the clock was never synchronised: {statistics.SyncLink.Detail}";
         if (statistics.Samples == 0) return $"no joint positions arrived: {statistics.SampleLink.Detail}";
         var joints = JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
-        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? $"at the end it is {pose.State}";
+        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? $"at the end it is {pose.State}";
         return pose.CurrentAfterS == null
             ? $"the pose was never current; {why}"
             : FormattableString.Invariant($"the pose was current for {100 * share:0} % of the time, at least {100 * MinCurrentShare:0} % is required; {why}");
@@ -28,6 +30,10 @@ static class HeadsetVerdict
     /// <summary>Why a pose is not current, as far as it is known: a connection that fails, or joints without data. Without times.</summary>
     public static string ReasonOf(SessionStatistics statistics, IEnumerable<JointStatus> missing) =>
         LinkFaultOf(statistics) ?? JointStatusText.Of(missing, joint => joint.DescriptionSince(null));
+
+    static string LongestOf(IReadOnlyList<HeadsetResult.OutageResult> outages) =>
+        outages.Where(outage => outage is { ToS: not null, Reason.Length: > 0 }).MaxBy(outage => outage.ToS - outage.FromS) is { } longest
+            ? FormattableString.Invariant($"from {longest.FromS:0.0} to {longest.ToS:0.0} s it was {longest.Pose}: {longest.Reason}") : null;
 
     static string LinkFaultOf(SessionStatistics statistics) =>
         statistics.SyncLink.State == LinkState.Waiting ? statistics.SyncLink.Detail

@@ -39,7 +39,7 @@ public class HeadsetVerdictTests
     {
         var pose = Pose((before, PoseState.Unsynchronised), (current, PoseState.Current), (after, PoseState.Held));
 
-        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(), true), isGood ? Is.Null : Is.Not.Null);
+        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(), true, []), isGood ? Is.Null : Is.Not.Null);
     }
 
     [Test]
@@ -48,21 +48,35 @@ public class HeadsetVerdictTests
         var never = Pose((10, PoseState.Held));
         var seldom = Pose((2, PoseState.Unsynchronised), (3, PoseState.Current), (7, PoseState.Held));
 
-        Assert.That(HeadsetVerdict.FailureOf(never, Statistics(100, Deleted), true),
+        Assert.That(HeadsetVerdict.FailureOf(never, Statistics(100, Deleted), true, []),
             Is.EqualTo("the pose was never current; joint a3: no data since 12 s: node deleted"));
-        Assert.That(HeadsetVerdict.FailureOf(seldom, Statistics(100, Deleted), true),
+        Assert.That(HeadsetVerdict.FailureOf(seldom, Statistics(100, Deleted), true, []),
             Is.EqualTo("the pose was current for 30 % of the time, at least 50 % is required; joint a3: no data since 12 s: node deleted"));
+    }
+
+    [Test]
+    public void FailureOf_JointThatIsBackAtTheEnd_IsNamedByTheLongestOutage()
+    {
+        var pose = Pose((2, PoseState.Unsynchronised), (1, PoseState.Current), (6, PoseState.Held), (1, PoseState.Held), (2, PoseState.Current));
+        HeadsetResult.OutageResult[] outages =
+        [
+            new(0, 2, "unsynchronised", [], ""), new(3, 9, "held", ["a3"], "joint a3: node deleted"), new(9.1, 10, "held", [], "no samples"),
+        ];
+
+        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(), true, outages),
+            Does.StartWith("the pose was current for 30 % of the time").And.EndsWith("; from 3.0 to 9.0 s it was held: joint a3: node deleted"));
+        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(100, Deleted), true, outages), Does.EndWith("; joint a3: no data since 12 s: node deleted"));
     }
 
     [Test]
     public void FailureOf_JointAtRest_IsNone() => Assert.That(
         HeadsetVerdict.FailureOf(
             Pose((2, PoseState.Unsynchronised), (8, PoseState.Current)),
-            Statistics(100, new JointStatus("a3", JointDataState.Rest, null, null, "")), true),
+            Statistics(100, new JointStatus("a3", JointDataState.Rest, null, null, "")), true, []),
         Is.Null);
 
     [TestCase(false, 100, "the clock was never synchronised: ")]
     [TestCase(true, 0, "no joint positions arrived: ")]
     public void FailureOf_NoClockOrNoSamples_SaysSo(bool wasTimeTrusted, long samples, string expected) => Assert.That(
-        HeadsetVerdict.FailureOf(Pose((10, PoseState.Incomplete)), Statistics(samples), wasTimeTrusted), Does.StartWith(expected));
+        HeadsetVerdict.FailureOf(Pose((10, PoseState.Incomplete)), Statistics(samples), wasTimeTrusted, []), Does.StartWith(expected));
 }
