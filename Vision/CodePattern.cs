@@ -1,5 +1,5 @@
 using System.Text.Json;
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 
 namespace Nowpose.Vision;
 

@@ -1,6 +1,6 @@
 using System.Collections.Concurrent;
 using System.Text.Json;
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 
 namespace Nowpose.Vision;
 

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 using Nowpose.Cli.Demo;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Motion;
 
 namespace Nowpose.Benchmarks.Links;

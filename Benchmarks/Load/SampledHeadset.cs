@@ -1,5 +1,5 @@
 using System.Diagnostics;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;

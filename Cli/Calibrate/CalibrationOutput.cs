@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Latency;
 using Nowpose.Web;
 

@@ -1,6 +1,7 @@
 using System.CommandLine;
-using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 

@@ -3,6 +3,7 @@ using Nowpose.Cli.Calibrate.Head;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 

@@ -2,6 +2,7 @@ using System.CommandLine;
 using Nowpose.Cli.Calibrate.Nudge;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 

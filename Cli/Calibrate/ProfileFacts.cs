@@ -1,5 +1,7 @@
 using System.Globalization;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Calibrate.Page;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Calibrate;

@@ -3,6 +3,7 @@ using Nowpose.Cli.Calibrate.Sine;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate;

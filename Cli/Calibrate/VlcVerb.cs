@@ -2,6 +2,7 @@ using System.CommandLine;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 

@@ -1,4 +1,7 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
+using Nowpose.Latency.Profile;
+using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;

@@ -1,9 +1,9 @@
 using System.CommandLine;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.MotionRecordings;
-using Nowpose.Gateway.Robots;
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 using Nowpose.Motion;
 using Nowpose.Prediction;
 using Nowpose.Simulation;

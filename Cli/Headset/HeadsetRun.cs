@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using Nowpose.Cli.Demo;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Recording;
 using Nowpose.Session;

@@ -1,4 +1,5 @@
 using Nowpose.Session;
+using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Headset;
 

@@ -1,6 +1,6 @@
 using System.CommandLine;
 using Nowpose.Gateway.Options;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Unity;

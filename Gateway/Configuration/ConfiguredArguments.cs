@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Nowpose.Gateway.Options;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Configuration;
 

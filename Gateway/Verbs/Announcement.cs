@@ -1,7 +1,6 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.VisibleLight;
 
 namespace Nowpose.Gateway.Verbs;
 

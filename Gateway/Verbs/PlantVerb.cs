@@ -3,7 +3,6 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.MotionRecordings;
-using Nowpose.Gateway.Robots;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
 

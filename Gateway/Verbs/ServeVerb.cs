@@ -4,7 +4,6 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 
 namespace Nowpose.Gateway.Verbs;
 

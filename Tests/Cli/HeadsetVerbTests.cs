@@ -4,7 +4,6 @@ using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Motion;

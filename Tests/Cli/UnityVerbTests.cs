@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;

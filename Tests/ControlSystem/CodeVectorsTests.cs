@@ -1,4 +1,4 @@
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.ControlSystem;

@@ -4,6 +4,7 @@ using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
 using NUnit.Framework;

@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
 

@@ -1,7 +1,7 @@
 using System.Net.WebSockets;
 using System.Text;
 using Nowpose.Gateway;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Autobahn;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Headless.Tests.Network;

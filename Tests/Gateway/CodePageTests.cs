@@ -4,12 +4,12 @@ using System.Net.Http.Headers;
 using System.Text;
 using System.Text.Json;
 using Microsoft.AspNetCore.Http;
-using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Codes;
 using Nowpose.Gateway.Security;
-using Nowpose.Gateway.VisibleLight;
 using Nowpose.Web;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 

@@ -1,9 +1,10 @@
-using NUnit.Framework;
-using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Cli;
+using Nowpose.Headless.Tests.Replay;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
+using NUnit.Framework;
 using RecordedPlant = Nowpose.Gateway.Plants.RecordedMotion;
 
 namespace Nowpose.Headless.Tests.Gateway;

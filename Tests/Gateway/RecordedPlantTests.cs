@@ -1,7 +1,8 @@
-using NUnit.Framework;
 using Nowpose.Gateway.MotionRecordings;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Cli;
+using Nowpose.Headless.Tests.Replay;
+using NUnit.Framework;
 using RecordedPlant = Nowpose.Gateway.Plants.RecordedMotion;
 
 namespace Nowpose.Headless.Tests.Gateway;

@@ -3,7 +3,6 @@ using NUnit.Framework;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Motion;
 using Nowpose.Protocol;
 

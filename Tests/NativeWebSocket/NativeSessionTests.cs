@@ -1,12 +1,12 @@
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests;

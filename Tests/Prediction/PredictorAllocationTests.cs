@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Prediction;
 
 [NonParallelizable] // counts garbage
 public class PredictorAllocationTests

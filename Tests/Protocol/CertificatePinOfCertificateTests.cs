@@ -3,7 +3,7 @@ using System.Security.Cryptography.X509Certificates;
 using NUnit.Framework;
 using Nowpose.Protocol;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Protocol;
 
 public class CertificatePinOfCertificateTests
 {

@@ -2,7 +2,7 @@ using System.Text.Json;
 using NUnit.Framework;
 using Nowpose.Protocol;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Protocol;
 
 public class JsonStrictnessTests
 {

@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.Json;
 using Nowpose.Headless.Tests.Cli;
-using Nowpose.Headless.Tests.Sessions;
+using Nowpose.Headless.Tests.SessionFiles;
 using Nowpose.Prediction;
 using NUnit.Framework;
 

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Replay;
 
 /// <summary>A made-up recording, kept in decimals so that a reference can compute its times exactly.</summary>
 sealed class RecordedMotion

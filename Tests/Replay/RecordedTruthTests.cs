@@ -1,7 +1,7 @@
 using Nowpose.Cli.Replay;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Replay;
 
 public class RecordedTruthTests
 {

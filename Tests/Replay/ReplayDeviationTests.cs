@@ -1,10 +1,10 @@
 using System.Text.Json;
 using Nowpose.Cli.Replay;
 using Nowpose.Headless.Tests.Cli;
-using Nowpose.Headless.Tests.Sessions;
+using Nowpose.Headless.Tests.SessionFiles;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Replay;
 
 /// <summary>The standard deviation that a predictor states, beside its errors.</summary>
 public class ReplayDeviationTests

@@ -1,6 +1,6 @@
 using MathNet.Numerics;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Replay;
 
 /// <summary>The verb's definition written down once more, slowly: decimal times, another library's fit, no virtual machinery.</summary>
 /// <remarks>Without loss, jitter and stamp errors, whose random numbers are nobody else's business.</remarks>

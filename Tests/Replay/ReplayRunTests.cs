@@ -2,7 +2,7 @@ using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Replay;
 
 public class ReplayRunTests
 {

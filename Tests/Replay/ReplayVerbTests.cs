@@ -2,7 +2,7 @@ using System.Text.Json;
 using Nowpose.Headless.Tests.Cli;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests;
+namespace Nowpose.Headless.Tests.Replay;
 
 public class ReplayVerbTests
 {

@@ -3,7 +3,6 @@ using System.Net.Sockets;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Latency;
 using Nowpose.Motion;

@@ -1,5 +1,6 @@
 using Nowpose.Simulation;
 using Nowpose.Sync;
+using Nowpose.Sync.Envelope;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;

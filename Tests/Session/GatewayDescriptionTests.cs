@@ -1,5 +1,5 @@
 using Nowpose.Gateway;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Latency;
 using Nowpose.Network;

@@ -1,6 +1,5 @@
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Latency;
 using Nowpose.Motion;

@@ -1,7 +1,6 @@
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Network;

@@ -1,6 +1,6 @@
 using System.Net.WebSockets;
 using System.Text;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Prediction;

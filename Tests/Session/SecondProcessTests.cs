@@ -2,7 +2,6 @@ using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
 using Nowpose.Motion;
 using Nowpose.Protocol;

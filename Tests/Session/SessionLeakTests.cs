@@ -1,6 +1,6 @@
 using System.Diagnostics;
 using Nowpose.Gateway;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Gateway;
 using Nowpose.Latency;
 using Nowpose.Network;

@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Headless.Tests.Network;
 using Nowpose.Latency;
 using Nowpose.Network;

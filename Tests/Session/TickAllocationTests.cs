@@ -1,4 +1,4 @@
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Network;

@@ -1,6 +1,7 @@
 using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Rendering;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;

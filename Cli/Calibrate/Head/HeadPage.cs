@@ -1,7 +1,7 @@
 using System.Globalization;
-using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate.Head;
 

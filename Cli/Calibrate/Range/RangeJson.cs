@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 

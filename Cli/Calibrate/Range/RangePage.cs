@@ -1,5 +1,5 @@
-using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 

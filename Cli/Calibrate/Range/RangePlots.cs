@@ -1,5 +1,6 @@
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Range;
 

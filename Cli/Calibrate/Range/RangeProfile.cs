@@ -1,6 +1,8 @@
 using System.Globalization;
-using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate.Range;
 

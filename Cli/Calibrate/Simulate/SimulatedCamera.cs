@@ -1,6 +1,6 @@
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Cli.Replay;
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;

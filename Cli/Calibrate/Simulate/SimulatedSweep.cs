@@ -1,5 +1,6 @@
 using Nowpose.Cli.Replay;
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Calibrate.Simulate;

@@ -1,7 +1,7 @@
-using Nowpose.Latency;
-using Nowpose.Vision;
 using Nowpose.Cli.Calibrate.Vlc;
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
+using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
 

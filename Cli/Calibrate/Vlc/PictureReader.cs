@@ -1,4 +1,4 @@
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;

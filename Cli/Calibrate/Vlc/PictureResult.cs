@@ -1,4 +1,4 @@
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 

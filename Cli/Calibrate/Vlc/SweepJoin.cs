@@ -1,5 +1,5 @@
 using Nowpose.Latency;
-using Nowpose.VisibleLight;
+using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 

@@ -1,5 +1,7 @@
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Calibrate.Vlc;

@@ -1,6 +1,8 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
+using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Figures.Display;

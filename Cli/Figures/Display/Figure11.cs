@@ -2,6 +2,8 @@ using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
+using Nowpose.Latency.Conditions;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;

@@ -1,3 +1,4 @@
+using Nowpose.Prefabs.Mrtk3;
 using Nowpose.Samples;
 using Nowpose.Unity;
 using UnityEngine;

@@ -1,4 +1,5 @@
 using Nowpose.Metas;
+using Nowpose.Prefabs.Mrtk3;
 
 namespace Nowpose.Prefabs;
 

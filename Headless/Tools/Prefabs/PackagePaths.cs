@@ -1,3 +1,5 @@
+using Nowpose.Prefabs.Mrtk3;
+
 namespace Nowpose.Prefabs;
 
 /// <summary>Where the assets are, as Unity calls them.</summary>

@@ -1,3 +1,4 @@
+using Nowpose.Prefabs.Mrtk3;
 using Nowpose.UnityPlayer;
 using UnityEngine;
 using Object = UnityEngine.Object;

@@ -1,6 +1,7 @@
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
-using Nowpose.VisibleLight;
+using Nowpose.Latency.Profile;
+using Nowpose.Latency.Sweep;
 using Nowpose.Vision;
 using NUnit.Framework;
 

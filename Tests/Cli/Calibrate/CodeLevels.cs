@@ -1,5 +1,5 @@
 using Nowpose.Cli.Calibrate.Vlc;
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 using Nowpose.Vision;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;

@@ -1,7 +1,9 @@
 using Nowpose.Cli.Calibrate;
-using Nowpose.Cli.Calibrate.Page;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
+using Nowpose.Latency.Sweep;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;

@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
-using Nowpose.VisibleLight;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;

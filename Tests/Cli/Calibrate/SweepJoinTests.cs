@@ -1,6 +1,6 @@
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
-using Nowpose.VisibleLight;
+using Nowpose.Latency.Sweep;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;

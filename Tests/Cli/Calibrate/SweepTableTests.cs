@@ -1,6 +1,7 @@
 using System.IO.Compression;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;

@@ -1,8 +1,9 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
-using Nowpose.VisibleLight;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;

@@ -1,5 +1,5 @@
 using Nowpose.Cli.Headset;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Motion;
 using Nowpose.Network;

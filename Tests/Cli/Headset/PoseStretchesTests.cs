@@ -1,6 +1,7 @@
-using NUnit.Framework;
 using Nowpose.Cli.Headset;
 using Nowpose.Session;
+using Nowpose.Session.Hindcast;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 

@@ -1,8 +1,8 @@
-using NUnit.Framework;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 

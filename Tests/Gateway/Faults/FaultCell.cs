@@ -1,7 +1,6 @@
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Motion;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;

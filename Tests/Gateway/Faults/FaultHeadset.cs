@@ -1,5 +1,5 @@
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;

@@ -1,13 +1,13 @@
 using System.Diagnostics;
 using System.Text.Json;
-using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
-using Nowpose.Gateway.Robots;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Protocol;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 

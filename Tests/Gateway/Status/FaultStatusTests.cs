@@ -6,7 +6,6 @@ using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Plants;
-using Nowpose.Gateway.Robots;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Network;

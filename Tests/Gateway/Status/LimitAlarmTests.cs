@@ -1,5 +1,5 @@
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 using NUnit.Framework;

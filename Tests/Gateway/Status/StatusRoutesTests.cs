@@ -1,14 +1,14 @@
 using System.Net;
 using System.Net.Http.Headers;
 using System.Text.Json;
-using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
 using Nowpose.Headless.Tests.Gateway.Clock;
 using Nowpose.Protocol;
+using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 

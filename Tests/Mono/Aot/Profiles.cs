@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 
 namespace Nowpose.Mono.Aot
 {

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Tests;
+using Nowpose.Tests.Core.Kinematics;
 
 namespace Nowpose.Mono.Aot
 {

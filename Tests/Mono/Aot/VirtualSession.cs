@@ -9,6 +9,7 @@ using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Tests;
+using Nowpose.Tests.Core.Kinematics;
 
 namespace Nowpose.Mono.Aot
 {

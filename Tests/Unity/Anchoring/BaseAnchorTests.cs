@@ -1,7 +1,10 @@
 using Nowpose.Anchoring;
 using Nowpose.Editor;
+using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Setup;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 

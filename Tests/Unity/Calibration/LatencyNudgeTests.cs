@@ -1,7 +1,9 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Rendering;
 using NUnit.Framework;
 using UnityEngine;
 

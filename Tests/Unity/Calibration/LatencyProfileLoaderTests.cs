@@ -1,4 +1,6 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;

@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Load;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;

@@ -1,8 +1,9 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Sweep;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Unity;
-using Nowpose.VisibleLight;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -1,6 +1,6 @@
+using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Unity;
-using Nowpose.VisibleLight;
 using NUnit.Framework;
 using UnityEngine;
 

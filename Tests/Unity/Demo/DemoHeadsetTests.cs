@@ -1,12 +1,13 @@
 using Nowpose.Cli.Demo;
-using Nowpose.Gateway.Robots;
-using Nowpose.Unity.Tests;
+using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Motion;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Unity;
+using Nowpose.Unity.Tests;
 using NUnit.Framework;
 using UnityEngine;
 

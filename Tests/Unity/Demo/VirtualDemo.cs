@@ -1,5 +1,5 @@
 using Nowpose.Cli.Demo;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Motion;

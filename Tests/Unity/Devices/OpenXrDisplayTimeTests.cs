@@ -5,6 +5,7 @@ using Nowpose.OpenXR;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -1,4 +1,5 @@
 using Microsoft.MixedReality.OpenXR;
+using Nowpose.Counter;
 using Nowpose.OpenXR;
 
 namespace Nowpose.Unity.Tests.Devices;

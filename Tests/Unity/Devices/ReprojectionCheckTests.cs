@@ -1,6 +1,8 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Reprojection;
 using Nowpose.OpenXR;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.XR.OpenXR;

@@ -1,6 +1,6 @@
-using Nowpose.Gateway.Robots;
-using Nowpose.Unity.Tests;
+using Nowpose.Gateway.Plants;
 using Nowpose.Unity;
+using Nowpose.Unity.Tests;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;

@@ -1,6 +1,8 @@
 using Nowpose.Editor;
-using Nowpose.Unity.Tests;
+using Nowpose.Editor.Inspectors;
+using Nowpose.Editor.Setup;
 using Nowpose.Unity;
+using Nowpose.Unity.Tests;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;

@@ -1,4 +1,5 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Inspectors;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEditor;

@@ -1,5 +1,6 @@
 using System.Reflection;
 using Nowpose.Editor;
+using Nowpose.Editor.Import;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using NUnit.Framework;

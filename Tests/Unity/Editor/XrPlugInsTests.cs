@@ -1,4 +1,5 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;

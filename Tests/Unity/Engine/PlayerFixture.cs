@@ -1,5 +1,6 @@
-using NUnit.Framework;
+using Nowpose.Unity.Tests.Engine.Scripts;
 using Nowpose.UnityPlayer;
+using NUnit.Framework;
 using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine;

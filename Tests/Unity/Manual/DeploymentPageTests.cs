@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;

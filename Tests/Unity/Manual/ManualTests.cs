@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
+using Nowpose.Unity.Rendering;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;

@@ -1,5 +1,6 @@
 using System.Text.RegularExpressions;
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;

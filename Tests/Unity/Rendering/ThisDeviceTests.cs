@@ -1,5 +1,7 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Unity;
+using Nowpose.Unity.Rendering;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;

@@ -1,4 +1,6 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Load;
+using Nowpose.Latency.Sweep;
 using Nowpose.Unity;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;

@@ -1,6 +1,7 @@
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;

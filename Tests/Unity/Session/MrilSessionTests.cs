@@ -1,4 +1,4 @@
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;

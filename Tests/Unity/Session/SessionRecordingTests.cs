@@ -1,5 +1,5 @@
 using Nowpose.Cli.Replay;
-using Nowpose.Gateway.Robots;
+using Nowpose.Gateway.Plants;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;

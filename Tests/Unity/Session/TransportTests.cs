@@ -2,6 +2,7 @@ using Nowpose.Gateway.Security;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Session;

@@ -1,4 +1,5 @@
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Status;

@@ -4,6 +4,7 @@ using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -1,11 +1,13 @@
 using System.Reflection;
 using Nowpose.Anchoring;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;

@@ -3,7 +3,7 @@ using MixedReality.Toolkit.UX;
 using TMPro;
 using UnityEngine;
 
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>Instances of MRTK3's buttons and sliders on a canvas, as large as they are, 32 mm in square and 100 mm wide.</summary>
 sealed class Buttons

@@ -2,7 +2,7 @@ using Nowpose.UnityPlayer.Assets.Objects;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;
 
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>What stands on a canvas in mm.</summary>
 static class Canvases

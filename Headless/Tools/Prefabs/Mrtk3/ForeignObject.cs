@@ -1,7 +1,7 @@
 using UnityEngine;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>An object of somebody else's prefab, with the fileIDs that it and its components have there.</summary>
 sealed class ForeignObject

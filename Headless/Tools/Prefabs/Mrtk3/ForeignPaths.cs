@@ -1,4 +1,4 @@
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>Where the stand-ins for prefabs of MRTK3 are; their .meta files have the GUIDs of the real ones.</summary>
 static class ForeignPaths

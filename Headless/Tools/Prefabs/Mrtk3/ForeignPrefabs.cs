@@ -4,7 +4,7 @@ using TMPro;
 using Unity.XR.CoreUtils;
 using UnityEngine;
 
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>Of prefabs of MRTK3 the objects that the sample changes or calls, with the values and fileIDs that they have there.</summary>
 static class ForeignPrefabs

@@ -4,7 +4,7 @@ using Nowpose.UnityPlayer.Assets.Objects;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;
 
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>What hands, gaze and pinch, and rays can move and turn.</summary>
 static class Graspable

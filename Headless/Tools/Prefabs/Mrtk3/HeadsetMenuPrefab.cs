@@ -2,9 +2,10 @@ using MixedReality.Toolkit;
 using MixedReality.Toolkit.UX;
 using Nowpose.Mrtk3;
 using Nowpose.Unity;
+using Nowpose.Unity.Rendering;
 using UnityEngine;
 
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>MRTK3's hand menu with a cell's actions on it, and the same by voice.</summary>
 sealed class HeadsetMenuPrefab

@@ -2,9 +2,10 @@ using MixedReality.Toolkit.SpatialManipulation;
 using MixedReality.Toolkit.UX;
 using Nowpose.Mrtk3;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using UnityEngine;
 
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>What the wearer of a HoloLens grasps, reads and answers.</summary>
 static class HoloLensPrefabs

@@ -6,7 +6,7 @@ using Unity.XR.CoreUtils;
 using UnityEngine;
 using UnityEngine.XR.ARFoundation;
 
-namespace Nowpose.Prefabs;
+namespace Nowpose.Prefabs.Mrtk3;
 
 /// <summary>A robot cell for a HoloLens 2 with MRTK3: markers and pairing, a hand menu, a panel and a marker that are grasped.</summary>
 static class HoloLensScene

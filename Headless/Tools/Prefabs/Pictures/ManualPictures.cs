@@ -1,7 +1,9 @@
 using System.Globalization;
 using System.Reflection;
 using MixedReality.Toolkit.UX;
+using Nowpose.Prefabs.Mrtk3;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;

@@ -2,10 +2,11 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Robot;
 using UnityEditor.AssetImporters;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>Shows an imported robot as its URDF says, or in materials that the user chose for it.</summary>
     sealed class ImportedLook : IRigLook

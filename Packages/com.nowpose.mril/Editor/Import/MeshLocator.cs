@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>Finds the file that a URDF names, <c>package://NAME/…</c> or relative to itself, among a Unity project's assets.</summary>
     /// <remarks>

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>Where a URDF's mesh is, or could be.</summary>
     sealed class MeshReference

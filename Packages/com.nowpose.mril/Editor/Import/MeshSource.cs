@@ -6,7 +6,7 @@ using UnityEditor.AssetImporters;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>Gives one import the meshes that its URDF names, and declares what the import depends on by that.</summary>
     /// <remarks>What cannot be had is one warning for each file; the rest of the robot is imported.</remarks>

@@ -2,7 +2,7 @@ using System;
 using System.Linq;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>What Unity's model importer does to the axes of a file, and the rotation that undoes it.</summary>
     /// <remarks>

@@ -4,7 +4,7 @@ using System.IO;
 using System.Text;
 using System.Xml;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>Reads from the beginning of a model file which axis it calls up.</summary>
     /// <remarks>Unity turns a model by that, and its importer tells nobody. A file without the entry is Y-up, in Unity as by the formats.</remarks>

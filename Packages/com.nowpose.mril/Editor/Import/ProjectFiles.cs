@@ -1,6 +1,6 @@
 using System.IO;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>Paths of assets as files. The editor's working folder is the project, and it maps Packages/NAME to where a package is.</summary>
     static class ProjectFiles

@@ -1,7 +1,7 @@
 using System;
 using System.Buffers.Binary;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>Binary STL: 80 bytes of anything, the number of triangles, 50 bytes for each, all little-endian.</summary>
     static class StlBinary

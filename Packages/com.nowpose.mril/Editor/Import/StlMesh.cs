@@ -4,7 +4,7 @@ using Nowpose.Kinematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>Makes an engine's mesh of an STL's triangles: in Unity's axes, its faces flat.</summary>
     /// <remarks>

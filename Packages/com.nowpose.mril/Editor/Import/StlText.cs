@@ -3,7 +3,7 @@ using System.Globalization;
 using System.IO;
 using System.Text;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Import
 {
     /// <summary>ASCII STL: one or more of solid … facet … vertex … endsolid, a line each.</summary>
     sealed class StlText

@@ -6,7 +6,7 @@ using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Where the base frame is in the terms of the URDF (x forward, y left, z up), and buttons to nudge it along its own axes.</summary>
     [CustomEditor(typeof(BaseAnchor))]

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>What a base anchor's inspector tells of its lock, of the device's part in it, and of each marker.</summary>
     static class BaseRows

@@ -1,8 +1,10 @@
+using Nowpose.Editor.Setup;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(BodyFollow))]
     [CanEditMultipleObjects]

@@ -2,7 +2,7 @@ using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>What a prompt on the headset would have, and codes without a camera.</summary>
     [CustomEditor(typeof(CellPairing))]

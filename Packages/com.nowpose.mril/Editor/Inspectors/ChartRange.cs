@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>The values between which a chart is drawn: round numbers around what is known, zero among them.</summary>
     readonly struct ChartRange

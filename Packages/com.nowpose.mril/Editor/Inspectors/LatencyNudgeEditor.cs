@@ -2,7 +2,7 @@ using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>What a menu on the headset would have: steps, marks, and what the marks say.</summary>
     [CustomEditor(typeof(LatencyNudge))]

@@ -1,8 +1,9 @@
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(LatencyProfileLoader))]
     [CanEditMultipleObjects]

@@ -1,7 +1,7 @@
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>An inspector with the component's fields, what it lacks, and in play mode its live values.</summary>
     abstract class LiveInspector : UnityEditor.Editor

@@ -2,8 +2,9 @@ using System;
 using System.Globalization;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Values in words, "–" for what is not known.</summary>
     static class LiveText

@@ -1,7 +1,8 @@
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using UnityEditor;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(MrilSession))]
     [CanEditMultipleObjects]

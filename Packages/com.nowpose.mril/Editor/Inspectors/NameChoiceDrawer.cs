@@ -1,9 +1,10 @@
 using System.Linq;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Draws a string as a drop-down of the names that its attribute lists.</summary>
     /// <remarks>A name that is not listed stays in the field, as the last entry, until another one is chosen.</remarks>

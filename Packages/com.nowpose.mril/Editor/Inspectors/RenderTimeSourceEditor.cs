@@ -1,7 +1,8 @@
 using Nowpose.Unity;
+using Nowpose.Unity.Rendering;
 using UnityEditor;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(RenderTimeSource))]
     [CanEditMultipleObjects]

@@ -4,7 +4,7 @@ using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Says what is in a robot description, and loads a file into it.</summary>
     [CustomEditor(typeof(RobotDescriptionAsset))]

@@ -3,7 +3,7 @@ using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(RobotRig))]
     [CanEditMultipleObjects]

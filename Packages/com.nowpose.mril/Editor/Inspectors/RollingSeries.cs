@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>The newest values of something over a window of time, oldest first. Allocates nothing after construction.</summary>
     sealed class RollingSeries

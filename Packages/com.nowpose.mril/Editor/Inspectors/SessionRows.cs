@@ -1,8 +1,9 @@
 using System.Collections.Generic;
 using Nowpose.Latency;
+using Nowpose.Latency.Reprojection;
 using Nowpose.Session;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>What is known of a session beyond what the status panel tells, as lines of a label and a value.</summary>
     static class SessionRows

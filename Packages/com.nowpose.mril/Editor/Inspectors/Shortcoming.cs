@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using UnityEditor;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>A reference that components lack, and what it can be set to at a click.</summary>
     sealed class Shortcoming

@@ -4,7 +4,7 @@ using Nowpose.Unity;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Knows which references the package's components cannot do without.</summary>
     static class Shortcomings

@@ -1,7 +1,8 @@
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using UnityEditor;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>What a status panel says, as lines of an inspector.</summary>
     static class StatusLines

@@ -1,7 +1,7 @@
 using Nowpose.Unity;
 using UnityEditor;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(StatusPanel))]
     [CanEditMultipleObjects]

@@ -3,7 +3,7 @@ using System.Globalization;
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>A small plot of the newest ten seconds, the newest value in its corner, "–" while none is known.</summary>
     sealed class StripChart

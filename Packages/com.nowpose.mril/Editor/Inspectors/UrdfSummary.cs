@@ -5,7 +5,7 @@ using System.Text;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Inspectors
 {
     /// <summary>A robot description in a few words.</summary>
     sealed class UrdfSummary

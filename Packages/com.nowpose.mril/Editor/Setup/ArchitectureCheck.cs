@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     sealed class ArchitectureCheck : ProjectCheck
     {

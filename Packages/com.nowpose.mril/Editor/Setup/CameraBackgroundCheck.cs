@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Whether the main camera of the open scenes clears to what a see-through display does not show.</summary>
     sealed class CameraBackgroundCheck : ProjectCheck

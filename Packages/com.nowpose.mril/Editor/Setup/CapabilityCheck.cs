@@ -1,6 +1,6 @@
 using UnityEditor;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>A permission that the app has to declare; Windows refuses what is not declared, without a word.</summary>
     sealed class CapabilityCheck : ProjectCheck

@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>What a check found.</summary>
     readonly struct CheckResult

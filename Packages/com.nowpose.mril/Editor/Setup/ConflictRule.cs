@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Selects how a merge treats a manifest entry that does not meet the requirement.</summary>
     enum ConflictRule

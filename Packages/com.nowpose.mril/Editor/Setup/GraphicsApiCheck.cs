@@ -1,6 +1,6 @@
 using UnityEngine.Rendering;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Whether the player can only use Direct3D 11.</summary>
     sealed class GraphicsApiCheck : ProjectCheck

@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Whether Unity spreads its rendering commands over worker threads.</summary>
     sealed class GraphicsJobsCheck : ProjectCheck

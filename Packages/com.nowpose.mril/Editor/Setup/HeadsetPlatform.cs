@@ -1,7 +1,7 @@
 using UnityEditor;
 using UnityEditor.Build;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>A kind of headset, and the player that is built for it.</summary>
     sealed class HeadsetPlatform

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Whether the Input System is switched on, the package alone does nothing.</summary>
     sealed class InputHandlingCheck : ProjectCheck

@@ -5,7 +5,7 @@ using System.Text.RegularExpressions;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Finds every value of a JSON text.</summary>
     /// <remarks>Strict as Unity's reader is: no comments, no trailing commas. Newtonsoft.Json accepts both and gives no positions.</remarks>

@@ -1,7 +1,7 @@
 using UnityEditor;
 using UnityEngine;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>The main camera of the open scenes. A change can be undone, and is saved with the scene.</summary>
     static class MainCamera

@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>A manifest on disk. Writing keeps a backup, and is atomic unless the file is a symbolic link.</summary>
     sealed class ManifestFile

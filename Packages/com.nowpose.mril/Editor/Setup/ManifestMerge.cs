@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Newtonsoft.Json.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Merges what a project needs into the text of its Packages/manifest.json. Keeps valid entries and the formatting.</summary>
     sealed class ManifestMerge

@@ -2,7 +2,7 @@ using System.Globalization;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>The text of a manifest. Inserts and replaces values, and leaves every other character as it is.</summary>
     sealed class ManifestText

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>The packages of MRTK3 that the sample for it uses. Nothing else needs them.</summary>
     sealed class Mrtk3Check : ProjectCheck

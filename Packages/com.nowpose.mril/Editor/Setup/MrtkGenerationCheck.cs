@@ -1,6 +1,6 @@
 using System.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Whether MRTK and XR Interaction Toolkit are of the generation that the package was written for.</summary>
     sealed class MrtkGenerationCheck : ProjectCheck

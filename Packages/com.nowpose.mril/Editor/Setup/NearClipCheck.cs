@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Whether the near clip plane of the main camera leaves the depth buffer fine enough for late-stage reprojection.</summary>
     sealed class NearClipCheck : ProjectCheck

@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>A feature of OpenXR that has to be ticked for the player.</summary>
     sealed class OpenXrFeatureCheck : ProjectCheck

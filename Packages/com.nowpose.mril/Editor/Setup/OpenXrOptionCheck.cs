@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>A choice in the settings of OpenXR.</summary>
     sealed class OpenXrOptionCheck : ProjectCheck

@@ -1,7 +1,7 @@
 using UnityEditor;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>What OpenXR is set to for a player, in the settings asset of that package.</summary>
     /// <remarks>

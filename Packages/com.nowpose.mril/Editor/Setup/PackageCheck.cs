@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Whether a package is installed, in a version that serves.</summary>
     sealed class PackageCheck : ProjectCheck

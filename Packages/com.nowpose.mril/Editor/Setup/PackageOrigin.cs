@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>A package that a project needs: its source and the supported versions.</summary>
     sealed class PackageOrigin

@@ -2,7 +2,7 @@ using System;
 using UnityEditor;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Finds, in an asset of another package that holds one object for each player, the one for a player.</summary>
     /// <remarks>Those packages are not referenced, so their assets are read by the names of their serialised fields: Keys and Values.</remarks>

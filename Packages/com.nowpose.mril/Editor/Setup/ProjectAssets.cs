@@ -1,7 +1,7 @@
 using System;
 using UnityEditor;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Settings of a project that Unity gives no methods for, by the names of their serialised fields.</summary>
     static class ProjectAssets

@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>One point in which a project can be ready for the headset or not. Looking changes nothing.</summary>
     abstract class ProjectCheck

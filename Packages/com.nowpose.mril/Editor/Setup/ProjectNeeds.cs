@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>The packages that a project needs, with the versions that the package was written for. The only such table.</summary>
     static class ProjectNeeds

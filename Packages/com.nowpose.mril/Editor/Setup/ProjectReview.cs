@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>The checks with what they found last. Changes a project only where <see cref="Fix"/> is called.</summary>
     sealed class ProjectReview

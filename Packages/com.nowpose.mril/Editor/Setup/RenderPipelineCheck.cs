@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Which render pipeline draws, and whether the package's shaders are written for it.</summary>
     sealed class RenderPipelineCheck : ProjectCheck

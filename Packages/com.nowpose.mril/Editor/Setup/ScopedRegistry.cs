@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>A registry beside Unity's own, and the beginnings of the package names that it serves.</summary>
     sealed class ScopedRegistry

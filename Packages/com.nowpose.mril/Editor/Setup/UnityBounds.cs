@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>The versions of Unity that the package was compiled against or is known to fail with.</summary>
     static class UnityBounds

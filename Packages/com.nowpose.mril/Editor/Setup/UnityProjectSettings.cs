@@ -10,7 +10,7 @@ using UnityEngine.Rendering;
 // UnityEditor has another of that name.
 using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>The project that is open in the editor.</summary>
     sealed class UnityProjectSettings : IProjectSettings

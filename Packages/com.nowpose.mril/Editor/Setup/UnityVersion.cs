@@ -2,7 +2,7 @@ using System;
 using System.Globalization;
 using System.Text.RegularExpressions;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>A version of the Unity editor, such as 2022.3.62f1.</summary>
     readonly struct UnityVersion

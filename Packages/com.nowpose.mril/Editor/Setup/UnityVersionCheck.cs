@@ -1,4 +1,4 @@
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Whether this editor is among the versions that the package was tried with.</summary>
     sealed class UnityVersionCheck : ProjectCheck

@@ -2,7 +2,7 @@ using System.Linq;
 using UnityEditor;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Editor
+namespace Nowpose.Editor.Setup
 {
     /// <summary>Reads which XR plug-ins a player starts from the settings asset of XR Plug-in Management.</summary>
     /// <remarks>

@@ -1,5 +1,7 @@
 using MixedReality.Toolkit;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
+using Nowpose.Unity.Status;
 using UnityEngine;
 
 namespace Nowpose.Mrtk3

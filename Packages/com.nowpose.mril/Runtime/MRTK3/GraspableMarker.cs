@@ -1,5 +1,6 @@
 using MixedReality.Toolkit.SpatialManipulation;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.XR.Interaction.Toolkit;
 

@@ -1,6 +1,7 @@
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.SpatialManipulation;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.XR.Interaction.Toolkit;
 

@@ -3,6 +3,7 @@ using System.Globalization;
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.UX;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Mrtk3

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.Subsystems;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.Events;
 

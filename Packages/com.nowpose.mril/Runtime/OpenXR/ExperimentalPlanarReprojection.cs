@@ -3,6 +3,7 @@ using Microsoft.MixedReality.OpenXR;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEngine;
 using PluginMode = Microsoft.MixedReality.OpenXR.ReprojectionMode;
 using ReprojectionMode = Nowpose.Latency.ReprojectionMode;

@@ -1,8 +1,10 @@
 using System;
 using System.Globalization;
 using Microsoft.MixedReality.OpenXR;
+using Nowpose.Counter;
 using Nowpose.Latency;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.OpenXR

@@ -5,6 +5,7 @@ using Microsoft.MixedReality.OpenXR;
 using Microsoft.MixedReality.OpenXR.ARFoundation;
 using Nowpose.ArFoundation;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.XR.ARSubsystems;
 

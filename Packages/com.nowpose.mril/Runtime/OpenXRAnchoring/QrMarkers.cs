@@ -4,6 +4,7 @@ using Nowpose.Anchoring;
 using Nowpose.ArFoundation;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Session;
 using Unity.XR.CoreUtils;
 using UnityEngine;
 // AR Foundation has types of the same names from version 6.4 on.

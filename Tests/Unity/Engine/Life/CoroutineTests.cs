@@ -1,4 +1,5 @@
 using System.Collections;
+using Nowpose.Unity.Tests.Engine.Scripts;
 using NUnit.Framework;
 using UnityEngine;
 

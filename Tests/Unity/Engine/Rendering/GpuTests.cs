@@ -1,3 +1,4 @@
+using Nowpose.Unity.Tests.Engine.Scripts;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;

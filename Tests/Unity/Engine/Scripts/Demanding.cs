@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity.Tests.Engine;
+namespace Nowpose.Unity.Tests.Engine.Scripts;
 
 [RequireComponent(typeof(TextMesh), typeof(MeshRenderer))]
 [DisallowMultipleComponent]

@@ -1,4 +1,4 @@
-namespace Nowpose.Unity.Tests.Engine;
+namespace Nowpose.Unity.Tests.Engine.Scripts;
 
 sealed class Derived : HiddenMessages
 {

@@ -1,4 +1,4 @@
-namespace Nowpose.Unity.Tests.Engine;
+namespace Nowpose.Unity.Tests.Engine.Scripts;
 
 /// <summary>What scripts of a test did, in order.</summary>
 static class Journal

@@ -1,7 +1,7 @@
 using UnityEngine;
 using UnityEngine.Events;
 
-namespace Nowpose.Unity.Tests.Engine;
+namespace Nowpose.Unity.Tests.Engine.Scripts;
 
 /// <summary>One field for each rule of Unity's serialisation.</summary>
 sealed class Keeper : MonoBehaviour, ISerializationCallbackReceiver

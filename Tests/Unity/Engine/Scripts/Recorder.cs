@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity.Tests.Engine;
+namespace Nowpose.Unity.Tests.Engine.Scripts;
 
 /// <summary>Notes each message it gets, with its object's name, and does what the test asks for in it.</summary>
 class Recorder : MonoBehaviour

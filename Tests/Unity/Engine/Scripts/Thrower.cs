@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity.Tests.Engine;
+namespace Nowpose.Unity.Tests.Engine.Scripts;
 
 /// <summary>Throws in the message that the test names.</summary>
 sealed class Thrower : MonoBehaviour

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Anchoring.Tracking;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring

@@ -1,4 +1,6 @@
 using System;
+using Nowpose.Anchoring.Fitting;
+using Nowpose.Anchoring.Tracking;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring

@@ -5,8 +5,11 @@ using System.Linq;
 using System.Threading.Tasks;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.DisplayTime;
 using Nowpose.Network;
 using Nowpose.Protocol;
+using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 
 namespace Nowpose.Session

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Latency.Reprojection;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session

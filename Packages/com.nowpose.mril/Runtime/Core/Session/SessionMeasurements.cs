@@ -1,5 +1,7 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Latency.DisplayTime;
+using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 
 namespace Nowpose.Session

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Latency.DisplayTime;
 using Nowpose.Network;
 
 namespace Nowpose.Session

@@ -1,7 +1,8 @@
 using Nowpose.Anchoring;
+using Nowpose.Unity.Session;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Anchoring
 {
     /// <summary>Says in the console when it is known otherwise than before where a base is.</summary>
     static class AnchorLog

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Anchoring;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Anchoring
 {
     /// <summary>What tells of markers and what holds places, below a session or wherever the anchor's own root is.</summary>
     sealed class AnchorSources

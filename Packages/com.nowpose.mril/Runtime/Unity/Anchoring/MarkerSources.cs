@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Anchoring;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Anchoring
 {
     /// <summary>The marker sources below an object, as they come and go.</summary>
     sealed class MarkerSources

@@ -1,6 +1,6 @@
 using Nowpose.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>C2 mapped to C1: what a frame's timestamp code shows, and what a sweep's log says of the same frame.</summary>
     static class FrameControlTime

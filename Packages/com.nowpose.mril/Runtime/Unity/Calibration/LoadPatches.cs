@@ -1,9 +1,10 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Latency;
+using Nowpose.Latency.Load;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>The patches of a load, built in steps that take no more than a share of a frame; those that are there are kept, shown or not.</summary>
     sealed class LoadPatches

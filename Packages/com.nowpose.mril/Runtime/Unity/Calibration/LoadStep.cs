@@ -1,4 +1,4 @@
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>What is done of a load in one go; each takes another time.</summary>
     enum LoadStep

@@ -1,9 +1,11 @@
 using System.Collections.Generic;
 using System.IO;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
+using Nowpose.Unity.Rendering;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>Looks for a latency profile where one may be, best first: saved on the device, shipped as a file, shipped as an asset.</summary>
     sealed class ProfilePlaces

@@ -1,7 +1,8 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 using Nowpose.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>What a sweep keeps of a frame until it has gone: computed twice, only the second time is seen.</summary>
     readonly struct SweepFrame

@@ -1,7 +1,8 @@
 using System.Globalization;
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>What a sweep says of itself, once per change.</summary>
     static class SweepWords

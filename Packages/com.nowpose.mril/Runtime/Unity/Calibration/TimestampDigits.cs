@@ -1,6 +1,7 @@
+using Nowpose.Unity.Status;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>A control time as text, seconds with milliseconds, letter by letter: showing another time allocates nothing.</summary>
     sealed class TimestampDigits

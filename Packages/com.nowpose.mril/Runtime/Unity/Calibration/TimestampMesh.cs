@@ -1,8 +1,8 @@
 using System;
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>A timestamp code as a mesh: 64 squares, of which the lit ones have triangles. Dark is nothing, as on the display.</summary>
     sealed class TimestampMesh

@@ -1,7 +1,8 @@
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
+using Nowpose.Unity.Status;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Calibration
 {
     /// <summary>What a timestamp display consists of: the code, the time as text below it, and words where there is no time.</summary>
     sealed class TimestampSheet

@@ -1,6 +1,6 @@
 using Nowpose.Anchoring;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>How a pose is drawn while it is not certain where the robot's base is: the arm may be right, and all of it elsewhere.</summary>
     readonly struct BaseLook

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>The processor's time on a frame's cameras: from the first one's beginning to the last one's end.</summary>
     struct CameraTime

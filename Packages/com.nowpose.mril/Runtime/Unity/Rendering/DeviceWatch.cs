@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Session;
 using UnityEngine.XR;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>Reports the conditions of this device to a session: at its start, and again when the display has begun to report its rate.</summary>
     sealed class DeviceWatch

@@ -3,7 +3,7 @@ using UnityEngine;
 using UnityEngine.Rendering;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>
     /// Measures from the trigger of a render job until the program learns that the GPU has finished it: a readback that is

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.XR;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>How long the GPU worked on the newest frame, as its driver tells; where it does not, zero.</summary>
     sealed class GpuTimes

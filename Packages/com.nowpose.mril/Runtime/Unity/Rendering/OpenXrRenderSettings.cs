@@ -1,7 +1,7 @@
 using System;
 using System.Reflection;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>Reads settings of Unity's OpenXR plug-in, com.unity.xr.openxr, where a project has it.</summary>
     /// <remarks>

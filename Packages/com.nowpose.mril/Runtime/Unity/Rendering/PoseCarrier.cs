@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>What brings something drawn to where the session says: the gripper it is part of, else the rig.</summary>
     sealed class PoseCarrier

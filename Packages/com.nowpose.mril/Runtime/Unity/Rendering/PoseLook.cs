@@ -1,7 +1,8 @@
 using Nowpose.Session;
+using Nowpose.Unity.Status;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>How a pose is drawn, so that one that is not current cannot be taken for one: striped, with words, and mostly fainter.</summary>
     readonly struct PoseLook

@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>Finds out how a material can show that a pose is not current.</summary>
     readonly struct PoseMaterial

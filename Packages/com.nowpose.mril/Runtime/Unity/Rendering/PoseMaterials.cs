@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>The materials of a pose's parts, each examined once: asking a material for a tag allocates.</summary>
     sealed class PoseMaterials

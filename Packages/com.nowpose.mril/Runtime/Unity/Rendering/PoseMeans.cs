@@ -1,4 +1,4 @@
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>How a material can show that a pose is not current.</summary>
     enum PoseMeans

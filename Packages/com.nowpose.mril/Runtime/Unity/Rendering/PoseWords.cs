@@ -1,6 +1,6 @@
 using Nowpose.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>What a wearer is told of a pose, the same words beside the robot and on the status panel.</summary>
     static class PoseWords

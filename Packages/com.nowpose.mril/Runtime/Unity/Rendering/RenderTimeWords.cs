@@ -1,6 +1,6 @@
 using Nowpose.Latency;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>What the wearer and the console are told of where render times come from.</summary>
     static class RenderTimeWords

@@ -1,11 +1,12 @@
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.XR;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Rendering
 {
     /// <summary>The conditions of this device that a calibration holds for. Allocates: not for each frame.</summary>
     static class ThisDevice

@@ -1,7 +1,7 @@
 using Nowpose.Kinematics;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Robot
 {
     /// <summary>The axes of a URDF frame in the editor's view: x forward in red, y left in green, z up in blue, each with its letter.</summary>
     static class FrameGizmo

@@ -1,7 +1,7 @@
 using Nowpose.Kinematics;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Robot
 {
     /// <summary>What a built rig looks like.</summary>
     interface IRigLook

@@ -1,7 +1,7 @@
 using Nowpose.Kinematics;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Robot
 {
     /// <summary>Two materials and no meshes: those lie in files that a headset does not have.</summary>
     /// <remarks>Colours come from the materials alone, for on an additive display a dark one is invisible.</remarks>

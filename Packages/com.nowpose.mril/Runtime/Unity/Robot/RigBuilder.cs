@@ -1,7 +1,7 @@
 using Nowpose.Kinematics;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Robot
 {
     /// <summary>Builds a robot from its description: objects named and nested as its links, and what shows them.</summary>
     /// <remarks>A link that is shown by meshes only, none of which can be had, is drawn as bars to the joints below it.</remarks>

@@ -2,7 +2,7 @@ using System;
 using Nowpose.Kinematics;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Robot
 {
     /// <summary>Transforms named and nested as the links of a robot, and what moves them.</summary>
     sealed class RigHierarchy

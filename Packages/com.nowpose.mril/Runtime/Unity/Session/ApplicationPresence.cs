@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Session
 {
     /// <summary>Whether the application is in front of its user, by what the engine has told.</summary>
     struct ApplicationPresence

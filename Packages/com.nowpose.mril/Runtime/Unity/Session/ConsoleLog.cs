@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Session
 {
     /// <summary>Lines in the console that say where they come from. The context is what a click on the line selects.</summary>
     static class ConsoleLog

@@ -1,7 +1,7 @@
 using Nowpose.Kinematics;
 using Nowpose.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Session
 {
     /// <summary>Says once what the gateway's description brings: the gateway sends it again after each reconnection.</summary>
     struct DescriptionWatch

@@ -1,9 +1,10 @@
 using System;
 using System.Globalization;
 using Nowpose.Latency;
+using Nowpose.Latency.Reprojection;
 using Nowpose.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Session
 {
     /// <summary>Words for what is wrong between the finished frame and the display, and what to do about it.</summary>
     static class DisplayWords

@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Session
 {
     /// <summary>Under which name a gateway knows this headset: no two at one gateway may share theirs.</summary>
     static class HeadsetName

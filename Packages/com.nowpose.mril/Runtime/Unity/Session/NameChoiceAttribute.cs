@@ -3,7 +3,7 @@ using Nowpose.Prediction;
 using Nowpose.Sync;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Session
 {
     /// <summary>The Inspector shows a drop-down of names for the string field; the name itself is serialised.</summary>
     abstract class NameChoiceAttribute : PropertyAttribute

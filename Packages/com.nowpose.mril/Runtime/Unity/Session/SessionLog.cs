@@ -7,7 +7,7 @@ using Nowpose.Session;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Session
 {
     /// <summary>Says in the console what has changed: once per change, never per frame.</summary>
     sealed class SessionLog

@@ -1,6 +1,6 @@
 using Nowpose.Network;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Session
 {
     /// <summary>Chooses what carries the joint positions: NativeWebSocket where that package is installed, else .NET's own client.</summary>
     static class Transport

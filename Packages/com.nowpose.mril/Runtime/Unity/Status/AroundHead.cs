@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>A place around an upright viewer: which way, how far, how high.</summary>
     readonly struct AroundHead

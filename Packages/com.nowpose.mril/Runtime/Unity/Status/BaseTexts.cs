@@ -2,7 +2,7 @@ using System.Globalization;
 using Nowpose.Anchoring;
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>What the status panel says of the base.</summary>
     /// <remarks>A note is made anew when the lock is another one; how far a marker has moved is one of the texts made beforehand.</remarks>

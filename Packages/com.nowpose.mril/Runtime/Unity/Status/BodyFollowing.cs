@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>
     /// Where a panel stands that follows its reader's body: it stays put in the world until the head has turned or moved too

@@ -1,7 +1,9 @@
 using System.Globalization;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
+using Nowpose.Unity.Rendering;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>What the wearer and the console are told of a calibration.</summary>
     static class CalibrationWords

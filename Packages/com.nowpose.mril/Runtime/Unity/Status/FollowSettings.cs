@@ -1,4 +1,4 @@
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>How a panel follows its reader: lengths in metres, angles in degrees.</summary>
     readonly struct FollowSettings

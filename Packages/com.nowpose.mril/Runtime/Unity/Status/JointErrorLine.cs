@@ -4,7 +4,7 @@ using System.Globalization;
 using System.Text;
 using Nowpose.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>How much of each joint's error is removed, in one line; made anew only when a number in it changes.</summary>
     sealed class JointErrorLine

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using Nowpose.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>The joints that are not live, in one line; changed only when a joint, a state or a reason changes.</summary>
     /// <remarks>Shows the time of day at which a state began: unlike its age, that text stays the same, so that frames allocate nothing.</remarks>

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Latency;
 using Nowpose.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>Says where L_visu comes from: its measurement, the condition that has changed since, a prediction, or a number of the settings.</summary>
     /// <remarks>Allocates only when the profile is another one.</remarks>

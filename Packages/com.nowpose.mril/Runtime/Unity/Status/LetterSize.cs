@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>Converts between the size of a font and the height of its capital letters as seen from a distance.</summary>
     static class LetterSize

@@ -1,4 +1,4 @@
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>Widths of letters in Unity's built-in font, as part of the font size.</summary>
     /// <remarks>

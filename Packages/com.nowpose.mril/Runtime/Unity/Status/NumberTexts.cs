@@ -1,7 +1,7 @@
 using System;
 using System.Globalization;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>Numbers as texts that were made beforehand: showing another one allocates nothing.</summary>
     sealed class NumberTexts

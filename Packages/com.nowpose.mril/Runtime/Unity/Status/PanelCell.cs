@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>One text of a panel, which is written only when it changes: each new one costs the engine a mesh, and reading it a string.</summary>
     struct PanelCell

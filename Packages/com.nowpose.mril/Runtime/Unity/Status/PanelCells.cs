@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>Texts and ground of a status panel. One unit is the font's size; the origin is the panel's place.</summary>
     /// <remarks>

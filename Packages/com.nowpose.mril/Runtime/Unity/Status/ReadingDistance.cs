@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>
     /// From how far a text can be read: at least from where the viewer is. It changes in steps, for letters that grow and

@@ -1,4 +1,4 @@
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>Rows of the status panel, from the top; the message stands above them.</summary>
     enum StatusRow

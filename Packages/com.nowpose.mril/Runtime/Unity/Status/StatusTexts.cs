@@ -3,8 +3,10 @@ using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Sync;
+using Nowpose.Unity.Rendering;
+using Nowpose.Unity.Session;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>What the status panel says: a value and a note per row. "!" marks what is not as it should be, "–" what is not known.</summary>
     /// <remarks>All texts but the message were made beforehand; <see cref="Update"/> allocates only when the message or the profile changes, a joint's number where joints are told of, or the state of a joint.</remarks>

@@ -1,6 +1,6 @@
 using UnityEngine;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>Whoever looks at the scene.</summary>
     static class Viewer

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace Nowpose.Unity
+namespace Nowpose.Unity.Status
 {
     /// <summary>Breaks a line between words, which a TextMesh does not do. A word that is wider than a line is broken.</summary>
     static class WrappedText

@@ -6,7 +6,7 @@ using Nowpose.Session;
 using Nowpose.Unity;
 using UnityEngine;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity
 {
     /// <summary>The code of the manual's pages, so that it compiles; a test of the repository holds the two together.</summary>
     static class ManualExamples

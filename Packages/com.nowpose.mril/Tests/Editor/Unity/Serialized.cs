@@ -2,7 +2,7 @@ using System.Reflection;
 using NUnit.Framework;
 using UnityEngine;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity
 {
     /// <summary>Fills in an Inspector's fields.</summary>
     static class Serialized

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>
     /// The pose of the base that fits several markers best: the rigid transform that brings their places at the base to where they

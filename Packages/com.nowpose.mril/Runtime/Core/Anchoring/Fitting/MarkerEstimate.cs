@@ -1,6 +1,6 @@
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>Where a marker is by what was seen of it, and by how much that is probably wrong.</summary>
     readonly struct MarkerEstimate

@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>The mean of poses that say the same, without those that say something else.</summary>
     /// <remarks>

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>Where a <see cref="PoseMean"/> is worked out, so that it needs no memory of its own.</summary>
     sealed class PoseMeanSpace

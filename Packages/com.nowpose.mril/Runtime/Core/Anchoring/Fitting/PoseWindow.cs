@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>The newest poses of one marker, with when they were seen.</summary>
     sealed class PoseWindow

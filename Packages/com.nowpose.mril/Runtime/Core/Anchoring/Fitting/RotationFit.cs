@@ -2,7 +2,7 @@ using MathNet.Numerics.LinearAlgebra;
 using MathNet.Numerics.LinearAlgebra.Double;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>
     /// The rotation nearest to rotations and to pairs of directions, by weight: the eigenvector of the largest eigenvalue of a

@@ -1,7 +1,7 @@
 using System;
 using System.Globalization;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>A tracker's state in one line.</summary>
     /// <remarks>A new text is made only when it says something else, and where only numbers differ once a second.</remarks>

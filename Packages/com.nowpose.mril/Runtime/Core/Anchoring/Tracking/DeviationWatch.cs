@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>How far a marker is lately from where it belongs: a median, which single wrong poses do not move.</summary>
     sealed class DeviationWatch

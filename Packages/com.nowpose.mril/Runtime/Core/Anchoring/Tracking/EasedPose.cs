@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>Follows a pose that may jump without jumping itself: it nears it by the same part in each span of time.</summary>
     sealed class EasedPose

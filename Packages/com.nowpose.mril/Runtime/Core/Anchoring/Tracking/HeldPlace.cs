@@ -1,6 +1,6 @@
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>The place of the base as the device holds it.</summary>
     /// <remarks>Looked for at the start, held from a lock on, and followed as the device corrects its map.</remarks>

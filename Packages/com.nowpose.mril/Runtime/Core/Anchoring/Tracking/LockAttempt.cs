@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Anchoring.Fitting;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>Finds the base by all markers that are known well enough.</summary>
     /// <remarks>Tries now and then, while some are in view that are not part of a lock yet.</remarks>

@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Anchoring.Fitting;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>Whether markers are where they were measured to be in relation to each other, and if not, which one is not.</summary>
     readonly struct MarkerAgreement

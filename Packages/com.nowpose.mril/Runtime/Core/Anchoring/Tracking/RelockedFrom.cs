@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace Nowpose.Anchoring
+namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>What a base was when it was to be locked anew.</summary>
     readonly struct RelockedFrom

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Calibration
 {
     /// <summary>How fast a tool moves along an axis, and whether it does so steadily, over the newest 30 frames.</summary>
     /// <remarks>Allocates nothing after construction; not thread-safe.</remarks>

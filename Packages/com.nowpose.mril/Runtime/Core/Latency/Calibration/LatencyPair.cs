@@ -1,6 +1,6 @@
-using Nowpose.VisibleLight;
+using Nowpose.Latency;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Calibration
 {
     /// <summary>One picture of a calibration: how long the frame rendered, and how late its light was.</summary>
     readonly struct LatencyPair

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Calibration
 {
     /// <summary>Marks by eye, each with the speed that was measured with it; the direction is that of the speed.</summary>
     sealed class MarkedNudges

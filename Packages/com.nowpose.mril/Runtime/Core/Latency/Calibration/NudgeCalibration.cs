@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Calibration
 {
     /// <summary>L_visu by eye: how far the ghost is to be shifted to agree with the robot at constant speed, forward and backward.</summary>
     /// <remarks>

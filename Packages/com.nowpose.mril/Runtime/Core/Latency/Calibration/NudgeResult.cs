@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Calibration
 {
     /// <summary>What marks by eye say of L_visu.</summary>
     readonly struct NudgeResult

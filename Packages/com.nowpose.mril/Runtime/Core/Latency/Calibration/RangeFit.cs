@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Calibration
 {
     /// <summary>Finds the constant-latency range in pictures taken at several loads: L_visu, and the render time up to which it is constant.</summary>
     /// <remarks>

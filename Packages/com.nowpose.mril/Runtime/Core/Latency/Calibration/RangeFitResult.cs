@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Calibration
 {
     /// <summary>The constant-latency range as <see cref="RangeFit"/> found it.</summary>
     sealed class RangeFitResult

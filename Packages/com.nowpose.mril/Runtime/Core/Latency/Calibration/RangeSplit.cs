@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Calibration
 {
     /// <summary>Where a row of good and bad, sorted by render time, turns from mostly good to mostly bad.</summary>
     /// <remarks>

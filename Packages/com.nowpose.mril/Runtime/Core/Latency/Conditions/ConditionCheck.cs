@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Conditions
 {
     /// <summary>Compares the conditions of a running session with those of the profile in use.</summary>
     /// <remarks>Not thread-safe. Allocates only when a condition or the profile changes.</remarks>

@@ -1,4 +1,4 @@
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Conditions
 {
     /// <summary>Something that changes L_visu, the visualisation latency.</summary>
     enum DisplayCondition

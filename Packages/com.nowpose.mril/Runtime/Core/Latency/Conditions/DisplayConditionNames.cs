@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Conditions
 {
     /// <summary>Names of display conditions in files and in messages.</summary>
     static class DisplayConditionNames

@@ -2,8 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
+using Nowpose.Latency.Reprojection;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Conditions
 {
     /// <summary>The conditions under which L_visu was measured, or under which a device runs. Null means that a condition is not known.</summary>
     /// <remarks>Immutable.</remarks>

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.DisplayTime
 {
     /// <summary>Finds a lasting difference between the display times that a runtime predicts and those that were calibrated.</summary>
     /// <remarks>

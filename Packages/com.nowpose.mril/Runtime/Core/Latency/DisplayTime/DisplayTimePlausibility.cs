@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.DisplayTime
 {
     /// <summary>Finds a source that answers with display times that cannot be those of the frame, for a second.</summary>
     /// <remarks>

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.DisplayTime
 {
     /// <summary>When the light of each frame appears: as the runtime predicts it where it does, else as calibrated.</summary>
     /// <remarks>Allocates nothing; not thread-safe.</remarks>

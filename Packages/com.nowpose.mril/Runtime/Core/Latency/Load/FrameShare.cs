@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Load
 {
     /// <summary>Which steps of a long work a frame has room for, by how long steps of their kind took before.</summary>
     /// <remarks>

@@ -1,6 +1,7 @@
 using System;
+using Nowpose.Latency.Sweep;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Load
 {
     /// <summary>A load for the GPU: a wall of tiny triangles with as many vertices as asked, in patches that are built one by one.</summary>
     /// <remarks>

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Load
 {
     /// <summary>One part of a <see cref="LoadMesh"/>: a rectangular grid, its last row perhaps cut short.</summary>
     /// <remarks>

@@ -1,4 +1,4 @@
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Profile
 {
     /// <summary>How L_visu was found, from the most to the least exact.</summary>
     enum CalibrationMethod

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Profile
 {
     /// <summary>What calibration methods are called in files.</summary>
     static class CalibrationMethodNames

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Profile
 {
     /// <summary>Latency of the picture's position for head motion, which late-stage reprojection shortens.</summary>
     /// <remarks>L_visu is the age of the content, which late-stage reprojection leaves as it is.</remarks>

@@ -2,8 +2,9 @@ using System;
 using System.Globalization;
 using System.IO;
 using Newtonsoft.Json;
+using Nowpose.Latency.Conditions;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Profile
 {
     /// <summary>Latency profiles as JSON text, version 1: lengths in ms, null for what is not known.</summary>
     static class LatencyProfileJson

@@ -4,7 +4,7 @@ using System.Globalization;
 using System.Text;
 using Nowpose.Protocol;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Profile
 {
     /// <summary>The fields of a flat JSON object, asked for one by one; what cannot be used is one line with the file and the field.</summary>
     sealed class ProfileFields

@@ -1,4 +1,4 @@
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Reprojection
 {
     /// <summary>Conditions of depth submission, observed at one moment.</summary>
     readonly struct DepthObservation

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Reprojection
 {
     /// <summary>Follows whether depth is submitted; a change counts once it has lasted a second.</summary>
     /// <remarks>So a scene that changes its camera reports nothing. Allocates nothing; not thread-safe.</remarks>

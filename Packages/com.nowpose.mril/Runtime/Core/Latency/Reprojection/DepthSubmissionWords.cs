@@ -1,4 +1,4 @@
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Reprojection
 {
     /// <summary>Names of depth submission in diagnostics, and words for what is wrong with it.</summary>
     static class DepthSubmissionWords

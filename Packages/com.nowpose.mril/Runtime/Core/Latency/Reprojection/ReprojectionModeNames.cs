@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Reprojection
 {
     /// <summary>Names of reprojection modes in files, diagnostics and messages.</summary>
     static class ReprojectionModeNames

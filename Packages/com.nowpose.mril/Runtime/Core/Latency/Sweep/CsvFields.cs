@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Text;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>The fields of one line of CSV, of which some may be quoted.</summary>
     static class CsvFields

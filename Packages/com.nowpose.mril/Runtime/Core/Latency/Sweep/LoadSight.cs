@@ -1,4 +1,4 @@
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>Whether a source of the render time sees how much the GPU has to draw.</summary>
     enum LoadSight

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>What a render time grew by with time alone, at each visit of a sweep, ms: summed up from how it grew while a load stayed.</summary>
     sealed class SweepDrift

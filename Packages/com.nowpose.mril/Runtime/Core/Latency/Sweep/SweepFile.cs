@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Latency.Conditions;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>Writes a sweep's log while it runs, one load at a time and on another thread: no frame waits for the disk.</summary>
     /// <remarks>Belongs to one thread, but for what says otherwise. When the application dies the loads before the present one are in the file.</remarks>

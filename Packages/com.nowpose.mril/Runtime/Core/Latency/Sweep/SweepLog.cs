@@ -1,7 +1,8 @@
 using System.Globalization;
 using System.IO;
+using Nowpose.Latency.Conditions;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>Writes a load sweep as CSV: one row for each frame, to be joined with the pictures of a camera.</summary>
     /// <remarks>

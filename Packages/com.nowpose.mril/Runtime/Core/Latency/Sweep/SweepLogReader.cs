@@ -2,8 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using Nowpose.Latency.Conditions;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>Reads what <see cref="SweepLog"/> wrote; whatever is wrong is one line with file, line and field.</summary>
     static class SweepLogReader

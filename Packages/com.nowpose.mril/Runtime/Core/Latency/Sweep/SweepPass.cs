@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>Some visits of a sweep, and how much the render time rises from their low loads to their high ones.</summary>
     sealed class SweepPass

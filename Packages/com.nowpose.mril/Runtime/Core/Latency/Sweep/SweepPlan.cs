@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>The loads of a sweep in their order, and how long each is shown. Immutable, checked once.</summary>
     sealed class SweepPlan

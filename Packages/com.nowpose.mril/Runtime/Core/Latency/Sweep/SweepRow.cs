@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>One frame of a load sweep: which load it showed, and the render time that was known in it.</summary>
     readonly struct SweepRow

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>Where a sweep stands in its plan. Time moves with the frames that it is told of; not thread-safe, allocates nothing.</summary>
     sealed class SweepRun

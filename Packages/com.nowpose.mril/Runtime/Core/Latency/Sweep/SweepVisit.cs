@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>What was measured while a sweep showed one load without a break.</summary>
     sealed class SweepVisit

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace Nowpose.Latency
+namespace Nowpose.Latency.Sweep
 {
     /// <summary>Mean of the middle four fifths of some numbers, and how far they scatter; a tenth at either end may be anything.</summary>
     /// <remarks>Not a median: of times that come in whole frames it would be one or the other, however the two mix.</remarks>

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>Counts errors by size in steps of an eighth of an octave: percentiles without keeping what was counted.</summary>
     sealed class ErrorHistogram

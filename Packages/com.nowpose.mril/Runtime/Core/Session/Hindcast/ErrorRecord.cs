@@ -1,4 +1,4 @@
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>The errors of one quantity, over the newest seconds and over the whole run.</summary>
     sealed class ErrorRecord

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>The errors of one quantity over a whole run of any length. Allocates nothing once made.</summary>
     /// <remarks>When there are too many batches, neighbours become one: they grow with the run, and their number stays.</remarks>

@@ -1,4 +1,4 @@
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>What one frame tells of one quantity: squares of its errors, in the quantity's unit squared.</summary>
     readonly struct ErrorSample

@@ -1,4 +1,4 @@
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>Sums over frames, from which root mean squares are made.</summary>
     struct ErrorSums

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>The errors of one quantity over the newest ten seconds, which pass in steps of one. Allocates nothing once made.</summary>
     sealed class ErrorWindow

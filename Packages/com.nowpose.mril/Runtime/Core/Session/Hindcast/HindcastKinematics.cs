@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>Where the tool is by joints that a frame did not show. Allocates nothing once made.</summary>
     sealed class HindcastKinematics

@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Protocol;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>
     /// How far the tool, and each joint it hangs on, was displayed from where it truly was, as the samples that came later tell; of

@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>How much of the hold's error is removed, and how sure that is.</summary>
     /// <remarks>

@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>Frames that were shown and wait for the samples which tell where the robot truly was. Allocates nothing once made.</summary>
     sealed class ShownFrames

@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>How fast the joints and the tool truly moved from one judged frame to the next; 0 for the first after a pause.</summary>
     sealed class TrueSpeeds

@@ -1,4 +1,4 @@
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>Where a joint was; <c>default</c> is "not known".</summary>
     readonly struct TruthSample

@@ -1,4 +1,4 @@
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>The way of a joint between two neighbouring samples: the cubic through them, the one before and the one after.</summary>
     readonly struct TruthSpan

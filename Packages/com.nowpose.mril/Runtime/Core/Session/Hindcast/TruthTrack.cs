@@ -1,6 +1,6 @@
 using System;
 
-namespace Nowpose.Session
+namespace Nowpose.Session.Hindcast
 {
     /// <summary>The newest four samples of a joint: each new one completes what is known of the interval before the last.</summary>
     struct TruthTrack

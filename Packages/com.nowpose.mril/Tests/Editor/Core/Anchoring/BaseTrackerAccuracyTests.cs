@@ -4,7 +4,7 @@ using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring
 {
     /// <summary>How exact a lock is, over many seeds: noise of 2 mm and 0.5° (root mean square distance and angle), 10 % outliers, 30 Hz.</summary>
     /// <remarks>

@@ -1,9 +1,10 @@
 using System;
 using Nowpose.Anchoring;
+using Nowpose.Anchoring.Tracking;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring
 {
     public class EasedPoseTests
     {

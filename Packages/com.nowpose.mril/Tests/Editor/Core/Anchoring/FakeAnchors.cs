@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring
 {
     /// <summary>A device that holds places, and moves or loses them when a test says so.</summary>
     sealed class FakeAnchors : ISpatialAnchors

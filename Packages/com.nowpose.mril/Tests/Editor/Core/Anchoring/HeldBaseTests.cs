@@ -4,7 +4,7 @@ using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring
 {
     /// <summary>A lock that a device holds: handed over, corrected, lost, and found again in another run.</summary>
     public class HeldBaseTests

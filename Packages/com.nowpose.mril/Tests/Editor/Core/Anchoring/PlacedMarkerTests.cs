@@ -3,7 +3,7 @@ using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring
 {
     /// <summary>A marker that somebody puts where it is to be.</summary>
     public class PlacedMarkerTests

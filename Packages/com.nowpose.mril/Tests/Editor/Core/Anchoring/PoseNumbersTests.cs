@@ -3,7 +3,7 @@ using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring
 {
     public class PoseNumbersTests
     {

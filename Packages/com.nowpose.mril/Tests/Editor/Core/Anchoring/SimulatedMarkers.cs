@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring
 {
     /// <summary>A robot's base with markers, and a device that sees them at 30 Hz with noise and outliers while frames run at 60 Hz.</summary>
     sealed class SimulatedMarkers

@@ -4,7 +4,7 @@ using Newtonsoft.Json.Linq;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Kinematics
 {
     public class ForwardKinematicsTests
     {
@@ -21,7 +21,7 @@ namespace Nowpose.Tests
             new[] { 0.0823, 0, 0 },
         };
 
-        // Poses by urdf-loader and three.js; Tests/Kinematics/make-reference.mjs wrote them.
+        // Poses by urdf-loader and three.js; Tests/Package/make-reference.mjs wrote them.
         [TestCase("youbot")]
         [TestCase("ur5")]
         [TestCase("odd_axes")]

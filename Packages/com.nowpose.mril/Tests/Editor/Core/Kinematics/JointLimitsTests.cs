@@ -1,7 +1,7 @@
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Kinematics
 {
     public class JointLimitsTests
     {

@@ -1,9 +1,10 @@
 using System;
 using System.Linq;
 using Nowpose.Kinematics;
+using Nowpose.Tests.Core.Session;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Kinematics
 {
     public class LimitWatchTests
     {

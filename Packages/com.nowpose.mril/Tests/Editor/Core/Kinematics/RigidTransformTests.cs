@@ -2,7 +2,7 @@ using System;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Kinematics
 {
     public class RigidTransformTests
     {

@@ -2,7 +2,7 @@ using System.Linq;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Kinematics
 {
     public class RobotModelTests
     {

@@ -2,7 +2,7 @@ using System.IO;
 using System.Runtime.CompilerServices;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Kinematics
 {
     /// <summary>The package's robots and the tests' own files, found from where this source lies.</summary>
     static class UrdfFiles

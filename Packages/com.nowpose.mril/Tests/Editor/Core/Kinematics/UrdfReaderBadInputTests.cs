@@ -1,7 +1,7 @@
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Kinematics
 {
     /// <summary>Everything that is refused, and that the one line says where and what.</summary>
     public class UrdfReaderBadInputTests

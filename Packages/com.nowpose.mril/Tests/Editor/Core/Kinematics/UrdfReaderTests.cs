@@ -3,7 +3,7 @@ using System.Threading;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Kinematics
 {
     public class UrdfReaderTests
     {

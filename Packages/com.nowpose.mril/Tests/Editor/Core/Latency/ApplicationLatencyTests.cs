@@ -2,7 +2,7 @@ using System;
 using Nowpose.Latency;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency
 {
     public class ApplicationLatencyTests
     {

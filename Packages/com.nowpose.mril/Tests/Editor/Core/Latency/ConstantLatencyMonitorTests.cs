@@ -4,7 +4,7 @@ using Nowpose.Latency;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency
 {
     public class ConstantLatencyMonitorTests
     {

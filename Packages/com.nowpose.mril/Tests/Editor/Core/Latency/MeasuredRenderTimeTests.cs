@@ -1,7 +1,9 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
+using Nowpose.Latency.Sweep;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency
 {
     public class MeasuredRenderTimeTests
     {

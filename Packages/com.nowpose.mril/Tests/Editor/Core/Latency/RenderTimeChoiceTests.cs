@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Latency;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency
 {
     public class RenderTimeChoiceTests
     {

@@ -5,7 +5,7 @@ using MathNet.Numerics.Statistics;
 using Nowpose.Latency;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency
 {
     public class RollingPercentilesTests
     {

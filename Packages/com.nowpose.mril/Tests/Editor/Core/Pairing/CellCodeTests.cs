@@ -4,7 +4,7 @@ using Nowpose.Pairing;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Pairing
 {
     public class CellCodeTests
     {

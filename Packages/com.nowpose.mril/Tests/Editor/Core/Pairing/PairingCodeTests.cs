@@ -1,7 +1,7 @@
 using Nowpose.Pairing;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Pairing
 {
     public class PairingCodeTests
     {

@@ -3,7 +3,7 @@ using System.Linq;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     /// <summary>What plants do now and then, and what must not spoil the prediction for long.</summary>
     public class AdaptiveInTheFieldTests

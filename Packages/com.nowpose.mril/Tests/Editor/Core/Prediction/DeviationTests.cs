@@ -3,7 +3,7 @@ using System.Linq;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     /// <summary>The standard deviation that <c>gp</c> states of its own forecasts.</summary>
     public class DeviationTests

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Planning;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     /// <summary>A joint as a display shows it: each frame asks where it is, and each sample comes with the newest moment displayed.</summary>
     sealed class DisplayedJoint

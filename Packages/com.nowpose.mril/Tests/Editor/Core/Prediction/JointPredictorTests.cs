@@ -2,9 +2,9 @@ using System;
 using System.Linq;
 using Nowpose.Prediction;
 using NUnit.Framework;
-using static Nowpose.Tests.TestPredictors;
+using static Nowpose.Tests.Core.Prediction.TestPredictors;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     public class JointPredictorTests
     {

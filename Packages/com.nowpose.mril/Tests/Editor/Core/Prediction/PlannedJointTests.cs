@@ -4,7 +4,7 @@ using Nowpose.Prediction;
 using Nowpose.Prediction.Planning;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     public class PlannedJointTests
     {

@@ -2,7 +2,7 @@ using System;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     public class PredictionLimitsTests
     {

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Motion;
 using Nowpose.Prediction;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     /// <summary>
     /// The paper's section 2.2 in virtual time: a 500 mm axis forth and back by the 7-phase profile (1000 mm/s, 5000 mm/s²,

@@ -1,6 +1,6 @@
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     public class SimulatedPredictionTests
     {

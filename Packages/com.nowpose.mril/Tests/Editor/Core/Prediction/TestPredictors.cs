@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Forecasting;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction
 {
     /// <summary>Predictors as tests need them, and short ways to feed them.</summary>
     static class TestPredictors

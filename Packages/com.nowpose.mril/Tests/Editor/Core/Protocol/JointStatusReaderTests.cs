@@ -2,7 +2,7 @@ using System.Linq;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Protocol
 {
     public class JointStatusReaderTests
     {

@@ -4,7 +4,7 @@ using System.Text;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Protocol
 {
     /// <summary>Checks what a reader keeps from one message to the next.</summary>
     public class RosbridgeReaderReuseTests

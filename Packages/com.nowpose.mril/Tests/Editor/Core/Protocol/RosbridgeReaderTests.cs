@@ -3,7 +3,7 @@ using System.Linq;
 using NUnit.Framework;
 using Nowpose.Protocol;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Protocol
 {
     public class RosbridgeReaderTests
     {

@@ -2,7 +2,7 @@ using System;
 using NUnit.Framework;
 using Nowpose.Protocol;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Protocol
 {
     public class StampRuleTests
     {

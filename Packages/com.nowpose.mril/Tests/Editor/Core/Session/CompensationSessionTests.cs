@@ -11,7 +11,7 @@ using Nowpose.Simulation;
 using Nowpose.Sync;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     public class CompensationSessionTests
     {

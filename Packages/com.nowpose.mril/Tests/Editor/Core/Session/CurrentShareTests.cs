@@ -1,7 +1,7 @@
 using Nowpose.Session;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     public class CurrentShareTests
     {

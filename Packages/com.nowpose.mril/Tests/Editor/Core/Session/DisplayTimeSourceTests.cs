@@ -1,10 +1,11 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     public class DisplayTimeSourceTests
     {

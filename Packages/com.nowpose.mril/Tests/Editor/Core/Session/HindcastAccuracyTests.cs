@@ -4,9 +4,10 @@ using System.Linq;
 using Nowpose.Prediction;
 using Nowpose.Session;
 using Nowpose.Simulation;
+using Nowpose.Tests.Core.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     /// <summary>What the monitor measures without any truth, against the truth that the virtual cell knows.</summary>
     public class HindcastAccuracyTests

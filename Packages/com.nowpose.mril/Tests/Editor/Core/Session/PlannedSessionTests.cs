@@ -9,9 +9,10 @@ using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Sync;
+using Nowpose.Tests.Core.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     /// <summary>A session whose control system publishes its set-points ahead.</summary>
     public class PlannedSessionTests

@@ -1,11 +1,13 @@
 using System;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
 using Nowpose.Network;
 using Nowpose.Session;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     public class ProfileMismatchTests
     {

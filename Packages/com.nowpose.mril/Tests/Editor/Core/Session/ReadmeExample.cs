@@ -5,7 +5,7 @@ using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     /// <summary>The code of the package's README, so that it compiles; a test of the repository holds the two together.</summary>
     static class ReadmeExample

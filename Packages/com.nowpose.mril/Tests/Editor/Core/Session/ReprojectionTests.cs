@@ -4,7 +4,7 @@ using Nowpose.Network;
 using Nowpose.Session;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     public class ReprojectionTests
     {

@@ -3,9 +3,10 @@ using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Tests.Core.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     /// <summary>What a session makes of the gateway's robot description.</summary>
     public class RobotDescriptionTests

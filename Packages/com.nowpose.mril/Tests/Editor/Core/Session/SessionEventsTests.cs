@@ -8,7 +8,7 @@ using Nowpose.Session;
 using Nowpose.Sync;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     /// <summary>What a session tells whoever keeps a record of it.</summary>
     public class SessionEventsTests

@@ -6,7 +6,7 @@ using Nowpose.Session;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     public class SessionWatchTests
     {

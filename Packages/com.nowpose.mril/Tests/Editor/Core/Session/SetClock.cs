@@ -1,4 +1,4 @@
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     /// <summary>A clock that moves when the test says so.</summary>
     sealed class SetClock : IHeadsetClock

@@ -7,8 +7,9 @@ using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Sync;
+using Nowpose.Tests.Core.Sync;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     /// <summary>
     /// A whole session in virtual time: a moving robot, a network, two clocks, frames at 60 fps. Nothing waits,

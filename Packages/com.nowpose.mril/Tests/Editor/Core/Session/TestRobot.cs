@@ -1,6 +1,6 @@
 using Nowpose.Kinematics;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     /// <summary>Two joints, a gripper finger beside the tool, one metre of arm.</summary>
     static class TestRobot

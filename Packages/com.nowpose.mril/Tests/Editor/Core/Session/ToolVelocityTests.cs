@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 using Nowpose.Session;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     public class ToolVelocityTests
     {

@@ -1,11 +1,12 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Network;
 using Nowpose.Prediction;
 using Nowpose.Session;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Session
 {
     public class VisualisationNudgeTests
     {

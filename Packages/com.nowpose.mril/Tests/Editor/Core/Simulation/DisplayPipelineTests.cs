@@ -2,7 +2,7 @@ using System;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Simulation
 {
     public class DisplayPipelineTests
     {

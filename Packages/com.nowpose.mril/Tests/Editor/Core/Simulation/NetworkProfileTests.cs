@@ -3,7 +3,7 @@ using System.Linq;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Simulation
 {
     /// <summary>The statistics of the simulated delays against those of their distributions, worked out by hand.</summary>
     public class NetworkProfileTests

@@ -4,7 +4,7 @@ using System.Linq;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Simulation
 {
     /// <summary>The fate of single packets against the distributions of the profiles.</summary>
     public class PacketLinkTests

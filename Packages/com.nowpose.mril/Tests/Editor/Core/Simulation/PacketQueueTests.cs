@@ -4,7 +4,7 @@ using System.Linq;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Simulation
 {
     public class PacketQueueTests
     {

@@ -4,7 +4,7 @@ using Nowpose.Session;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Simulation
 {
     /// <summary>What a headset shows over slow and lossy links, TCP's retransmissions and head-of-line blocking included.</summary>
     public class TcpLinkTests

@@ -10,8 +10,9 @@ using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
 using Nowpose.Sync;
+using Nowpose.Tests.Core.Kinematics;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Simulation
 {
     /// <summary>A session whose two connections are TCP streams over a packet link, at 60 fps in virtual time, scored against the truth.</summary>
     sealed class TcpRun

@@ -3,7 +3,7 @@ using System.Linq;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Simulation
 {
     public class TcpStreamTests
     {

@@ -7,8 +7,9 @@ using Nowpose.Network;
 using Nowpose.Prediction;
 using Nowpose.Session;
 using Nowpose.Simulation;
+using Nowpose.Tests.Core.Kinematics;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Simulation
 {
     /// <summary>A session fed by a virtual cell with a youBot, at 60 fps in virtual time, scored against the truth.</summary>
     sealed class VirtualCellRun

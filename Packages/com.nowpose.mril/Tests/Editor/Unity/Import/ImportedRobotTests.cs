@@ -1,11 +1,12 @@
 using Nowpose.Kinematics;
+using Nowpose.Tests.Unity.Robot;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
 using Random = System.Random;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Import
 {
     /// <summary>The package's own .urdf files as the editor has imported them.</summary>
     public class ImportedRobotTests

@@ -1,9 +1,10 @@
 using System;
 using System.Linq;
 using Nowpose.Editor;
+using Nowpose.Editor.Import;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Import
 {
     public class MeshLocatorTests
     {

@@ -2,9 +2,10 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using Nowpose.Editor;
+using Nowpose.Editor.Import;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Import
 {
     public class ModelHeaderTests
     {

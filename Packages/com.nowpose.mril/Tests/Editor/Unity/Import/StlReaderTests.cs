@@ -6,7 +6,7 @@ using System.Text;
 using Nowpose.Editor;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Import
 {
     public class StlReaderTests
     {

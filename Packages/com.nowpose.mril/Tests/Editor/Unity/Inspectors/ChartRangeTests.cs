@@ -1,7 +1,8 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Inspectors;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Inspectors
 {
     public class ChartRangeTests
     {

@@ -1,9 +1,10 @@
 using System;
 using System.Linq;
 using Nowpose.Editor;
+using Nowpose.Editor.Inspectors;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Inspectors
 {
     public class RollingSeriesTests
     {

@@ -1,12 +1,15 @@
 using System.Linq;
 using System.Text.RegularExpressions;
 using Nowpose.Editor;
+using Nowpose.Editor.Inspectors;
 using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Simulation;
+using Nowpose.Tests.Core;
+using Nowpose.Tests.Core.Session;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Inspectors
 {
     public class SessionRowsTests
     {

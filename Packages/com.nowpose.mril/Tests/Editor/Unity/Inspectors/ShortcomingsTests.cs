@@ -1,10 +1,12 @@
 using System.Linq;
 using Nowpose.Editor;
+using Nowpose.Editor.Inspectors;
+using Nowpose.Tests.Unity.Robot;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Inspectors
 {
     public class ShortcomingsTests
     {

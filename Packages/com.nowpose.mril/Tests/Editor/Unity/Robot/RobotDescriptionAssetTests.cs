@@ -1,7 +1,8 @@
+using Nowpose.Tests.Core.Kinematics;
 using Nowpose.Unity;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Robot
 {
     public class RobotDescriptionAssetTests
     {

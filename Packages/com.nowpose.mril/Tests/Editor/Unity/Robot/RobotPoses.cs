@@ -5,7 +5,7 @@ using NUnit.Framework;
 using UnityEngine;
 using Random = System.Random;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Robot
 {
     /// <summary>Random joint positions of a robot, and whether a rig stands as Core computes.</summary>
     static class RobotPoses

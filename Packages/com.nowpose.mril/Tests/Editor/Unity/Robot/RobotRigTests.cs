@@ -1,12 +1,13 @@
 using System;
 using System.Linq;
 using Nowpose.Kinematics;
+using Nowpose.Tests.Core.Kinematics;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
 using Random = System.Random;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Robot
 {
     public class RobotRigTests
     {

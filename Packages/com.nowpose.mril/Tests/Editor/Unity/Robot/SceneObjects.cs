@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Kinematics;
 using UnityEngine;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Robot
 {
     /// <summary>Objects that a test makes in edit mode, and takes away again.</summary>
     sealed class SceneObjects

@@ -1,9 +1,10 @@
 using System.Collections.Generic;
+using Nowpose.Tests.Core.Kinematics;
 using Nowpose.Unity;
 using NUnit.Framework;
 using UnityEngine;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Robot
 {
     public class VirtualGripperTests
     {

@@ -1,10 +1,11 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using UnityEditor;
 using UnityEngine.Rendering;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Setup
 {
     /// <summary>Settings of a project that a test makes up.</summary>
     sealed class FakeProject : IProjectSettings

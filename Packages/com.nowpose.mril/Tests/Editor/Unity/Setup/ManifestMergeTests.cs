@@ -1,9 +1,10 @@
 using System.Linq;
 using Newtonsoft.Json.Linq;
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Setup
 {
     public class ManifestMergeTests
     {

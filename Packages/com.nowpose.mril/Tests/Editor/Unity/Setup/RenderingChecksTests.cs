@@ -1,8 +1,9 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using UnityEngine.Rendering;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Setup
 {
     /// <summary>The checks of what moves the visualisation latency and of the camera: good, bad, fixed, unknown.</summary>
     public class RenderingChecksTests

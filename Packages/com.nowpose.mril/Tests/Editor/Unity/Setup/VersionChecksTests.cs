@@ -1,7 +1,8 @@
 using Nowpose.Editor;
+using Nowpose.Editor.Setup;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Setup
 {
     public class VersionChecksTests
     {

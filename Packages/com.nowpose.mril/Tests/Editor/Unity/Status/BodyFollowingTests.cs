@@ -1,9 +1,10 @@
 using System;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Status
 {
     public class BodyFollowingTests
     {

@@ -1,9 +1,10 @@
 using System;
 using System.Globalization;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Status
 {
     public class NumberTextsTests
     {

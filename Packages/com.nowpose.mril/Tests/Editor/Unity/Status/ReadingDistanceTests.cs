@@ -1,9 +1,11 @@
 using System;
+using Nowpose.Tests.Unity.Robot;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Status
 {
     public class ReadingDistanceTests
     {

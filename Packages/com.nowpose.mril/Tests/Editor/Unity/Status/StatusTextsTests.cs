@@ -4,14 +4,20 @@ using System.Linq;
 using System.Reflection;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Tests.Core;
+using Nowpose.Tests.Core.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Rendering;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
-using static Nowpose.Tests.Lengths;
+using static Nowpose.Tests.Core.Lengths;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Status
 {
     public class StatusTextsTests
     {

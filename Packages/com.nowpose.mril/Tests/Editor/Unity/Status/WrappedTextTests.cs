@@ -1,8 +1,9 @@
 using System.Linq;
 using Nowpose.Unity;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Unity.Status
 {
     public class WrappedTextTests
     {

@@ -6,7 +6,7 @@ using System.Runtime.CompilerServices;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
     /// <summary>What a marker source told, line by line, played to a tracker at 60 frames a second.</summary>
     sealed class MarkerSequence

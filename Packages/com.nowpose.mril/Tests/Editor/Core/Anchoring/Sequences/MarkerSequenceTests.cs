@@ -3,7 +3,7 @@ using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
     /// <summary>Two markers as a device tells of them: six readings a second, told more often, and not always what it says.</summary>
     public class MarkerSequenceTests

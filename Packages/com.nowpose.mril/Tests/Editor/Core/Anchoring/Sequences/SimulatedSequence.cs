@@ -4,7 +4,7 @@ using System.Globalization;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
     /// <summary>Makes the files of the marker sequences: two markers as a device is known to tell of them, from a seed.</summary>
     static class SimulatedSequence

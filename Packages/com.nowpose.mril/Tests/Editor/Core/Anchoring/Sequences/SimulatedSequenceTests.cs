@@ -5,7 +5,7 @@ using System.IO;
 using System.Runtime.CompilerServices;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Anchoring
+namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
     public class SimulatedSequenceTests
     {

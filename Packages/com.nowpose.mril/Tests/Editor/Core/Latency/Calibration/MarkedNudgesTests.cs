@@ -1,7 +1,8 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Calibration
 {
     public class MarkedNudgesTests
     {

@@ -1,8 +1,9 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Calibration
 {
     public class NudgeCalibrationTests
     {

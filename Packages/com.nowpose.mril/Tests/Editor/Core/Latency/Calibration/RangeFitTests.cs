@@ -1,10 +1,11 @@
 using System;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Calibration
 {
     public class RangeFitTests
     {

@@ -2,9 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Latency.Calibration;
 using Nowpose.Simulation;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Calibration
 {
     /// <summary>Pairs of a sweep as a camera would give them: a simulated display, one of three frames or so, now and then misread.</summary>
     sealed class SimulatedPictures

@@ -1,9 +1,10 @@
 using System;
 using System.IO;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Profile
 {
     public class LatencyProfileFileTests
     {

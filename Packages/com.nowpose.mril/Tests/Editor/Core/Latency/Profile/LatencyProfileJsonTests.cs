@@ -1,8 +1,10 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Profile;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Profile
 {
     public class LatencyProfileJsonTests
     {

@@ -1,8 +1,9 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Profile
 {
     public class LatencyProfileTests
     {

@@ -1,8 +1,9 @@
 using System.Collections.Generic;
 using Nowpose.Latency;
+using Nowpose.Latency.Reprojection;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Reprojection
 {
     public class DepthObservationTests
     {

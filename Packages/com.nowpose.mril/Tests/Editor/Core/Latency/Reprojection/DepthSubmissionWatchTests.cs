@@ -1,7 +1,8 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Reprojection;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Reprojection
 {
     public class DepthSubmissionWatchTests
     {

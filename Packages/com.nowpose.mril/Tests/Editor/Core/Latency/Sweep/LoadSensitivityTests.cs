@@ -1,8 +1,9 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Sweep
 {
     public class LoadSensitivityTests
     {

@@ -1,9 +1,10 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Sweep
 {
     /// <summary>Rows of a sweep at 60 Hz, with a render time of each frame as something measures it. Seeded.</summary>
     sealed class SimulatedSweep

@@ -3,9 +3,10 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Sweep
 {
     public class SweepFileTests
     {

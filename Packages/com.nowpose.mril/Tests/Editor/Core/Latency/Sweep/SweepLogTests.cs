@@ -2,9 +2,11 @@ using System;
 using System.IO;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Sweep;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Latency.Sweep
 {
     public class SweepLogTests
     {

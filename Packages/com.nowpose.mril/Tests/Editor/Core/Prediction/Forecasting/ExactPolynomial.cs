@@ -1,7 +1,7 @@
 using System;
 using System.Numerics;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
     /// <summary>Least squares of Eq. 8 in exact rational arithmetic, from the normal equations as textbooks write them.</summary>
     static class ExactPolynomial

@@ -6,7 +6,7 @@ using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Samples;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
     public class GaussianProcessTests
     {

@@ -4,7 +4,7 @@ using Nowpose.Prediction;
 using Nowpose.Prediction.Forecasting;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
     public class ProfileForecasterTests
     {

@@ -3,9 +3,9 @@ using Nowpose.Prediction;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Mixing;
 using NUnit.Framework;
-using static Nowpose.Tests.TestPredictors;
+using static Nowpose.Tests.Core.Prediction.TestPredictors;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction.Mixing
 {
     public class CandidateGateTests
     {

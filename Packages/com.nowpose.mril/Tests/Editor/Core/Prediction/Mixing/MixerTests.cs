@@ -4,7 +4,7 @@ using Nowpose.Motion;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction.Mixing
 {
     public class MixerTests
     {

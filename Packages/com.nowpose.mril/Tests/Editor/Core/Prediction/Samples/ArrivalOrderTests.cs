@@ -4,7 +4,7 @@ using System.Linq;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction.Samples
 {
     public class ArrivalOrderTests
     {

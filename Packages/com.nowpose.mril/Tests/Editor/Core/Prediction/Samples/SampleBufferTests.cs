@@ -3,7 +3,7 @@ using Nowpose.Prediction;
 using Nowpose.Prediction.Samples;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction.Samples
 {
     public class SampleBufferTests
     {

@@ -2,7 +2,7 @@ using System;
 using Nowpose.Prediction.Samples;
 using NUnit.Framework;
 
-namespace Nowpose.Tests
+namespace Nowpose.Tests.Core.Prediction.Samples
 {
     public class StampLineTests
     {

@@ -1,0 +1,49 @@
+using Microsoft.AspNetCore.Connections.Features;
+using Microsoft.AspNetCore.Http.Features;
+using Nowpose.Gateway.Security;
+using Nowpose.Gateway.Sync;
+
+namespace Nowpose.Gateway.Codes;
+
+/// <summary>Lets connections ask for the time by HTTP: each takes a WebSocket's place until it ends, and asks no faster than sync may.</summary>
+/// <remarks>They stay open between requests: to connect anew would count as the way to here.</remarks>
+sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Action<string> log)
+{
+    /// <summary>Whether this request may be served; when not it was refused, and answered, and its connection ends.</summary>
+    public async Task<bool> AdmitAsync(HttpContext context)
+    {
+        if (PlaceOf(context) is not { } place)
+            await Door.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
+        else if (place.Rate.TryTake())
+            return true;
+        else
+            await RefuseRateAsync(context, place);
+        return false;
+    }
+
+    Task RefuseRateAsync(HttpContext context, Place place)
+    {
+        place.Why = Closure.TooManyRequests;
+        log($"websocket: closed a connection, {place.Why}");
+        return Door.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), $"no more than {options.SyncRequestsPerSecond} requests a second");
+    }
+
+    // Requests of one connection come one after another.
+    Place PlaceOf(HttpContext context)
+    {
+        var items = context.Features.GetRequiredFeature<IConnectionItemsFeature>().Items;
+        if (items.TryGetValue(this, out var known)) return (Place)known;
+        if (!counters.TryEnter(options.MaxConnections)) return null;
+        var place = new Place(new RequestRate(options.SyncRequestsPerSecond));
+        items.Add(this, place);
+        PendingPlaces.GiveBack(context);
+        context.Features.GetRequiredFeature<IConnectionLifetimeFeature>().ConnectionClosed.Register(() => counters.Leave(place.Why));
+        return place;
+    }
+
+    sealed class Place(RequestRate rate)
+    {
+        public RequestRate Rate => rate;
+        public Closure Why { get; set; } = Closure.ByPeer;
+    }
+}

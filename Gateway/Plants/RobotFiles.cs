@@ -1,0 +1,48 @@
+using Nowpose.Kinematics;
+
+namespace Nowpose.Gateway.Plants;
+
+/// <summary>Robots by the name of one that comes along, or by the path of a URDF.</summary>
+public static class RobotFiles
+{
+    static readonly string[] Included = ["youbot", "ur5"];
+
+    /// <summary>Whether it names one that comes along.</summary>
+    public static bool IsIncluded(string name) => Included.Contains(name);
+
+    /// <param name="nameOrPath">"youbot", "ur5" or the path of a .urdf file.</param>
+    /// <exception cref="InputException">There is no such robot, or its URDF cannot be read or computed.</exception>
+    public static RobotModel Load(string nameOrPath) => Load(nameOrPath, out _);
+
+    /// <param name="urdf">The robot's text, as it is sent to a headset.</param>
+    /// <inheritdoc cref="Load(string)"/>
+    public static RobotModel Load(string nameOrPath, out string urdf)
+    {
+        urdf = LoadText(nameOrPath);
+        return UrdfReader.Read(urdf, nameOrPath);
+    }
+
+    /// <summary>The URDF itself, as it is sent to a headset; not checked.</summary>
+    /// <inheritdoc cref="Load(string)"/>
+    public static string LoadText(string nameOrPath)
+    {
+        if (IsIncluded(nameOrPath))
+            return File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Robots", nameOrPath + ".urdf"));
+        if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException("no robot named; " + Allowed);
+        if (Directory.Exists(nameOrPath)) throw new InputException($"{nameOrPath}: is a folder; {Allowed}");
+        try
+        {
+            return File.ReadAllText(nameOrPath);
+        }
+        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new InputException($"{nameOrPath}: no such file; {Allowed}", e);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new InputException($"{nameOrPath}: cannot be read: {e.Message.ReplaceLineEndings(" ")}", e);
+        }
+    }
+
+    static string Allowed => string.Join(", ", Included) + " or the path of a .urdf file is needed";
+}

@@ -1,0 +1,50 @@
+using Nowpose.Unity;
+using Nowpose.Unity.Session;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>GameObject, Nowpose: puts the package's prefabs into the scene.</summary>
+    static class CellMenu
+    {
+        const string Folder = "GameObject/Nowpose/";
+
+        // Between Create Empty and the first of Unity's own groups.
+        const int Priority = 10;
+
+        [MenuItem(Folder + "Robot Cell", false, Priority)]
+        static void RobotCell(MenuCommand command) => PlaceOnce(PackageAsset.RobotCell, command);
+
+        [MenuItem(Folder + "Robot Cell UR5", false, Priority)]
+        static void RobotCellUr5(MenuCommand command) => PlaceOnce(PackageAsset.RobotCellUr5, command);
+
+        [MenuItem(Folder + "Virtual Gripper", false, Priority)]
+        static void VirtualGripper(MenuCommand command) => PlaceOnce(PackageAsset.VirtualGripper, command);
+
+        // Unity calls a menu item of the Hierarchy once for each selected object.
+        static void PlaceOnce(PackageAsset prefab, MenuCommand command)
+        {
+            if (command.context == null || command.context == Selection.activeObject) Place(prefab, command);
+        }
+
+        /// <returns>The new instance; null where the prefab is missing.</returns>
+        internal static GameObject Place(PackageAsset prefab, MenuCommand command)
+        {
+            var asset = prefab.Load<GameObject>();
+            if (asset == null)
+            {
+                ConsoleLog.Fail(null, "The prefab '" + prefab.Name + "' (GUID " + prefab.Guid
+                    + ") is not in this project; reinstall the package com.nowpose.mril.");
+                return null;
+            }
+            var instance = (GameObject)PrefabUtility.InstantiatePrefab(asset);
+            StageUtility.PlaceGameObjectInCurrentStage(instance);
+            GameObjectUtility.SetParentAndAlign(instance, command.context as GameObject);
+            Undo.RegisterCreatedObjectUndo(instance, "Create " + instance.name);
+            Selection.activeObject = instance;
+            return instance;
+        }
+    }
+}

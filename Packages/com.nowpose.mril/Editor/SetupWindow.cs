@@ -1,0 +1,116 @@
+using System;
+using Nowpose.Editor.Setup;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Lists what a project for a headset needs, says what is missing and why it matters, and does it at a click.</summary>
+    public sealed class SetupWindow : EditorWindow
+    {
+        const float ButtonWidth = 260;
+
+        static readonly HeadsetPlatform[] Platforms = { HeadsetPlatform.HoloLens2, HeadsetPlatform.AndroidHeadset };
+        static readonly string[] PlatformNames = { "HoloLens 2", "Android headset (Quest, Magic Leap 2)" };
+        static readonly string[] Signs = { "✓ ", "○ ", "✗ ", "? " };
+        static readonly string[] Words = { "", "advised: ", "missing: ", "not known: " };
+
+        IProjectSettings _project;
+        ProjectReview _review;
+        Vector2 _scroll;
+        string _activity, _trouble;
+
+        [MenuItem("Window/Nowpose/Project Setup")]
+        static void Open() => GetWindow<SetupWindow>("Nowpose Setup").minSize = new Vector2(520, 300);
+
+        internal void Show(IProjectSettings project)
+        {
+            _project = project;
+            _review = new ProjectReview(ProjectChecks.For(project.Platform), project);
+            Latch();
+        }
+
+        void OnEnable() => Show(new UnityProjectSettings(
+            EditorUserBuildSettings.activeBuildTarget == BuildTarget.Android ? HeadsetPlatform.AndroidHeadset : HeadsetPlatform.HoloLens2));
+
+        void OnFocus() => LookAgain();
+
+        void OnProjectChange() => LookAgain();
+
+        void Update()
+        {
+            if (_project.Activity != _activity || _project.Trouble != _trouble) LookAgain();
+        }
+
+        void OnGUI()
+        {
+            var shown = Array.IndexOf(Platforms, _project.Platform);
+            var chosen = GUILayout.Toolbar(shown, PlatformNames);
+            EditorGUILayout.LabelField(Summary(_review.MissingCount, _project.Platform), EditorStyles.boldLabel);
+            if (_activity != null) EditorGUILayout.HelpBox(_activity, MessageType.Info);
+            if (_trouble != null) EditorGUILayout.HelpBox(_trouble, MessageType.Error);
+            var clicked = -1;
+            using (var scroll = new EditorGUILayout.ScrollViewScope(_scroll))
+            {
+                _scroll = scroll.scrollPosition;
+                for (var i = 0; i < _review.Checks.Count; i++)
+                    if (Draw(i)) clicked = i;
+            }
+            var again = GUILayout.Button("Check again");
+
+            // Not here: what is drawn must stay the same from one layout to its event, and a fix may compile all scripts anew.
+            if (chosen != shown) EditorApplication.delayCall += () => Choose(Platforms[chosen]);
+            else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
+            else if (again) EditorApplication.delayCall += LookAgain;
+        }
+
+        void Choose(HeadsetPlatform platform)
+        {
+            if (this == null) return;
+            Show(new UnityProjectSettings(platform));
+            Repaint();
+        }
+
+        void Fix(int check)
+        {
+            if (this == null) return;
+            _review.Fix(check);
+            LookAgain();
+        }
+
+        void LookAgain()
+        {
+            if (this == null || _review == null) return;
+            _review.LookAgain();
+            Latch();
+            Repaint();
+        }
+
+        void Latch()
+        {
+            _activity = _project.Activity;
+            _trouble = _project.Trouble;
+        }
+
+        static string Summary(int missing, HeadsetPlatform platform) => missing == 0
+            ? "Nothing is missing for " + platform.Headset + "."
+            : missing + (missing == 1 ? " point is" : " points are") + " missing for " + platform.Headset + ".";
+
+        bool Draw(int index)
+        {
+            var check = _review.Checks[index];
+            var result = _review.Results[index];
+            var clicked = false;
+            using (new EditorGUILayout.VerticalScope(EditorStyles.helpBox))
+            {
+                EditorGUILayout.LabelField(Signs[(int)result.State] + check.Title, EditorStyles.boldLabel);
+                EditorGUILayout.LabelField(Words[(int)result.State] + result.Found, EditorStyles.wordWrappedLabel);
+                EditorGUILayout.LabelField(check.Why, EditorStyles.wordWrappedMiniLabel);
+                if (result.State != CheckState.Good && check.FixLabel != null)
+                    clicked = GUILayout.Button(check.FixLabel, GUILayout.Width(ButtonWidth));
+                if (_review.Advice[index] != null) EditorGUILayout.HelpBox(_review.Advice[index], MessageType.Info);
+            }
+            return clicked;
+        }
+    }
+}

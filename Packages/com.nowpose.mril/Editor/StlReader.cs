@@ -1,0 +1,42 @@
+using System.IO;
+using Nowpose.Editor.Import;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Reads meshes in the STL format, binary and ASCII, which Unity cannot.</summary>
+    /// <remarks>Which of the two a file is its length says, not its first word: many exporters begin binary files with "solid" too.</remarks>
+    public static class StlReader
+    {
+        /// <summary>What a headset can still draw, and more than any link of a robot needs.</summary>
+        public const int MostTriangles = 1_000_000;
+
+        /// <summary>In bytes, 300 MiB: a triangle takes some 270 bytes as text.</summary>
+        public const long LargestFile = 300L << 20;
+
+        /// <param name="path">Where the file lies.</param>
+        /// <param name="sourceName">What errors call it.</param>
+        /// <exception cref="Nowpose.InputException">Not a usable STL file; names it, the line or byte, and what is wrong there.</exception>
+        /// <exception cref="IOException">The file cannot be read.</exception>
+        public static StlTriangles ReadFile(string path, string sourceName)
+        {
+            var length = new FileInfo(path).Length;
+            if (length > LargestFile)
+                throw new InputException(sourceName + ": " + length + " bytes, at most " + LargestFile + " are read; simplify the mesh");
+            return Read(File.ReadAllBytes(path), sourceName);
+        }
+
+        /// <inheritdoc cref="ReadFile"/>
+        /// <param name="content">The whole file.</param>
+        public static StlTriangles Read(byte[] content, string sourceName)
+        {
+            var triangles = StlBinary.Recognises(content) ? StlBinary.Read(content, sourceName) : StlText.Read(content, sourceName);
+            if (triangles.Count > 0) return triangles;
+            throw new InputException(sourceName + ": " + (triangles.Degenerate == 0
+                ? "there is no triangle in it"
+                : "none of its " + triangles.Degenerate + " triangles has an area"));
+        }
+
+        internal static InputException TooMany(string where, long count) =>
+            new InputException(where + ": " + count + " triangles or more, at most " + MostTriangles + " are read; simplify the mesh");
+    }
+}

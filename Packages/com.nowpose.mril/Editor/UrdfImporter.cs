@@ -1,0 +1,83 @@
+using System;
+using System.IO;
+using System.Linq;
+using Nowpose.Editor.Import;
+using Nowpose.Kinematics;
+using Nowpose.Unity;
+using Nowpose.Unity.Robot;
+using UnityEditor.AssetImporters;
+using UnityEngine;
+
+namespace Nowpose.Editor
+{
+    /// <summary>Makes a prefab of a .urdf file: its links with what shows them, a Robot Rig on top, and the description as an asset.</summary>
+    [ScriptedImporter(Version, "urdf", AfterModels)]
+    public sealed class UrdfImporter : ScriptedImporter
+    {
+        // To be raised with whatever the same file is imported to.
+        const int Version = 1;
+
+        // Later than what it refers to (textures, shaders, models), so that one import is enough; before prefabs, at 1500, which may
+        // refer to it.
+        const int AfterModels = 1100;
+
+        const long LongestFile = 16L << 20;
+
+        [SerializeField, Tooltip("For the links up to the flange; an occluder, where the real arm is to hide what is behind it. Empty: the "
+            + "URDF's own colours and the models' own materials, so that the import shows what the file says.")]
+        Material _armMaterial = null;
+
+        [SerializeField, Tooltip("For the links that the flange carries. Empty: the URDF's own colours and the models' own materials.")]
+        Material _toolMaterial = null;
+
+        public override void OnImportAsset(AssetImportContext ctx)
+        {
+            try
+            {
+                var text = Read(ctx.assetPath);
+                Import(ctx, text, UrdfReader.Read(text, Path.GetFileName(ctx.assetPath)));
+            }
+            catch (Exception fault) when (fault is InputException || fault is IOException || fault is UnauthorizedAccessException)
+            {
+                ctx.LogImportError(fault.Message);
+            }
+        }
+
+        void Import(AssetImportContext ctx, string text, RobotModel model)
+        {
+            var name = Path.GetFileNameWithoutExtension(ctx.assetPath);
+            var robot = new GameObject(name);
+            robot.AddComponent<RobotRig>();
+            RigBuilder.Build(model, robot.transform, new ImportedLook(ctx, _armMaterial, _toolMaterial));
+            ctx.AddObjectToAsset("robot", robot);
+            ctx.SetMainObject(robot);
+            ctx.AddObjectToAsset("description", RobotDescriptionAsset.Create(name, text));
+        }
+
+        static string Read(string assetPath)
+        {
+            var path = ProjectFiles.FullPath(assetPath);
+            var length = new FileInfo(path).Length;
+            if (length > LongestFile)
+                throw new InputException(Path.GetFileName(assetPath) + ": " + length + " bytes, at most " + LongestFile + " are read");
+            return File.ReadAllText(path);
+        }
+
+        // Unity calls it by its name before anything is imported, to import those first; faults are for the import to tell.
+        static string[] GatherDependenciesFromSourceFile(string path)
+        {
+            try
+            {
+                var locator = ProjectFiles.LocatorFor(path);
+                return UrdfReader.Read(Read(path), path).Links
+                    .SelectMany(link => link.Visuals).Where(visual => visual.MeshFile != null)
+                    .Select(visual => locator.Find(visual.MeshFile).Path).Where(mesh => mesh != null && MeshSource.IsModel(mesh))
+                    .Distinct().ToArray();
+            }
+            catch (Exception fault) when (fault is InputException || fault is IOException || fault is UnauthorizedAccessException)
+            {
+                return Array.Empty<string>();
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using System.Globalization;
+
+namespace Nowpose.Counter
+{
+    /// <summary>Converts counts of one counter to readings of another that runs on the same oscillator.</summary>
+    /// <remarks>
+    /// On Windows, <see cref="System.Diagnostics.Stopwatch"/> is the performance counter, scaled and possibly shifted by a constant. So the
+    /// two never drift apart, in sleep neither, and one measurement of the offset serves as long as the process runs.
+    /// </remarks>
+    sealed class CounterPairing
+    {
+        /// <summary>An interrupt spoils one bracket, or a few; never all.</summary>
+        const int Brackets = 32;
+
+        readonly long _frequency, _targetFrequency, _count, _reading;
+
+        CounterPairing(long frequency, long targetFrequency, long before, long reading, long after)
+        {
+            _frequency = frequency;
+            _targetFrequency = targetFrequency;
+            _count = before + (after - before) / 2;
+            _reading = reading;
+            Uncertainty = ClockTicks.Span(0.5 * (after - before) / frequency + 1.0 / frequency + 1.0 / targetFrequency);
+        }
+
+        /// <summary>Counts per second of the counter whose counts are converted.</summary>
+        public long Frequency => _frequency;
+
+        /// <summary>Upper bound of the offset's error: half the shortest bracket and one count of each counter.</summary>
+        public TimeSpan Uncertainty { get; }
+
+        /// <summary>Reads both counters several times and keeps the reading that took least time.</summary>
+        /// <param name="open">Returns the counter whose counts are to be converted; throws where the platform has none.</param>
+        /// <param name="target">The counter to convert to.</param>
+        /// <param name="fault">Reason of the failure, in one line; null otherwise.</param>
+        public static bool TryMeasure(Func<ICounter> open, ICounter target, out CounterPairing pairing, out string fault)
+        {
+            pairing = null;
+            ICounter counter;
+            try
+            {
+                counter = open();
+            }
+            // What a platform lacks is a library or an entry point; both are such.
+            catch (TypeLoadException missing)
+            {
+                fault = "this platform has no performance counter of Windows (" + missing.Message + ")";
+                return false;
+            }
+            fault = FaultOf(counter.Frequency, target.Frequency);
+            if (fault != null) return false;
+            pairing = Shortest(counter, target);
+            fault = pairing == null ? "the performance counter went back in all of " + Brackets + " readings" : null;
+            return pairing != null;
+        }
+
+        /// <summary>Converts a count, exactly to the count of the target, rounded towards the time of the pairing. Allocates nothing.</summary>
+        /// <param name="count">A count that no device can reach gives a meaningless result, not an exception.</param>
+        public long ToTarget(long count)
+        {
+            // Whole seconds apart: the product of a large count and the other frequency would not fit.
+            var since = count - _count;
+            return _reading + since / _frequency * _targetFrequency + since % _frequency * _targetFrequency / _frequency;
+        }
+
+        static string FaultOf(long frequency, long targetFrequency)
+        {
+            if (frequency <= 0) return "the performance counter does not work (frequency " + Hz(frequency) + ")";
+            return frequency > long.MaxValue / targetFrequency ? "the frequency of the performance counter is implausible: " + Hz(frequency) : null;
+        }
+
+        static CounterPairing Shortest(ICounter counter, ICounter target)
+        {
+            CounterPairing best = null;
+            for (var (i, shortest) = (0, long.MaxValue); i < Brackets; i++)
+            {
+                var before = counter.Read();
+                var reading = target.Read();
+                var after = counter.Read();
+                var length = after - before;
+                if (length < 0 || length >= shortest) continue;
+                shortest = length;
+                best = new CounterPairing(counter.Frequency, target.Frequency, before, reading, after);
+            }
+            return best;
+        }
+
+        static string Hz(long frequency) => frequency.ToString(CultureInfo.InvariantCulture) + " Hz";
+    }
+}

@@ -1,0 +1,12 @@
+namespace Nowpose.Counter
+{
+    /// <summary>A monotonic counter of the device.</summary>
+    interface ICounter
+    {
+        /// <summary>Counts per second; constant while the device runs. 0 where the counter does not work.</summary>
+        long Frequency { get; }
+
+        /// <summary>Reads the counter. Allocates nothing.</summary>
+        long Read();
+    }
+}

@@ -1,0 +1,24 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace Nowpose.Counter
+{
+    /// <summary>The performance counter of Windows, unscaled; UWP apps may call both functions.</summary>
+    sealed class WindowsPerformanceCounter : ICounter
+    {
+        /// <exception cref="TypeLoadException">The platform has no kernel32, or not these functions: it is not Windows.</exception>
+        public WindowsPerformanceCounter() => Frequency = QueryPerformanceFrequency(out var frequency) ? frequency : 0;
+
+        public long Frequency { get; }
+
+        public long Read() => QueryPerformanceCounter(out var count) ? count : 0;
+
+        [DllImport("kernel32.dll", ExactSpelling = true)]
+        [return: MarshalAs(UnmanagedType.Bool)]
+        static extern bool QueryPerformanceFrequency(out long frequency);
+
+        [DllImport("kernel32.dll", ExactSpelling = true)]
+        [return: MarshalAs(UnmanagedType.Bool)]
+        static extern bool QueryPerformanceCounter(out long count);
+    }
+}

@@ -1,0 +1,50 @@
+using Nowpose.Latency.Conditions;
+
+namespace Nowpose.Latency
+{
+    /// <summary>A condition in which a device differs from the one that was calibrated.</summary>
+    public sealed class ConditionMismatch
+    {
+        internal ConditionMismatch(DisplayCondition condition, string calibrated, string actual)
+        {
+            Condition = condition;
+            Calibrated = calibrated;
+            Actual = actual;
+            Words = WordsOf();
+        }
+
+        internal DisplayCondition Condition { get; }
+
+        /// <summary>Name of the condition's field in files.</summary>
+        public string Field => DisplayConditionNames.FieldOf(Condition);
+
+        /// <summary>Name of the condition in messages.</summary>
+        public string Label => DisplayConditionNames.LabelOf(Condition);
+
+        /// <summary>Value at the calibration.</summary>
+        public string Calibrated { get; }
+
+        /// <summary>Value on this device.</summary>
+        public string Actual { get; }
+
+        /// <summary>Whether the profile must not be used: L_visu of another device or another rate says nothing about this one.</summary>
+        public bool IsRefusal => Condition == DisplayCondition.Device || Condition == DisplayCondition.DisplayRate;
+
+        /// <summary>One line: the condition, both values, and what to do.</summary>
+        public string Words { get; }
+
+        string WordsOf()
+        {
+            switch (Condition)
+            {
+                case DisplayCondition.Device:
+                    return "latency profile is of device '" + Calibrated + "', this one is '" + Actual + "'; calibrate this one";
+                case DisplayCondition.DisplayRate:
+                    return "latency profile was measured at " + Calibrated + " Hz, this display shows " + Actual + " Hz; calibrate at this rate";
+                default:
+                    return "latency profile was measured with " + Label + " '" + Calibrated + "', this device has '" + Actual
+                        + "'; calibrate again, or set it back (" + DisplayConditionNames.PlaceOf(Condition) + ")";
+            }
+        }
+    }
+}

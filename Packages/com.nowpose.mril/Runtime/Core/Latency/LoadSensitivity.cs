@@ -1,0 +1,82 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Nowpose.Latency.Sweep;
+
+namespace Nowpose.Latency
+{
+    /// <summary>Whether the render time of a sweep moves with the load: where it does not, no limit may be taken from it.</summary>
+    /// <remarks>
+    /// Compares the lowest third of the loads with the highest, each way through the loads by itself; of several ways the least rise
+    /// counts. In a sweep that goes one way only, the drift that shows while a load stays is taken off. A tenth of the times may be outliers.
+    /// </remarks>
+    public sealed class LoadSensitivity
+    {
+        /// <summary>Fewer render times of a load say nothing.</summary>
+        const int FewestTimes = 15;
+
+        LoadSensitivity(LoadSight sight, RenderTimeSourceKind source, string words)
+        {
+            Sight = sight;
+            Source = source;
+            Words = words;
+        }
+
+        internal LoadSight Sight { get; }
+
+        /// <summary>The source that most render times were measured with, of which this is said; times of others do not count.</summary>
+        public RenderTimeSourceKind Source { get; }
+
+        /// <summary>The verdict with its numbers and, unless load is seen, what to do: one line.</summary>
+        public string Words { get; }
+
+        /// <param name="rows">Of a whole sweep, in the order of their frames.</param>
+        internal static LoadSensitivity Judge(IReadOnlyList<SweepRow> rows)
+        {
+            var source = SourceOf(rows);
+            if (source == RenderTimeSourceKind.None)
+                return new LoadSensitivity(
+                    LoadSight.Unseen, source,
+                    "nothing measured the render time, so nothing can see load; the page of the Render Time Source says what a device needs");
+            var visits = SweepVisit.Of(rows, source, FewestTimes);
+            var passes = SweepPass.Of(visits);
+            return passes.Count == 0 ? Unclear(source, visits) : Judge(source, passes);
+        }
+
+        static LoadSensitivity Judge(RenderTimeSourceKind source, List<SweepPass> passes)
+        {
+            var least = passes.OrderBy(pass => pass.RiseMs / pass.NeededMs).First();
+            var name = RenderTimeSourceNames.NameOf(source);
+            var rise = string.Format(
+                CultureInfo.InvariantCulture, "from about {0:0} to {1:0} vertices {2} went from {3:0.00} to {4:0.00} ms",
+                least.LowVertices, least.HighVertices, name, least.LowMs, least.HighMs);
+            if (least.RiseMs >= least.NeededMs) return new LoadSensitivity(LoadSight.Seen, source, "this source sees load: " + rise);
+            return new LoadSensitivity(LoadSight.Unseen, source, string.Format(
+                CultureInfo.InvariantCulture, "this source cannot see load: {0}, less than the {1:0.00} ms more that would count; {2}",
+                rise, least.NeededMs, Advice(source)));
+        }
+
+        static LoadSensitivity Unclear(RenderTimeSourceKind source, List<SweepVisit> visits)
+        {
+            var loads = visits.Select(visit => visit.Vertices).Distinct().Count();
+            return new LoadSensitivity(LoadSight.Unclear, source, string.Format(
+                CultureInfo.InvariantCulture,
+                "too little to tell whether {0} sees load: {1} {2} {3} or more render times, 3 are needed; sweep more loads, or longer",
+                RenderTimeSourceNames.NameOf(source), loads, loads == 1 ? "load has" : "loads have", FewestTimes));
+        }
+
+        static string Advice(RenderTimeSourceKind source) => source == RenderTimeSourceKind.CameraCpu
+            ? "it does not see the GPU; switch on Frame Timing Stats in the player settings, or take a device that tells GPU times, and sweep again"
+            : "look whether the load is in view and the sweep goes far enough, and sweep again";
+
+        static RenderTimeSourceKind SourceOf(IReadOnlyList<SweepRow> rows)
+        {
+            var counts = new int[Enum.GetValues(typeof(RenderTimeSourceKind)).Length];
+            foreach (var row in rows)
+                if (row.RenderMs.HasValue) counts[(int)row.Source]++;
+            var most = Array.IndexOf(counts, counts.Max());
+            return counts[most] == 0 ? RenderTimeSourceKind.None : (RenderTimeSourceKind)most;
+        }
+    }
+}

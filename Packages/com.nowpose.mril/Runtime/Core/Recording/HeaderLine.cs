@@ -1,0 +1,103 @@
+using System;
+using System.Globalization;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Network;
+using Nowpose.Session;
+
+namespace Nowpose.Recording
+{
+    /// <summary>The first line of a session file: the format, and what was in force. No token, no address.</summary>
+    static class HeaderLine
+    {
+        static readonly LineNames Responses = new LineNames(typeof(OutsideRangeResponse));
+        static readonly LineNames Sources = new LineNames(typeof(RenderTimeSourceKind));
+        static readonly LineNames Securities = new LineNames(typeof(TransportSecurity));
+
+        /// <param name="startedUtc">Null when nobody knows.</param>
+        public static void Write(JsonLine line, SessionSettings settings, RobotModel robot, DisplayConditions conditions, DateTime? startedUtc)
+        {
+            line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);
+            line.Add("package", SessionFormat.Package).Add("headset", settings.Connection.HeadsetName);
+            if (startedUtc.HasValue)
+                line.Add("started_utc", startedUtc.Value.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture));
+            WriteRobot(line, robot);
+            WriteSettings(line, settings);
+            WriteConditions(line, conditions);
+            line.End();
+        }
+
+        /// <summary>The first line of a file that a gateway writes: no settings of a session, but those by which one would predict.</summary>
+        /// <param name="robot">Null where none was described.</param>
+        public static void WriteOfGateway(JsonLine line, string cell, RobotModel robot, DateTime startedUtc)
+        {
+            line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);
+            line.Add("package", SessionFormat.Package).Add("recorded_by", "gateway");
+            if (cell != null) line.Add("cell", cell);
+            line.Add("started_utc", startedUtc.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture));
+            if (robot != null) WriteRobot(line, robot);
+            else line.Open("robot", '{').Add("name", "not described").Open("joints", '[').Close(']').Close('}');
+            var prediction = PredictionSettings.Default;
+            line.Open("settings", '{').Add("predictor", prediction.Predictor).Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds)
+                .Add("maximum_gap_ms", prediction.MaximumGap.TotalMilliseconds).Add("blend_ms", prediction.Blend.TotalMilliseconds).Close('}');
+            line.End();
+        }
+
+        static void WriteRobot(JsonLine line, RobotModel robot)
+        {
+            line.Open("robot", '{').Add("name", robot.Name).Add("description_sha256", robot.SourceHash.ToString());
+            line.Open("joints", '[');
+            foreach (var joint in robot.MovingJoints)
+            {
+                line.OpenElement().Add("name", joint.Name).Add("unit", joint.Kind == JointKind.Prismatic ? "m" : "rad");
+                // An unlimited joint has none of them: infinity is no JSON number.
+                AddLimit(line, "lower", joint.Limits.Lower);
+                AddLimit(line, "upper", joint.Limits.Upper);
+                AddLimit(line, "velocity", joint.Limits.Velocity);
+                AddLimit(line, "acceleration", joint.Limits.Acceleration);
+                AddLimit(line, "jerk", joint.Limits.Jerk);
+                if (joint.Mimic != null) line.Add("mimics", joint.Mimic.Master);
+                line.Close('}');
+            }
+            line.Close(']').Close('}');
+        }
+
+        static void AddLimit(JsonLine line, string name, double value)
+        {
+            if (!double.IsInfinity(value)) line.Add(name, value);
+        }
+
+        static void WriteConditions(JsonLine line, DisplayConditions conditions)
+        {
+            line.Open("conditions", '{');
+            for (var condition = DisplayCondition.Device; condition <= DisplayCondition.Reprojection; condition++)
+                if (condition == DisplayCondition.DisplayRate) AddRate(line, conditions.DisplayHz);
+                else if (conditions[condition] != null) line.Add(DisplayConditionNames.FieldOf(condition), conditions[condition]);
+            line.Close('}');
+        }
+
+        static void AddRate(JsonLine line, double? hertz)
+        {
+            if (hertz.HasValue) line.Add(DisplayConditionNames.FieldOf(DisplayCondition.DisplayRate), hertz.Value);
+        }
+
+        static void WriteSettings(JsonLine line, SessionSettings settings)
+        {
+            var prediction = settings.Prediction;
+            line.Open("settings", '{').Add("predictor", prediction.Predictor);
+            line.Add("horizon_cap_ms", prediction.HorizonCap.TotalMilliseconds).Add("maximum_gap_ms", prediction.MaximumGap.TotalMilliseconds)
+                .Add("blend_ms", prediction.Blend.TotalMilliseconds).Add("follow_plan", prediction.FollowPlan).Add("speed_share", prediction.SpeedShare);
+            AddLimit(line, "acceleration_limit", prediction.AccelerationLimit);
+            AddLimit(line, "jerk_limit", prediction.JerkLimit);
+            line.Add("visualisation_ms", settings.Visualisation.Length.TotalMilliseconds);
+            line.Add("outside_range_response", Responses[(int)settings.OutsideRange]).Add("rewrite_before_render", settings.RewriteBeforeRender);
+            if (settings.Range != null && settings.Range.IsLimitReached)
+                line.Add("render_time_limit_ms", settings.Range.Limit.TotalMilliseconds)
+                    .Add("render_time_source", Sources[(int)settings.Range.Source]);
+            line.Add("clock_estimator", settings.ClockEstimator).Add("sync_interval_ms", settings.SyncInterval.TotalMilliseconds);
+            line.Add("greatest_holdover_error_ms", settings.Clock.GreatestHoldoverError.TotalMilliseconds);
+            line.Add("security", Securities[(int)settings.Connection.Security]).Close('}');
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using System;
+
+namespace Nowpose.Sync.Envelope
+{
+    /// <summary>The bounds that the newest exchanges left, the newest first; forgets by number and by age. Allocates nothing once made.</summary>
+    sealed class BoundsHistory
+    {
+        readonly OffsetBounds[] _ring;
+        readonly TimeSpan _oldest;
+        int _newest;
+
+        /// <param name="most">Exchanges kept at most.</param>
+        /// <param name="oldest">How long before the newest one an exchange may lie.</param>
+        public BoundsHistory(int most, TimeSpan oldest)
+        {
+            _ring = new OffsetBounds[most];
+            _oldest = oldest;
+        }
+
+        public int Count { get; private set; }
+
+        /// <param name="age">0 is the newest, <see cref="Count"/> − 1 the oldest.</param>
+        public ref readonly OffsetBounds this[int age] => ref _ring[(_newest - age + _ring.Length) % _ring.Length];
+
+        public void Add(in OffsetBounds bounds)
+        {
+            _newest = (_newest + 1) % _ring.Length;
+            _ring[_newest] = bounds;
+            if (Count < _ring.Length) Count++;
+            while (bounds.Received - this[Count - 1].Received > _oldest) Count--;
+        }
+
+        /// <summary>Moves the bounds of one exchange, ticks.</summary>
+        public void Shift(int age, long least, long greatest)
+        {
+            ref var bounds = ref _ring[(_newest - age + _ring.Length) % _ring.Length];
+            bounds = bounds.Shifted(least, greatest);
+        }
+
+        public void Clear() => Count = 0;
+    }
+}

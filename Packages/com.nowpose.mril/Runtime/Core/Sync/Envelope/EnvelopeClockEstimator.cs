@@ -1,0 +1,176 @@
+using System;
+
+namespace Nowpose.Sync.Envelope
+{
+    /// <summary>
+    /// The default estimator: the offset lies between what the requests and what the replies prove, and the most punctual of
+    /// them lie close to it. Half-way between two curves along the most punctual of either, it needs no outlier rejection
+    /// and is the better, the more exchanges there are.
+    /// </summary>
+    /// <remarks>
+    /// The paper's offsets of Eq. (5) average a request with its reply, and are wrong when either is late. Here each counts
+    /// by itself. An asymmetry of the least delays themselves cannot be seen by anybody: the error bound allows for it.
+    /// </remarks>
+    sealed class EnvelopeClockEstimator : IClockEstimator
+    {
+        /// <summary>Exchanges kept, and for how long, s: three minutes at five a second. What is older follows from the rest no better.</summary>
+        const int History = 900;
+        const double HistorySeconds = 180;
+
+        /// <summary>
+        /// Exchanges in the newest block and in the largest, each older block being longer by one. Short ones tell what the
+        /// skew does just now where the network is quiet, long ones hold a punctual packet where it is not.
+        /// </summary>
+        const int NewestBlock = 6, LargestBlock = 30;
+
+        /// <summary>Exchanges there must be for each exchange of the largest block: with few blocks nothing tells a late one.</summary>
+        const int BlocksWanted = 10;
+
+        /// <summary>What bounds can hide is at most this multiple of how much longer than the least the mean round trip is, once so many are known.</summary>
+        const int ScatterShare = 2, FewestForScatter = 5;
+
+        /// <summary>One standard deviation of the skew before anything is known, and what it may gain a second after a restart.</summary>
+        const double SkewPrior = 50e-6, SkewWander = 0.05e-6;
+
+        /// <summary>
+        /// How far behind the present the skew is taken that continues the line, s. The slope right at the end is the least
+        /// certain part of a curve, and a silence lasts for seconds or minutes.
+        /// </summary>
+        const double SkewAge = 20;
+
+        /// <summary>
+        /// Time in which a change of the skew is believed, s. When a path changes, the curve bends from the old bounds to the
+        /// new ones; its slope then is none of the clock's, and no measure for how well it is known.
+        /// </summary>
+        const double SkewPatience = 60;
+
+        readonly BoundsHistory _history = new BoundsHistory(History, ClockTicks.Span(HistorySeconds));
+        readonly EnvelopeSide _below = new EnvelopeSide(1, History);
+        readonly EnvelopeSide _above = new EnvelopeSide(-1, History);
+        readonly EnvelopeFit _fit;
+        readonly LeastDelay _up, _down;
+        readonly OffsetMemory _memory = new OffsetMemory();
+        readonly UnmetPart _unmetPart = new UnmetPart();
+        OffsetCurve _curve;
+        double _expectedSkew, _steadySkew, _steadySkewError;
+        double _skewDoubt = SkewPrior;
+        HeadsetTime _start;
+        int _exchanges;
+
+        public EnvelopeClockEstimator()
+        {
+            _fit = new EnvelopeFit(_below, _above);
+            _up = new LeastDelay(1, _history);
+            _down = new LeastDelay(-1, _history);
+        }
+
+        public ClockLine Line { get; private set; }
+
+        public void Restart(double skewDoubt)
+        {
+            if (_exchanges > 0) _expectedSkew = Line.Skew;
+            _skewDoubt = Math.Min(SkewPrior, skewDoubt + (_exchanges > 0 ? Line.SkewError : SkewPrior));
+            _curve = new OffsetCurve(_expectedSkew, 0);
+            _history.Clear();
+            _up.Reset();
+            _down.Reset();
+            _memory.Reset();
+            _exchanges = 0;
+            Line = default;
+        }
+
+        public void Add(in SyncExchange exchange)
+        {
+            _history.Add(new OffsetBounds(exchange).Shifted(ClockTicks.Span(_up.Excess).Ticks, -ClockTicks.Span(_down.Excess).Ticks));
+            if (Line.Exchanges > 0)
+            {
+                var resolution = ClockTicks.Seconds(exchange.Resolution);
+                // The newest bounds tilt the curve when a path has changed, which would hide the change.
+                var steady = new OffsetCurve(_steadySkew, _curve.Bend);
+                _up.Measure(steady);
+                _down.Measure(steady);
+                if (_up.Update(_down, _steadySkewError, resolution) | _down.Update(_up, _steadySkewError, resolution)) _memory.Explain();
+            }
+            if (_exchanges++ == 0)
+            {
+                _start = exchange.T4;
+                _steadySkew = _expectedSkew;
+                _steadySkewError = _skewDoubt;
+            }
+
+            var newest = _history[0];
+            // Half of each, as their sum may overflow.
+            var middle = newest.Least / 2 + newest.Greatest / 2;
+            var scatter = Collect(newest.Received, middle);
+            var running = ClockTicks.Seconds(newest.Received - _start);
+            // A clock that runs faster than the prior thinks possible would leave residuals that make the data seem poor.
+            var proven = ProvenSkew.Of(_history, exchange.Resolution);
+            var unmet = ClockTicks.Seconds(_unmetPart.Of(_history, exchange.Resolution));
+            _fit.Solve(
+                ClockTicks.Seconds(scatter + exchange.Resolution), unmet, new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend),
+                proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewDoubt + SkewWander * running));
+            _curve = _fit.Curve;
+            Line = LineAt(newest.Received, middle, running, unmet);
+        }
+
+        // Returns how far apart bounds can lie that are as good as any.
+        TimeSpan Collect(HeadsetTime reference, long referenceOffset)
+        {
+            _below.Clear();
+            _above.Clear();
+            var largest = Math.Max(1, Math.Min(LargestBlock, _history.Count / BlocksWanted));
+            var length = Math.Min(NewestBlock, largest);
+            for (var from = 0; from + length <= _history.Count; from += length, length = Math.Min(length + 1, largest))
+                CollectBlock(from, length, reference, referenceOffset);
+            long least = long.MaxValue, sum = 0;
+            for (var i = 0; i < _history.Count; i++)
+            {
+                var roundTrip = _history[i].Greatest - _history[i].Least;
+                least = Math.Min(least, roundTrip);
+                sum += roundTrip;
+            }
+            // Round trips that scatter little hide little, however long they are.
+            var scatter = ScatterShare * (sum / _history.Count - least);
+            return new TimeSpan(Math.Max(0, _history.Count < FewestForScatter ? least : Math.Min(least, scatter)));
+        }
+
+        void CollectBlock(int from, int length, HeadsetTime reference, long referenceOffset)
+        {
+            for (var i = from; i < from + length; i++)
+            {
+                ref readonly var bounds = ref _history[i];
+                var sent = ClockTicks.Seconds(bounds.Sent - reference);
+                var least = ClockTicks.Seconds(new TimeSpan(bounds.Least - referenceOffset));
+                var received = ClockTicks.Seconds(bounds.Received - reference);
+                var greatest = ClockTicks.Seconds(new TimeSpan(bounds.Greatest - referenceOffset));
+                if (i == from)
+                {
+                    _below.Begin(sent, least);
+                    _above.Begin(received, greatest);
+                    continue;
+                }
+                _below.Improve(sent, least, _curve);
+                _above.Improve(received, greatest, _curve);
+            }
+        }
+
+        ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running, double unmet)
+        {
+            var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
+            var skew = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
+            var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
+            // Half of the time there was, at first.
+            var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewPatience, running / 2)));
+            _steadySkew += (skew - _steadySkew) * share;
+            // Off by half the part at one end and by half at the other, the other way: that is no standard error, but all there can be.
+            var hidden = unmet / Math.Max(1e-3, span) / 3;
+            var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
+            _steadySkewError += (skewError - _steadySkewError) * share;
+            var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
+            var error = _fit.OffsetError + (_up.Error + _down.Error) / 2;
+            var line = new ClockLine(reference, offset, skew, ClockTicks.Span(error), skewError, _exchanges);
+            _memory.Add(line, running);
+            return new ClockLine(reference, offset, skew, ClockTicks.Span(error + _memory.Error), skewError, _exchanges);
+        }
+    }
+}

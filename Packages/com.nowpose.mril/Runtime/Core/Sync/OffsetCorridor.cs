@@ -1,0 +1,74 @@
+using System;
+using Nowpose.Sync.Envelope;
+
+namespace Nowpose.Sync
+{
+    /// <summary>
+    /// Between what bounds the offset lay beside an estimated line, and how closely the packets kept to them; in seconds.
+    /// Both bounds include the least delay of their direction.
+    /// </summary>
+    sealed class OffsetCorridor
+    {
+        const double SecondsPerTick = 1e-7;
+
+        readonly int _row;
+        double _sumBelow, _sumAbove, _rowBelow, _rowAbove, _slackestBelow, _slackestAbove;
+
+        /// <param name="row">Exchanges in a row of which the most punctual is looked at.</param>
+        public OffsetCorridor(int row)
+        {
+            _row = row;
+            Clear();
+        }
+
+        /// <summary>Exchanges that it was made of.</summary>
+        public int Count { get; private set; }
+
+        /// <summary>Greatest lower bound less the line.</summary>
+        public double Least { get; private set; }
+
+        /// <summary>Least upper bound less the line.</summary>
+        public double Greatest { get; private set; }
+
+        /// <summary>How much later than the most punctual packet the others were on average, in the worse direction.</summary>
+        public double Lateness => Math.Max(Least - _sumBelow / Count, _sumAbove / Count - Greatest);
+
+        /// <summary>How much later than the most punctual request the most punctual of a row was at worst.</summary>
+        public double RowBelow => Least - _slackestBelow;
+
+        /// <summary>The same for replies.</summary>
+        public double RowAbove => _slackestAbove - Greatest;
+
+        public void Clear()
+        {
+            Count = 0;
+            _sumBelow = _sumAbove = 0;
+            Least = _rowBelow = _slackestAbove = double.NegativeInfinity;
+            Greatest = _rowAbove = _slackestBelow = double.PositiveInfinity;
+        }
+
+        public void Add(in ClockLine line, in OffsetBounds bounds)
+        {
+            var (below, above) = Beside(line, bounds);
+            Count++;
+            _sumBelow += below;
+            _sumAbove += above;
+            Least = Math.Max(Least, below);
+            Greatest = Math.Min(Greatest, above);
+            _rowBelow = Math.Max(_rowBelow, below);
+            _rowAbove = Math.Min(_rowAbove, above);
+            if (Count % _row != 0) return;
+            _slackestBelow = Math.Min(_slackestBelow, _rowBelow);
+            _slackestAbove = Math.Max(_slackestAbove, _rowAbove);
+            _rowBelow = double.NegativeInfinity;
+            _rowAbove = double.PositiveInfinity;
+        }
+
+        /// <summary>Both bounds of an exchange less the line, s.</summary>
+        public static (double Below, double Above) Beside(in ClockLine line, in OffsetBounds bounds) => (
+            Beside(line, bounds.Sent, bounds.Least), Beside(line, bounds.Received, bounds.Greatest));
+
+        static double Beside(in ClockLine line, HeadsetTime at, long bound) =>
+            (bound - line.Offset.HeadsetMinusControl.Ticks) * SecondsPerTick - ClockTicks.Seconds(at - line.Reference) * line.Skew;
+    }
+}

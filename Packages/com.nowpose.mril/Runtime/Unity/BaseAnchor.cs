@@ -1,0 +1,232 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Anchoring;
+using Nowpose.Unity.Anchoring;
+using Nowpose.Unity.Robot;
+using Nowpose.Unity.Session;
+using Nowpose.Unity.Status;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Where the robot's base frame is in the room. Everything that shows the robot hangs below.</summary>
+    /// <remarks>
+    /// Stands where it was placed until markers that are fixed to the base say where it is. What tells of markers, and what holds places
+    /// in the room, is found below the session, or without one below the uppermost object above this one.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Base Anchor")]
+    [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
+    [DisallowMultipleComponent]
+    public sealed class BaseAnchor : MonoBehaviour
+    {
+        const float GizmoMetres = 0.2f, MarkerGizmoMetres = 0.05f;
+
+        [SerializeField, Tooltip("Name of the robot cell, under which the headset keeps the place over restarts. Empty: it is not kept.")]
+        string _cell = "";
+
+        [SerializeField, Tooltip("Codes fixed to the robot's base, and where. None: the base stands where it is placed by hand.")]
+        List<AnchorMarker> _markers = new List<AnchorMarker>();
+
+        [SerializeField, Range(100, 60_000), Tooltip("How long markers are looked at, at least, before the base is locked, ms. 1850: averages "
+            + "away most of a tracker's noise, and nobody waits longer than 2 s.")]
+        float _settleMs = 1850;
+
+        [SerializeField, Range(20, 10_000), Tooltip("A marker that a camera saw longer ago is not taken for seen now, ms. 400: trackers go on "
+            + "telling old poses, and some see a code only twice a second.")]
+        float _oldestMs = 400;
+
+        [SerializeField, Range(0.1f, 20), Tooltip("From the head to a marker, metres; beyond it is ignored. 2.5: errors grow with the "
+            + "distance.")]
+        float _farthestMetres = 2.5f;
+
+        [SerializeField, Range(10, 89), Tooltip("Between the line from the head to a marker and what stands out of its print, degrees; beyond "
+            + "it is ignored. 60: a code looks half as wide then, and its angle is uncertain.")]
+        float _mostObliqueDegrees = 60;
+
+        [SerializeField, Range(0.0001f, 0.1f), Tooltip("What a marker's mean may be off by, as its scatter tells, to be locked by it, metres. "
+            + "0.001: 10 mm of scatter take 100 sightings.")]
+        float _lockErrorMetres = 0.001f;
+
+        [SerializeField, Range(0.01f, 10), Tooltip("The same of its angle, degrees. 0.25: 2.6 mm at 0.6 m from the base, if it has one marker.")]
+        float _lockErrorDegrees = 0.25f;
+
+        [SerializeField, Range(0.001f, 1), Tooltip("A marker that is farther from where it belongs has moved, metres. 0.005: what 2 mm of noise "
+            + "tell apart for sure.")]
+        float _toleranceMetres = 0.005f;
+
+        [SerializeField, Range(0.1f, 45), Tooltip("A marker that is turned more than this has moved, degrees. 0.5: 5 mm at 0.6 m from the base.")]
+        float _toleranceDegrees = 0.5f;
+
+        [SerializeField, Range(0, 10_000), Tooltip("In which a changed place is eased over, ms. 800: seen to glide, and over before anybody "
+            + "waits for it. 0: it jumps.")]
+        float _easeMs = 800;
+
+        readonly AnchorSources _sources = new AnchorSources();
+        MrilSession _session;
+        BaseAnchorState _told;
+        string _toldWords = "", _fault, _toldProblem;
+        MarkerQuarrel _toldQuarrel;
+        bool _toldCorrected;
+        bool _isGiven;
+
+        /// <summary>The anchor was placed or nudged by <see cref="Place"/> or <see cref="Nudge"/>.</summary>
+        public event Action Moved;
+
+        /// <summary><see cref="State"/> is another one than before, or <see cref="Words"/> are.</summary>
+        public event Action StateChanged;
+
+        /// <summary>Name of the robot cell, under which the headset keeps the place; empty for none.</summary>
+        public string Cell => Tracker?.Cell ?? _cell;
+
+        /// <summary>How it is known where the base is.</summary>
+        public BaseAnchorState State => Tracker?.State ?? BaseAnchorState.Placed;
+
+        /// <summary>The state in one line, with what is to be done about it.</summary>
+        public string Words => _fault ?? Tracker?.Words ?? "placed by hand";
+
+        /// <summary>What the markers say, in detail; null before this component was enabled, and while its fields cannot be used.</summary>
+        public BaseTracker Tracker { get; private set; }
+
+        /// <summary>Takes other markers from now on, instead of those of the Inspector.</summary>
+        /// <remarks>A lock stays while the cell is the same and the markers that it was made with are among them.</remarks>
+        /// <param name="cell">Its name, under which the headset keeps the place over restarts; empty or null not to.</param>
+        /// <param name="markers">Empty for a base that is placed by hand.</param>
+        /// <exception cref="InputException">Two of them have the same payload, or there are too many.</exception>
+        public void Use(string cell, IReadOnlyList<BaseMarker> markers)
+        {
+            if (markers == null) throw new ArgumentNullException(nameof(markers));
+            if (Tracker == null) Tracker = NewTracker();
+            Tracker?.Use(cell, markers);
+            if (Tracker != null) _fault = null;
+            _isGiven = true;
+            Tell();
+        }
+
+        /// <summary>Lets the markers say anew where the base is; until they have, it stays where it is and looks so.</summary>
+        /// <remarks>Where there are none, what was restored from an earlier run is taken for right.</remarks>
+        public void Relock()
+        {
+            Tracker?.Relock();
+            Tell();
+        }
+
+        /// <summary>Puts the base frame to a place in the world, at once. A lock by markers is let go of; a search for them goes on.</summary>
+        /// <param name="position">Of its origin, metres.</param>
+        /// <param name="rotation">Turns Unity's axes (x right, y up, z forward) to the robot's; of any length but zero.</param>
+        /// <exception cref="ArgumentException">Not finite, or no rotation.</exception>
+        public void Place(Vector3 position, Quaternion rotation)
+        {
+            var length = Mathf.Sqrt(Quaternion.Dot(rotation, rotation));
+            if (!IsFinite(position)) throw new ArgumentException("position " + position + " is not finite", nameof(position));
+            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException("rotation " + rotation + " turns nowhere", nameof(rotation));
+            transform.SetPositionAndRotation(
+                position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
+            Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));
+            Moved?.Invoke();
+            Tell();
+        }
+
+        /// <summary>Corrects the placement by a little, along and about the anchor's own axes.</summary>
+        /// <param name="metres">Right, up and forward as seen from the robot.</param>
+        /// <param name="degreesAboutUp">Clockwise seen from above, as Unity turns.</param>
+        /// <exception cref="ArgumentException">Not finite.</exception>
+        public void Nudge(Vector3 metres, float degreesAboutUp)
+        {
+            if (!float.IsFinite(degreesAboutUp)) throw new ArgumentException(degreesAboutUp + "° is not finite", nameof(degreesAboutUp));
+            Place(
+                transform.position + transform.rotation * metres,
+                transform.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
+        }
+
+        void OnEnable()
+        {
+            _session = this.SessionOr(null);
+            _sources.Forget();
+            _fault = null;
+            if (_isGiven) return;
+            try
+            {
+                var markers = _markers.ConvertAll(marker => marker.Read());
+                Tracker ??= NewTracker();
+                Tracker?.Use(_cell, markers);
+            }
+            catch (InputException fault)
+            {
+                Fail(fault);
+            }
+            Tell();
+        }
+
+        void OnDestroy() => Tracker?.Release();
+
+        void LateUpdate()
+        {
+            _sources.Find(_session != null ? _session.transform : transform.root);
+            if (Tracker == null || (_sources.IsEmpty && Tracker.Markers.Count == 0)) return;
+            var head = Viewer.Head;
+            Tracker.SourceProblem = _sources.Problem;
+            Tracker.Tick(
+                _session.ClockOrDevices().Now, _sources.Read(),
+                head != null ? UnityPoses.ToRoom(head.position, head.rotation) : (Kinematics.RigidTransform?)null, _sources.Anchors);
+            if (Tracker.Shown is Kinematics.RigidTransform shown)
+            {
+                var place = UnityPoses.ToWorld(shown);
+                transform.SetPositionAndRotation(place.position, place.rotation);
+                _sources.Rest(place, Tracker.Markers);
+            }
+            Tell();
+        }
+
+        void Tell()
+        {
+            var (state, words) = (State, Words);
+            if (state == _told && ReferenceEquals(words, _toldWords)) return;
+            var isNews = IsNews();
+            if (state != _told || isNews) AnchorLog.Say(this, state, words, isNews);
+            (_told, _toldWords) = (state, words);
+            StateChanged?.Invoke();
+        }
+
+        // What is wrong although the state is the same: said once for each.
+        bool IsNews()
+        {
+            if (Tracker == null) return false;
+            var (problem, quarrel, isCorrected) = (Tracker.Problem, Tracker.Quarrel, Tracker.IsCorrected);
+            var isNews = (problem != null && problem != _toldProblem) || (quarrel != null && !quarrel.IsOf(_toldQuarrel))
+                || (isCorrected && !_toldCorrected);
+            (_toldProblem, _toldQuarrel, _toldCorrected) = (problem, quarrel, isCorrected);
+            return isNews;
+        }
+
+        BaseTracker NewTracker()
+        {
+            try
+            {
+                return new BaseTracker(new AnchoringSettings(
+                    _settleMs, _oldestMs, _farthestMetres, _mostObliqueDegrees, _lockErrorMetres, _lockErrorDegrees, _toleranceMetres,
+                    _toleranceDegrees, _easeMs));
+            }
+            catch (InputException fault)
+            {
+                Fail(fault);
+                return null;
+            }
+        }
+
+        void Fail(InputException fault)
+        {
+            if (_fault == fault.Message) return;
+            _fault = fault.Message;
+            ConsoleLog.Fail(this, "base anchor '" + name + "': " + _fault);
+        }
+
+        void OnDrawGizmosSelected()
+        {
+            FrameGizmo.Draw(transform, GizmoMetres);
+            foreach (var marker in _markers)
+                FrameGizmo.DrawCode(transform, marker.Place, marker.SizeMetres > 0 ? marker.SizeMetres : MarkerGizmoMetres);
+        }
+
+        static bool IsFinite(Vector3 v) => float.IsFinite(v.x) && float.IsFinite(v.y) && float.IsFinite(v.z);
+    }
+}

@@ -1,0 +1,53 @@
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>A second rig that shows the newest samples as they came: what the wearer would see without Nowpose.</summary>
+    [AddComponentMenu("Nowpose/Ghost")]
+    [RequireComponent(typeof(RobotRig))]
+    [DisallowMultipleComponent]
+    public sealed class Ghost : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The rig to compare with. Empty: the one beside this object that shows the displayed pose.")]
+        RobotRig _displayed = null;
+
+        RobotRig _own, _other;
+
+        /// <summary>Whether the ghost is shown; it costs nothing while it is not.</summary>
+        public bool Visible
+        {
+            get => gameObject.activeSelf;
+            set => gameObject.SetActive(value);
+        }
+
+        /// <summary>
+        /// Distance of the two rigs' tools, metres: what the compensation moves the displayed pose by. Null while the ghost is
+        /// hidden or one of them shows no robot.
+        /// </summary>
+        public float? GapMetres
+        {
+            get
+            {
+                if (!isActiveAndEnabled || _other == null || _own.Tool == null || _other.Tool == null) return null;
+                return Vector3.Distance(_own.Tool.position, _other.Tool.position);
+            }
+        }
+
+        void OnEnable()
+        {
+            _own = GetComponent<RobotRig>();
+            _other = _displayed != null ? _displayed : DisplayedBeside(transform.parent);
+            if (_other == null)
+                ConsoleLog.Warn(this, "ghost '" + name + "' finds no rig beside it to compare with; assign one");
+        }
+
+        static RobotRig DisplayedBeside(Transform parent)
+        {
+            if (parent == null) return null;
+            foreach (var rig in parent.GetComponentsInChildren<RobotRig>())
+                if (rig.Shows == RigPose.Displayed) return rig;
+            return null;
+        }
+    }
+}

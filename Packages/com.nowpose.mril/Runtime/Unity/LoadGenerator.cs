@@ -1,0 +1,87 @@
+using Nowpose.Latency;
+using Nowpose.Latency.Load;
+using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Gives the GPU as much to draw as asked for: a wall of tiny triangles, to find out where the constant-latency range ends.</summary>
+    /// <remarks>
+    /// The wall stands where its transform is, seen along its z axis, and loads the GPU only while it is in view. It is built in
+    /// steps, as many a frame as its time allows, so that building itself makes no frame late, and each part once: going back to a
+    /// load costs nothing.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Load Generator")]
+    [DisallowMultipleComponent]
+    public sealed class LoadGenerator : MonoBehaviour
+    {
+        [SerializeField, Tooltip("What the wall is drawn with. A dark one: a headset's display only adds light, so black is there and not seen.")]
+        Material _material = null;
+
+        [SerializeField, Range(0, LoadMesh.GreatestVertices), Tooltip("How many vertices to draw. A load sweep sets them by itself.")]
+        int _vertices = 0;
+
+        [SerializeField, Range(LeastMsPerFrame, GreatestMsPerFrame), Tooltip("What building a load may take of a frame, ms. 2: an eighth of a frame "
+            + "at 60 Hz, which a scene has left unless it is at its limit.")]
+        float _msPerFrame = 2;
+
+        [SerializeField, Range(0.05f, 5), Tooltip("Width of the wall in metres; it is 0.625 times as high. 0.6: all of it is in view from 1.3 m.")]
+        float _widthMetres = 0.6f;
+
+        const float LeastMsPerFrame = 0.1f, GreatestMsPerFrame = 10;
+
+        LoadPatches _patches;
+
+        /// <summary>Vertices to draw, 0 to 2 000 000; it takes some frames until they are. 1 or 2 more than a multiple of 25 000 are not drawn.</summary>
+        /// <exception cref="InputException">Out of range; what is drawn stays.</exception>
+        public int Vertices
+        {
+            get => _vertices;
+            set
+            {
+                LoadMesh.PatchesOf(value);
+                _vertices = value;
+            }
+        }
+
+        /// <summary>Vertices that this frame draws, if the wall is in view.</summary>
+        public int VerticesShown => _patches?.VerticesShown ?? 0;
+
+        /// <summary>Whether <see cref="Vertices"/> are drawn.</summary>
+        public bool IsReady => _patches != null && VerticesShown == LoadMesh.DrawnOf(_vertices);
+
+        /// <summary>Why nothing is drawn, in one line; null when nothing is wrong.</summary>
+        public string Problem { get; private set; }
+
+        void OnEnable()
+        {
+            Problem = null;
+            if (_material == null) Fail("has no material to draw with; assign one");
+            else if (_vertices < 0 || _vertices > LoadMesh.GreatestVertices)
+                Fail("is to draw " + _vertices + " vertices; allowed are 0 to " + LoadMesh.GreatestVertices);
+            else _patches = new LoadPatches(
+                transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(),
+                Mathf.Clamp(_msPerFrame, LeastMsPerFrame, GreatestMsPerFrame));
+        }
+
+        void OnDisable()
+        {
+            _patches?.Destroy();
+            _patches = null;
+        }
+
+        void Update()
+        {
+            if (_patches == null) return;
+            _patches.Ask(_vertices);
+            _patches.Advance();
+        }
+
+        void Fail(string what)
+        {
+            Problem = "load generator '" + name + "' " + what;
+            ConsoleLog.Fail(this, Problem);
+        }
+    }
+}

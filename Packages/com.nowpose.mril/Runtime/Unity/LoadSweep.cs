@@ -1,0 +1,288 @@
+using System;
+using System.Globalization;
+using System.Threading.Tasks;
+using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Latency.Sweep;
+using Nowpose.Session;
+using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Rendering;
+using Nowpose.Unity.Session;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Steps through loads and logs, for each frame, the load, the render time and the control time that its code shows.</summary>
+    /// <remarks>
+    /// Schnierle &amp; Röck 2022, Fig. 11. The log is joined with a camera's pictures by the codes in them. A load counts from when it is there in full
+    /// and the clock is synchronised. No frame waits for the disk, and none allocates but at the change of a load, or where a load takes so
+    /// long that its rows need more room.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Load Sweep")]
+    [DisallowMultipleComponent]
+    public sealed class LoadSweep : MonoBehaviour
+    {
+        /// <summary>Rows for which there is room: displays of up to so many Hz, and a load that takes so long to build.</summary>
+        const int MostHz = 144, SecondsToBuild = 3;
+
+        [SerializeField, Tooltip("The session whose frames are logged. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("What makes the load. Empty: the one on this object or below.")]
+        LoadGenerator _load = null;
+
+        [SerializeField, Tooltip("What measures the render time. Empty: the one on the session's object or below.")]
+        RenderTimeSource _renderTime = null;
+
+        [SerializeField, Range(1000, SweepPlan.GreatestVertices), Tooltip("The greatest load, vertices. 2000000: more than headsets draw in time, so "
+            + "that the limit is among the loads.")]
+        int _mostVertices = SweepPlan.GreatestVertices;
+
+        [SerializeField, Range(2, 100), Tooltip("Loads from none to the greatest, in equal steps. 10 place the limit within 5 %, 20 within 2 %.")]
+        int _steps = 10;
+
+        [SerializeField, Range(0.5f, 600), Tooltip("Seconds for which each load is shown. 5: some 40 pictures at eight a second.")]
+        float _secondsPerLoad = 5;
+
+        [SerializeField, Range(0, 60), Tooltip("Seconds before, in which the GPU's queue follows the new load. Logged like the rest.")]
+        float _settleSeconds = 1;
+
+        [SerializeField, Tooltip("Go through the loads in reverse afterwards. On, for a processor that grows warm would look like a load otherwise.")]
+        bool _goesDown = true;
+
+        [SerializeField, Tooltip("Folder for the logs, below the application's persistent data path, which a HoloLens shows under LocalState in its "
+            + "device portal; or a full path. It is made where there is none.")]
+        string _folder = "calibration";
+
+        [SerializeField, Tooltip("Start as soon as this component is enabled. Off, for somebody has to set up the camera first.")]
+        bool _startOnEnable = false;
+
+        [SerializeField, Tooltip("A text that says how far it is. Empty: none.")]
+        TextMesh _text = null;
+
+        [SerializeField, Tooltip("It has gone through all loads, the log is written and judged.")]
+        UnityEvent _onDone = new UnityEvent();
+
+        MrilSession _source;
+        LoadGenerator _generator;
+        RenderTimeSource _measures;
+        SweepPlan _plan;
+        SweepRun _run;
+        SweepFile _file;
+        SweepFrame? _frame;
+        Task<LoadSensitivity> _judging;
+        Task _closing = Task.CompletedTask;
+        DisplayConditions _conditions;
+        double _displayHz;
+        int _verticesBefore;
+        (int Index, int Phase) _told;
+
+        /// <summary><see cref="Words"/> are others than before.</summary>
+        public event Action Progressed;
+
+        /// <summary>Whether it is going through the loads.</summary>
+        public bool IsRunning => _run != null;
+
+        /// <summary>How far it is, in a few words; null before the first sweep.</summary>
+        public string Words { get; private set; }
+
+        /// <summary>The log that is written, or was written last; null before the first.</summary>
+        public string Path { get; private set; }
+
+        /// <summary>Whether the last sweep's render time sees load; null until one is done.</summary>
+        public LoadSensitivity Verdict { get; private set; }
+
+        /// <summary>Why there is no sweep although it was asked for, or why it ended early, in one line; null when nothing is wrong.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>Completes when nothing more is written by the sweep that ended last.</summary>
+        internal Task Closed => _closing;
+
+        /// <summary>Goes through the loads from the first one, into a log of its own. Does nothing while it is running.</summary>
+        public void StartSweep()
+        {
+            if (IsRunning || !isActiveAndEnabled) return;
+            _judging = null;
+            Verdict = null;
+            Problem = null;
+            _source = this.SessionOr(_session);
+            _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>();
+            _measures = _renderTime != null ? _renderTime : _source != null ? _source.GetComponentInChildren<RenderTimeSource>() : null;
+            if (_source == null) Fail("has no session above it; assign one");
+            else if (_generator == null) Fail("has no load generator below it; assign one");
+            else if (_measures == null) Fail("finds no render time source at its session; assign one");
+            else Begin();
+        }
+
+        /// <summary>Ends the sweep; what was logged is still written. There is no verdict.</summary>
+        public void StopSweep()
+        {
+            if (!IsRunning) return;
+            End();
+            Tell(SweepWords.Stopped);
+            ConsoleLog.Say(this, "load sweep stopped; what it logged is in " + Path);
+        }
+
+        void OnEnable()
+        {
+            if (_startOnEnable) StartSweep();
+        }
+
+        void OnDisable()
+        {
+            StopSweep();
+            _judging = null;
+        }
+
+        void Update()
+        {
+            if (IsRunning) Follow();
+            else if (_judging != null && _judging.IsCompleted) Conclude();
+        }
+
+        void Begin()
+        {
+            try
+            {
+                _plan = new SweepPlan(_mostVertices, _steps, _secondsPerLoad, _settleSeconds, _goesDown);
+                Path = System.IO.Path.Combine(
+                    Application.persistentDataPath, _folder,
+                    DateTime.UtcNow.ToString("'nowpose-sweep-'yyyyMMdd'T'HHmmssfff'Z.csv'", CultureInfo.InvariantCulture));
+            }
+            catch (Exception fault) when (fault is InputException || fault is ArgumentException)
+            {
+                Fail(fault.Message);
+                return;
+            }
+            _conditions = Conditions;
+            _displayHz = _conditions.DisplayHz ?? double.NaN;
+            _file = new SweepFile(Path, (int)((_plan.TimePerLoad.TotalSeconds + SecondsToBuild) * MostHz), _conditions);
+            _run = new SweepRun(_plan);
+            _verticesBefore = _generator.Vertices;
+            _generator.Vertices = _run.Vertices;
+            _frame = null;
+            _told = (-1, 0);
+            _source.Shown += Keep;
+            ConsoleLog.Say(this, SweepWords.Begun(_plan, Path));
+        }
+
+        // The session may have looked before the display reported its rate.
+        DisplayConditions Conditions
+        {
+            get
+            {
+                var session = _source.Session?.Conditions ?? DisplayConditions.Unknown;
+                return new DisplayConditions(rewritesBeforeRender: session.RewritesBeforeRender, reprojection: session.Reprojection)
+                    .Or(ThisDevice.Conditions);
+            }
+        }
+
+        // A frame that is computed anew before rendering comes twice.
+        void Keep(DisplayFrame frame) => _frame = new SweepFrame(_source, frame, _run, _generator, _measures);
+
+        // The frame before: by now it is known which code it showed.
+        void Follow()
+        {
+            // Not at the start: whoever is switched on together with the sweep may be so a moment later.
+            if (ProblemOfLoad() is string problem)
+            {
+                Abandon(problem);
+                return;
+            }
+            // Also while a load is built: a picture whose frame is missing could be taken for one a period of the code later.
+            if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
+            TellPhase();
+            var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
+            _frame = null;
+            if (_file.Problem != null) Abandon(_file.Problem);
+            else if (isOver) NextLoad();
+        }
+
+        void NextLoad()
+        {
+            if (_run.IsDone)
+            {
+                _judging = End();
+                Tell(SweepWords.Judging);
+                return;
+            }
+            _file.EndLoad();
+            var now = Conditions;
+            var changes = _conditions.MismatchesWith(now);
+            if (changes.Count > 0)
+            {
+                Abandon(SweepWords.Changed(changes[0]));
+                return;
+            }
+            // A display tells its rate some frames after the scene begins.
+            if (double.IsNaN(_displayHz)) _displayHz = now.DisplayHz ?? double.NaN;
+            _generator.Vertices = _run.Vertices;
+        }
+
+        // The load would never be there, and the sweep would wait for it for ever.
+        string ProblemOfLoad()
+        {
+            if (_generator == null) return "load sweep '" + name + "' has lost its load generator; what it logged is kept";
+            if (_generator.Problem != null) return _generator.Problem;
+            return _generator.isActiveAndEnabled ? null : "load generator '" + _generator.name + "' is switched off; the sweep needs it";
+        }
+
+        void Abandon(string problem)
+        {
+            End();
+            Problem = problem;
+            Tell(SweepWords.Stopped);
+            ConsoleLog.Warn(this, problem);
+        }
+
+        Task<LoadSensitivity> End()
+        {
+            _source.Shown -= Keep;
+            _run = null;
+            // Destroyed with the scene, it minds no load.
+            if (_generator != null) _generator.Vertices = _verticesBefore;
+            var closing = _file.CloseAsync();
+            _closing = closing;
+            return closing;
+        }
+
+        void Conclude()
+        {
+            Verdict = _judging.Result;
+            _judging = null;
+            Problem = _file.Problem;
+            if (Verdict == null)
+            {
+                ConsoleLog.Warn(this, Problem);
+                return;
+            }
+            var said = "load sweep done: " + Verdict.Words + "; log: " + Path;
+            if (Verdict.Sight == LoadSight.Seen) ConsoleLog.Say(this, said);
+            else ConsoleLog.Warn(this, said);
+            Tell(Verdict.Words);
+            _onDone.Invoke();
+        }
+
+        void TellPhase()
+        {
+            var phase = !(_frame is SweepFrame frame) || !frame.Control.HasValue ? 1 : frame.IsShown ? 3 : 2;
+            if (_told == (_run.Index, phase)) return;
+            _told = (_run.Index, phase);
+            Tell(phase == 1 ? SweepWords.WaitingForClock : phase == 2 ? SweepWords.Building(_run.Vertices) : SweepWords.Showing(_run, _plan));
+        }
+
+        void Tell(string words)
+        {
+            Words = words;
+            if (_text != null) _text.text = words;
+            Progressed?.Invoke();
+        }
+
+        void Fail(string what)
+        {
+            Problem = "load sweep '" + name + "' " + what;
+            ConsoleLog.Fail(this, Problem);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+using System.Collections.Generic;
+using Nowpose.Session;
+using Nowpose.Unity.Rendering;
+using Nowpose.Unity.Session;
+using Nowpose.Unity.Status;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>
+    /// Makes a pose that is not current, or whose base is not certain, look different. Everything below this object is striped and
+    /// fainter, and words say why. Before the first joint positions only the words are drawn. Parts of a rig or gripper that no longer
+    /// follows the session are hidden.
+    /// </summary>
+    /// <remarks>
+    /// Sets <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1) of the materials' shaders, which the package's have, by property
+    /// blocks: the materials stay as they are. A material without both gets a lower alpha if it is blended by its alpha. Any other is
+    /// replaced by the substitute, or hidden, while the pose is not current. Once disabled, everything has the values again that it had before.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Pose Appearance")]
+    [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
+    [DisallowMultipleComponent]
+    public sealed class PoseAppearance : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The session whose pose is shown. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("Where the words are written. They turn to the viewer, and are as large as it takes to read them. Empty: no words.")]
+        TextMesh _words = null;
+
+        [SerializeField, Tooltip("Drawn in place of opaque materials whose shader lacks _Hatch or _Fade, while the pose is not current. It needs "
+            + "both itself, as the package's Hologram has. Empty: such parts are hidden then.")]
+        Material _substitute = null;
+
+        readonly PoseMaterials _materials = new PoseMaterials();
+        readonly HashSet<Object> _reported = new HashSet<Object>();
+        readonly List<Renderer> _found = new List<Renderer>();
+        readonly Dictionary<Renderer, PosePart> _parts = new Dictionary<Renderer, PosePart>();
+        readonly List<PoseCarrier> _carriers = new List<PoseCarrier>();
+        MrilSession _source;
+        RobotRig _rig;
+        PoseCarrier _carrier;
+        MaterialPropertyBlock _block;
+        ReadingDistance _distance;
+        PoseState? _pose;
+        OutsideRangeResponse _outsideRange;
+        BaseAnchor _anchor;
+        BaseLook _base;
+        bool _isOn, _hasWords;
+        float _opacity = 1;
+
+        /// <summary>
+        /// How much of their opacity the parts keep, for a wearer who wants to see what is behind: 1 (all) to 0 (the fifth that a fade
+        /// leaves). A pose that is not current stays as visible as <see cref="PoseAppearance"/> makes it, and striped.
+        /// </summary>
+        public float Opacity
+        {
+            get => _opacity;
+            set
+            {
+                _opacity = float.IsNaN(value) ? 1 : Mathf.Clamp01(value);
+                if (_isOn) Draw();
+            }
+        }
+
+        internal PoseLook Look
+        {
+            get
+            {
+                if (!(_pose is PoseState pose)) return PoseLook.Abandoned;
+                var look = _base.Over(PoseLook.Of(pose, _outsideRange));
+                return look.IsDrawn && Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
+            }
+        }
+
+        /// <summary>Whether any part is drawn; the words do not count.</summary>
+        internal bool IsDrawn
+        {
+            get
+            {
+                foreach (var part in _parts.Values)
+                    if (part.IsDrawn) return true;
+                return false;
+            }
+        }
+
+        /// <summary>Renderers that take part, the words' apart.</summary>
+        internal int PartCount => _parts.Count;
+
+        /// <summary>Whether something below cannot show a pose that is not current by its own material.</summary>
+        internal bool NeedsSubstitute
+        {
+            get
+            {
+                var materials = new PoseMaterials();
+                foreach (var each in GetComponentsInChildren<Renderer>(true))
+                    if (!IsWords(each) && materials.Of(materials.In(each)).Means == PoseMeans.None) return true;
+                return false;
+            }
+        }
+
+        /// <summary>Takes up renderers that have come or gone below this object; done by itself when a rig is built, and when enabled.</summary>
+        public void Refresh()
+        {
+            // Not enabled, as in an edited scene: it does so itself then.
+            if (!_isOn) return;
+            GetComponentsInChildren(true, _found);
+            _found.RemoveAll(IsWords);
+            Leave();
+            _materials.Begin(_substitute);
+            _carriers.Clear();
+            _anchor = GetComponentInParent<BaseAnchor>();
+            _base = BaseLook.Of(_anchor);
+            _carrier = PoseCarrier.Of(transform, _carrier);
+            Follow(_carrier);
+            foreach (var each in _found)
+            {
+                if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block, _materials));
+                part.Take();
+                Follow(part.Carrier);
+                if (part.IsHelpless) Report(part.Helpless, each);
+            }
+            Draw();
+        }
+
+        void OnEnable()
+        {
+            _block ??= new MaterialPropertyBlock();
+            _isOn = true;
+            _pose = PoseState.Incomplete;
+            _source = this.SessionOr(_session);
+            _rig = GetComponentInParent<RobotRig>();
+            if (_rig != null) _rig.Bound += Refresh;
+            if (_source != null)
+            {
+                _source.Shown += Show;
+                _source.Hidden += Abandon;
+                if (_source.Frame != null) Take(_source.Frame);
+            }
+            else ConsoleLog.Warn(this, "pose appearance '" + name + "' has no session above it to follow; assign one");
+            Refresh();
+        }
+
+        void OnDisable()
+        {
+            if (_rig is object) _rig.Bound -= Refresh;
+            if (_source is object)
+            {
+                _source.Shown -= Show;
+                _source.Hidden -= Abandon;
+            }
+            _isOn = false;
+            _pose = PoseState.Current;
+            _carriers.Clear();
+            foreach (var part in _parts.Values) part.GiveBack();
+            Say("");
+        }
+
+        void LateUpdate()
+        {
+            if (!_hasWords || _words == null) return;
+            var viewer = Viewer.Head;
+            if (viewer != null) _distance.Face(_words, viewer.position);
+        }
+
+        void Show(DisplayFrame frame)
+        {
+            var isNews = frame.State != _pose;
+            foreach (var carrier in _carriers) isNews |= carrier.HasTurned();
+            var known = BaseLook.Of(_anchor);
+            isNews |= !known.IsSameAs(_base);
+            _base = known;
+            if (!isNews) return;
+            Take(frame);
+            Draw();
+        }
+
+        void Take(DisplayFrame frame)
+        {
+            _pose = frame.State;
+            _outsideRange = frame.OutsideRange;
+        }
+
+        void Abandon()
+        {
+            _pose = null;
+            Draw();
+        }
+
+        void Draw()
+        {
+            var look = Look;
+            foreach (var part in _parts.Values)
+            {
+                if (_pose.HasValue) part.Draw(look, _opacity);
+                else part.Abandon(_opacity);
+            }
+            Say(look.Words);
+        }
+
+        /// <summary>Something to be seen that does not follow, the rig before its gripper; null for none.</summary>
+        PoseCarrier Unmoved
+        {
+            get
+            {
+                foreach (var carrier in _carriers)
+                    if (carrier.IsActive && !carrier.IsFollowing) return carrier;
+                return null;
+            }
+        }
+
+        void Say(string words)
+        {
+            _hasWords = _words != null && words.Length > 0;
+            if (_words != null) _words.text = words;
+        }
+
+        // Of a component that is edited, too.
+        bool IsWords(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
+
+        /// <param name="material">Null for a missing one.</param>
+        void Report(Material material, Renderer part)
+        {
+            var isMissing = material == null;
+            if (!_reported.Add(isMissing ? (Object)part : material)) return;
+            var problem = "pose appearance '" + name + "': " + (isMissing
+                ? "a material of '" + part.name + "' is missing"
+                : "material '" + material.name + "' of '" + part.name + "' is opaque, not blended by its alpha, or one of several, "
+                    + "and its shader lacks _Hatch or _Fade") + ". While the pose is not current, the part is ";
+            var remedy = isMissing
+                ? "assign a material to the part"
+                : "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
+            if (_materials.Substitute != null)
+                ConsoleLog.Say(this, problem + "drawn with '" + _materials.Substitute.name + "'. To keep its own look, " + remedy);
+            else ConsoleLog.Warn(this, problem + "hidden. Assign a Substitute with _Fade and _Hatch, or " + remedy);
+        }
+
+        void Follow(PoseCarrier carrier)
+        {
+            if (carrier == null) return;
+            foreach (var known in _carriers)
+                if (known.IsSameAs(carrier)) return;
+            _carriers.Add(carrier);
+        }
+
+        // What is elsewhere now is not this one's any more.
+        void Leave()
+        {
+            foreach (var known in new List<Renderer>(_parts.Keys))
+            {
+                if (_found.Contains(known)) continue;
+                _parts[known].GiveBack();
+                _parts.Remove(known);
+            }
+        }
+    }
+}

@@ -1,0 +1,126 @@
+using System;
+using System.Collections;
+using Nowpose.Latency;
+using Nowpose.Unity.Rendering;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>
+    /// Measures how long each frame's render job takes, by the best means that the device has, and tells the session: beyond
+    /// the constant-latency range poses are not current.
+    /// </summary>
+    /// <remarks>
+    /// In order: the GPU's time by the headset's runtime; the GPU's time by Unity (Frame Timing Stats in the player
+    /// settings); from trigger to GPU completion, by a readback; the processor's time on the cameras (built-in render pipeline
+    /// only), which is unverified, for it does not see the GPU. A limit found with one of them means nothing for another.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Render Time Source")]
+    [DisallowMultipleComponent]
+    public sealed class RenderTimeSource : MonoBehaviour
+    {
+        const int Display = 0, Engine = 1, Completion = 2, Cameras = 3;
+
+        [SerializeField, Tooltip("The session that is told. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        readonly GpuTimes _gpu = new GpuTimes();
+        readonly WaitForEndOfFrame _endOfFrame = new WaitForEndOfFrame();
+        SessionLog _log;
+        RenderTimeChoice _choice;
+        MrilSession _target;
+        IHeadsetClock _clock;
+        GpuCompletion _completion;
+        Coroutine _watch;
+        CameraTime _cameras;
+        HeadsetTime? _trigger;
+
+        /// <summary>What the render times are measured with; none until thirty frames were measured, and when nothing measures any more.</summary>
+        public RenderTimeSourceKind Source => _choice?.Source ?? RenderTimeSourceKind.None;
+
+        /// <summary>Δt_render that became known last; null when none did in this frame.</summary>
+        public TimeSpan? RenderTime => _choice?.RenderTime;
+
+        void OnEnable()
+        {
+            _log ??= new SessionLog(this);
+            _target = this.SessionOr(_session);
+            _clock = _target.ClockOrDevices();
+            _choice = new RenderTimeChoice(
+                RenderTimeSourceKind.DisplayGpuTime, RenderTimeSourceKind.EngineGpuTime, RenderTimeSourceKind.GpuCompletion, RenderTimeSourceKind.CameraCpu);
+            _completion = new GpuCompletion(_clock);
+            _cameras = default;
+            _trigger = null;
+            Application.onBeforeRender += Trigger;
+            Camera.onPreRender += Begin;
+            Camera.onPostRender += End;
+            _watch = StartCoroutine(WatchSubmissions());
+        }
+
+        void OnDisable()
+        {
+            Application.onBeforeRender -= Trigger;
+            Camera.onPreRender -= Begin;
+            Camera.onPostRender -= End;
+            StopCoroutine(_watch);
+            _completion.Release();
+            _choice = null;
+            Tell();
+        }
+
+        void LateUpdate()
+        {
+            _choice.Report(Display, _gpu.OfDisplay());
+            _choice.Report(Engine, _gpu.OfEngine());
+            _choice.Report(Completion, _completion.Take());
+            _choice.Report(Cameras, _cameras.Take());
+            if (_choice.EndFrame()) Say();
+            Tell();
+        }
+
+        // After everyone else who writes transforms here: rendering begins now.
+        [BeforeRenderOrder(int.MaxValue)]
+        void Trigger() => _trigger = _clock.Now;
+
+        void Begin(Camera camera)
+        {
+            if (IsOfTheGame(camera)) _cameras.Begin(_clock.Now);
+        }
+
+        void End(Camera camera)
+        {
+            if (IsOfTheGame(camera)) _cameras.End(_clock.Now);
+        }
+
+        // The editor's own, of scene views and previews, render in the same frames.
+        static bool IsOfTheGame(Camera camera) => (camera.hideFlags & HideFlags.DontSave) == 0;
+
+        IEnumerator WatchSubmissions()
+        {
+            while (true)
+            {
+                yield return _endOfFrame;
+                // The GPU's own time needs no readbacks beside it, until it is missing.
+                var isGpuTime = Source == RenderTimeSourceKind.DisplayGpuTime || Source == RenderTimeSourceKind.EngineGpuTime;
+                var isNeeded = !isGpuTime || RenderTime == null;
+                if (isNeeded && _trigger is HeadsetTime triggered) _completion.Submitted(triggered);
+                _trigger = null;
+            }
+        }
+
+        void Tell()
+        {
+            if (_target == null || _target.Session == null) return;
+            if (Source == RenderTimeSourceKind.None) _target.Session.Rendered(TimeSpan.Zero, RenderTimeSourceKind.None);
+            else if (RenderTime is TimeSpan renderTime) _target.Session.Rendered(renderTime, Source);
+        }
+
+        void Say()
+        {
+            var message = "render time: " + RenderTimeWords.NameOf(Source);
+            if (Source == RenderTimeSourceKind.None || Source == RenderTimeSourceKind.CameraCpu) _log.Warn(message);
+            else _log.Say(message);
+        }
+    }
+}

@@ -1,0 +1,194 @@
+using System;
+using Nowpose.Kinematics;
+using Nowpose.Session;
+using Nowpose.Unity.Robot;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Shows a robot: transforms named and nested as its links, moved by a session or by a script.</summary>
+    /// <remarks>
+    /// Its own transform is the robot's base frame. Where none of its children is named as the robot's root link, and nothing
+    /// is drawn there, it builds the robot of primitives.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Robot Rig")]
+    [DisallowMultipleComponent]
+    public sealed class RobotRig : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The session that moves this robot. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("Displayed: where the robot is when the light reaches the eye. Held: the newest sample as it came, to compare.")]
+        RigPose _shows = RigPose.Displayed;
+
+        [SerializeField, Tooltip("For a robot built of primitives: its links up to the flange. An occluder, where the real arm is to hide what "
+            + "is behind it.")]
+        Material _armMaterial = null;
+
+        [SerializeField, Tooltip("For a robot built of primitives: the links that its flange carries.")]
+        Material _toolMaterial = null;
+
+        MrilSession _source;
+        RobotModel _refused;
+        RigHierarchy _hierarchy;
+        GameObject _built;
+        Material _plain;
+        bool _toldOfMaterials;
+        double[] _joints = Array.Empty<double>();
+
+        /// <summary>The transforms were bound to a robot, or to another one than before.</summary>
+        public event Action Bound;
+
+        /// <summary>The transforms have been moved; raised each time, so possibly twice a frame.</summary>
+        public event Action Posed;
+
+        /// <summary>The robot that is shown; null before <see cref="Bind"/>.</summary>
+        public RobotModel Model { get; private set; }
+
+        /// <summary>The session that moves this rig; null while disabled, or where a script moves it.</summary>
+        public MrilSession Session => _source;
+
+        /// <summary>Whether what the session computes is what this rig shows: false while disabled, or bound to no robot or to another.</summary>
+        public bool IsFollowing => _source != null && Model != null && Model == _source.Robot;
+
+        public RigPose Shows => _shows;
+
+        /// <summary>Of the links up to the flange of a robot built of primitives; null for none.</summary>
+        internal Material ArmMaterial => _armMaterial;
+
+        /// <summary>Joint positions shown last, one per moving joint of the model, rad or m; zeros before the first.</summary>
+        public ReadOnlySpan<double> Joints => _joints;
+
+        /// <summary>The tool centre point, or the flange where the robot has no tool; null before <see cref="Bind"/>.</summary>
+        public Transform Tool => _hierarchy?.Tool;
+
+        /// <summary>The link that a tool is mounted on; null before <see cref="Bind"/>.</summary>
+        public Transform Flange => _hierarchy?.Flange;
+
+        /// <returns>Null when the robot has no such link, or before <see cref="Bind"/>.</returns>
+        public Transform Link(string name) => _hierarchy?.Link(name);
+
+        /// <summary>Takes the children as the robot's links, or builds them, and puts all joints to 0.</summary>
+        /// <exception cref="InputException">
+        /// A link is missing, elsewhere or scaled, or the children show another robot; the rig is bound to none then.
+        /// </exception>
+        public void Bind(RobotModel model)
+        {
+            if (model == null) throw new ArgumentNullException(nameof(model));
+            if (model != Model) Unbuild();
+            Model = null;
+            _hierarchy = null;
+            _hierarchy = RigHierarchy.Find(model, transform) ?? Built(model);
+            _joints = new double[model.MovingJoints.Count];
+            Model = model;
+            Bound?.Invoke();
+        }
+
+        /// <summary>Moves the links.</summary>
+        /// <param name="joints">One per moving joint of the model, mimic joints included, rad or m.</param>
+        public void Apply(ReadOnlySpan<double> joints)
+        {
+            if (Model == null) throw new InvalidOperationException("rig '" + name + "': bind it to a robot before joints are applied");
+            if (joints.Length != _joints.Length)
+                throw new ArgumentException(
+                    "rig '" + name + "': " + joints.Length + " values for " + _joints.Length + " moving joints", nameof(joints));
+            joints.CopyTo(_joints);
+            _hierarchy.Apply(joints);
+            Posed?.Invoke();
+        }
+
+        /// <summary>Builds the robot as a part of its scene or prefab, which a rig then finds and never takes away.</summary>
+        /// <returns>Its root link; null where the links are there already.</returns>
+        /// <exception cref="InputException">The children show another robot, or only a part of this one.</exception>
+        /// <param name="plain">In place of a missing material: an asset, for a material in memory is not saved with a prefab.</param>
+        internal GameObject BuildToStay(RobotModel model, Material plain) =>
+            RigHierarchy.Find(model, transform) == null ? NewLinks(model, plain, out _) : null;
+
+        void OnEnable()
+        {
+            _source = this.SessionOr(_session);
+            if (_source != null) _source.Shown += Show;
+        }
+
+        void OnDisable()
+        {
+            if (_source is null) return;
+            _source.Shown -= Show;
+            _source = null;
+        }
+
+        void Start()
+        {
+            if (_source != null) FollowRobot();
+            else if (Model == null)
+                ConsoleLog.Warn(this, "rig '" + name + "' has no session above it to move it; assign one, or call Bind and Apply");
+        }
+
+        void OnDestroy()
+        {
+            if (_built != null) Destroy(_built);
+            if (_plain != null) Destroy(_plain);
+        }
+
+        void Show(DisplayFrame frame)
+        {
+            FollowRobot();
+            if (IsFollowing) Apply(_shows == RigPose.Held ? frame.HeldJoints : frame.Joints);
+        }
+
+        // Not while objects are being enabled: the engine lets nobody take children away then.
+        void FollowRobot()
+        {
+            var robot = _source.Robot;
+            if (robot == null || robot == _refused || (robot == Model && _hierarchy.IsWhole)) return;
+            _refused = null;
+            try
+            {
+                Bind(robot);
+            }
+            catch (InputException fault)
+            {
+                _refused = robot;
+                ConsoleLog.Fail(this, fault.Message);
+            }
+        }
+
+        RigHierarchy Built(RobotModel model)
+        {
+            _built = NewLinks(model, null, out _plain);
+            return RigHierarchy.Find(model, transform);
+        }
+
+        GameObject NewLinks(RobotModel model, Material plain, out Material made)
+        {
+            var look = new PlainLook(_armMaterial != null ? _armMaterial : plain, _toolMaterial != null ? _toolMaterial : plain);
+            var links = RigBuilder.Build(model, transform, look);
+            made = look.Made;
+            if (look.LacksMaterial && !_toldOfMaterials)
+                Debug.LogWarning(
+                    "[Nowpose] rig '" + name + "' lacks a material for the robot that it built, which is therefore "
+                    + (made != null ? "drawn by the shader Nowpose/Hologram" : "magenta, for this build does not contain the shader Nowpose/Hologram")
+                    + "; assign Arm Material and Tool Material", this);
+            _toldOfMaterials |= look.LacksMaterial;
+            return links;
+        }
+
+        // Taken out at once: it is destroyed at the end of the frame, and until then its links would be found.
+        void Unbuild()
+        {
+            if (_built == null) return;
+            _built.transform.SetParent(null, worldPositionStays: false);
+            Discard(_built);
+            if (_plain != null) Discard(_plain);
+            _built = null;
+            _plain = null;
+        }
+
+        static void Discard(UnityEngine.Object made)
+        {
+            if (Application.isPlaying) Destroy(made);
+            else DestroyImmediate(made);
+        }
+    }
+}

@@ -1,0 +1,132 @@
+using System;
+using System.Globalization;
+using Nowpose.Recording;
+using Nowpose.Session;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Records what a session receives, displays and makes of it to a file on the device, to be looked into afterwards.</summary>
+    /// <remarks>
+    /// One file for each session: the session begins anew after a pause and when the gateway describes another robot, and so does
+    /// the recording. No frame waits for the disk, and none allocates but the one that begins a file.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Session Recording")]
+    [DisallowMultipleComponent]
+    public sealed class SessionRecording : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The session to record. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("Folder for the files, below the application's persistent data path, which a HoloLens shows under LocalState in its "
+            + "device portal; or a full path. It is made where there is none.")]
+        string _folder = "recordings";
+
+        [SerializeField, Tooltip("Greatest size of one file in megabytes, 0.001 to 100000; then it ends, and says so. 500 MB are five hours "
+            + "of a usual session.")]
+        double _maximumMegabytes = 500;
+
+        [SerializeField, Tooltip("Record as soon as this component is enabled. On, for it was added to record; off where a menu calls "
+            + "StartRecording.")]
+        bool _recordOnEnable = true;
+
+        MrilSession _source;
+        CompensationSession _recorded;
+        bool _isWanted, _isSettled;
+
+        /// <summary>Whether a file is being written at this moment; not while the session is paused or its robot unknown.</summary>
+        public bool IsRecording => Recorder != null && Recorder.State == RecordingState.Recording;
+
+        /// <summary>The file that is written, or was written last; null before the first.</summary>
+        public string Path { get; private set; }
+
+        /// <summary>Why nothing is recorded although it was asked for, in one line; null when nothing is wrong.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>Records from now on, each session to a file of its own. Also tries again after a problem.</summary>
+        public void StartRecording()
+        {
+            if (IsRecording) return;
+            End();
+            Problem = null;
+            _isWanted = true;
+            Follow();
+        }
+
+        /// <summary>Ends the file; returns at once, while the rest is written.</summary>
+        public void StopRecording()
+        {
+            _isWanted = false;
+            End();
+        }
+
+        // Disposed of when this component is disabled, which always comes before it is destroyed.
+        SessionRecorder Recorder { get; set; }
+
+        void OnEnable()
+        {
+            _source = this.SessionOr(_session);
+            if (_source == null) ConsoleLog.Warn(this, "session recording '" + name + "' has no session above it to record; assign one");
+            if (_recordOnEnable) StartRecording();
+        }
+
+        void OnDisable() => StopRecording();
+
+        // Before the session computes its frame: what it begins with is in the file.
+        void Update()
+        {
+            Follow();
+            Report();
+        }
+
+        void Follow()
+        {
+            var session = _isWanted && isActiveAndEnabled && _source != null ? _source.Session : null;
+            // Until the gateway has described the robot there is nothing to record.
+            if (session != null && session.Robot.MovingJoints.Count == 0) session = null;
+            if (session == _recorded) return;
+            End();
+            if (session != null) Begin(session);
+        }
+
+        void Begin(CompensationSession session)
+        {
+            _recorded = session;
+            var now = DateTime.UtcNow;
+            try
+            {
+                Path = System.IO.Path.Combine(
+                    Application.persistentDataPath, _folder, now.ToString("'nowpose-'yyyyMMdd'T'HHmmssfff'Z.jsonl'", CultureInfo.InvariantCulture));
+                Recorder = new SessionRecorder(session, new RecordingSettings(Path, _maximumMegabytes, now));
+            }
+            catch (Exception fault) when (fault is InputException || fault is ArgumentException)
+            {
+                Fail("session recording '" + name + "': " + fault.Message);
+                return;
+            }
+            ConsoleLog.Say(this, "recording the session to " + Path);
+        }
+
+        void Report()
+        {
+            if (Recorder == null || _isSettled || Recorder.State == RecordingState.Recording) return;
+            _isSettled = true;
+            Fail(Recorder.Problem);
+        }
+
+        void Fail(string problem)
+        {
+            Problem = problem;
+            ConsoleLog.Warn(this, problem);
+        }
+
+        void End()
+        {
+            Recorder?.Dispose();
+            Recorder = null;
+            _recorded = null;
+            _isSettled = false;
+        }
+    }
+}

@@ -1,0 +1,101 @@
+using Nowpose.Unity.Session;
+using Nowpose.Unity.Status;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>Tells in the scene how a session does: clock, latencies, render time, connection, and how much of the error is removed.</summary>
+    /// <remarks>
+    /// Copies its <c>Cell</c>, a text, into rows of label, value and note. Capital letters are at least 0.5° high from where the
+    /// viewer is, times the scale of this object. The lower edge is 7 font sizes below this object; the message stands on top.
+    /// Stands wherever its transform is put; <see cref="BodyFollow"/> beside it keeps it with the viewer.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Status Panel")]
+    [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
+    [DisallowMultipleComponent]
+    public sealed class StatusPanel : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The session it tells of. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("A text below this object that is copied: font, material, style and colour of all cells. Inactive itself.")]
+        TextMesh _cell = null;
+
+        [SerializeField, Tooltip("Of the ground behind the text, drawn before it. Empty: none.")]
+        Material _ground = null;
+
+        [SerializeField, Tooltip("An object that stays below the lower edge, such as a bar to grab it by. One unit of it becomes one font size. "
+            + "A child of this object. Empty: none.")]
+        Transform _bar = null;
+
+        [SerializeField, Range(0.1f, 2), Tooltip("From one look at the session to the next, seconds. 0.25: numbers that change faster cannot be read.")]
+        float _refreshSeconds = 0.25f;
+
+        [SerializeField, Tooltip("Say on top, while nothing went wrong, how much of each joint's error is removed, % over 10 s. Off: the tool's "
+            + "is what the wearer sees.")]
+        bool _showJoints = false;
+
+        readonly StatusTexts _texts = new StatusTexts();
+        MrilSession _source;
+        BaseAnchor _anchor;
+        CellPairing _pairing;
+        PanelCells _cells;
+        ReadingDistance _distance;
+        float _due;
+
+        internal StatusTexts Texts => _texts;
+
+        /// <summary>From how far its letters are high enough; null before it was drawn for a viewer.</summary>
+        internal float? LegibleMetres => _distance.Metres > 0 ? _distance.Metres : (float?)null;
+
+        void OnEnable()
+        {
+            _source = this.SessionOr(_session);
+            _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
+            _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
+            _due = 0;
+            if (_source == null) ConsoleLog.Warn(this, "status panel '" + name + "' has no session above it to tell of; assign one");
+            if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no cell to copy; assign a text below it");
+        }
+
+        // Numbers that nobody keeps up are none.
+        void OnDisable() => _cells?.Hide();
+
+        void OnDestroy() => _cells?.Destroy();
+
+        void LateUpdate()
+        {
+            if (_cell == null || Time.unscaledTime < _due) return;
+            _due = Time.unscaledTime + _refreshSeconds;
+            if (_cells == null) MakeCells();
+            _texts.TellsOfJoints = _showJoints;
+            if (_source == null) _texts.Update(null, null, null, null);
+            else _texts.Update(_source.Statistics, _source.Settings, _source.Robot?.Name, _source.Problem, _anchor, _pairing);
+            _cells.Show(_texts);
+            var viewer = Viewer.Head;
+            if (viewer == null) return;
+            _distance.Update(Vector3.Distance(transform.position, viewer.position));
+            Resize(LetterSize.At(_distance.Metres));
+        }
+
+        // What is above it does not change its size; its own scale, which a user sets, does.
+        void Resize(float size)
+        {
+            var above = transform.parent != null ? Mathf.Abs(transform.parent.lossyScale.x) : 1;
+            if (above > 0) size /= above;
+            _cells.Resize(size);
+            if (_bar == null) return;
+            _bar.localScale = Vector3.one * size;
+            _bar.localPosition = new Vector3(0, PanelCells.LowerEdge * size, 0);
+        }
+
+        // Not while objects are being enabled: none may be added then. And not once only: scripts that are compiled anew while
+        // playing leave the objects, and forget them.
+        void MakeCells()
+        {
+            PanelCells.RemoveFrom(transform);
+            _cells = new PanelCells(transform, _cell, _ground);
+            _distance = default;
+        }
+    }
+}

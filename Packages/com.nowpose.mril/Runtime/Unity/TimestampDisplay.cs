@@ -1,0 +1,88 @@
+using Nowpose.Session;
+using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>
+    /// Shows when each frame began, on the control system's clock: as a code for a camera, and as text. Beside the same code by the control
+    /// system, in one picture, it tells the visualisation latency.
+    /// </summary>
+    /// <remarks>
+    /// Schnierle &amp; Röck 2022, Fig. 9 and Eq. (7): C2(t_MR), mapped to C1. The code belongs to the very frame that it is drawn in:
+    /// it changes within <see cref="MrilSession.Shown"/>, also where the session computes a frame anew right before rendering.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Timestamp Display")]
+    [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
+    [DisallowMultipleComponent]
+    public sealed class TimestampDisplay : MonoBehaviour
+    {
+        const string NoSession = "no session", NotSynchronised = "clock not synchronised";
+
+        [SerializeField, Tooltip("The session whose frames it stamps. Empty: the one on this object or above.")]
+        MrilSession _session = null;
+
+        [SerializeField, Tooltip("A text below this object that is copied: font, material and colour of the time. Inactive itself. Empty: the code only.")]
+        TextMesh _cell = null;
+
+        [SerializeField, Tooltip("Of the code's lit squares: bright and unlit. The dark ones are nothing.")]
+        Material _light = null;
+
+        [SerializeField, Range(0.02f, 1), Tooltip("Side of the code in metres. 0.1: an eighth of the height of a headset camera's picture from 1 m, and "
+            + "a tenth can be read.")]
+        float _sideMetres = 0.1f;
+
+        MrilSession _source;
+        TimestampSheet _sheet;
+
+        /// <summary>The control time that the code and the text show, when the frame began; null while they show none.</summary>
+        public ControlTime? FrameStart { get; private set; }
+
+        void OnEnable()
+        {
+            _source = this.SessionOr(_session);
+            if (_light == null) ConsoleLog.Fail(this, "timestamp display '" + name + "' has no material for its squares; assign one");
+            if (_source == null)
+            {
+                ConsoleLog.Warn(this, "timestamp display '" + name + "' has no session above it to stamp; assign one");
+                return;
+            }
+            _source.Shown += Show;
+            _source.Hidden += Hide;
+        }
+
+        void OnDisable()
+        {
+            if (_source != null)
+            {
+                _source.Shown -= Show;
+                _source.Hidden -= Hide;
+            }
+            FrameStart = null;
+            _sheet?.Destroy();
+            _sheet = null;
+        }
+
+        // Not while objects are being enabled: none may be added then. Until there is a frame, say so.
+        void LateUpdate()
+        {
+            if (_sheet == null) Hide();
+        }
+
+        void Show(DisplayFrame frame)
+        {
+            FrameStart = FrameControlTime.Of(_source, frame);
+            if (FrameStart is ControlTime start) Sheet.Show(start);
+            else Sheet.Blank(NotSynchronised);
+        }
+
+        void Hide()
+        {
+            FrameStart = null;
+            Sheet.Blank(NoSession);
+        }
+
+        TimestampSheet Sheet => _sheet ??= new TimestampSheet(transform, _cell, _light, _sideMetres);
+    }
+}

@@ -1,0 +1,132 @@
+using System;
+using System.Collections.Generic;
+using Nowpose.Kinematics;
+using Nowpose.Unity.Session;
+using UnityEngine;
+
+namespace Nowpose.Unity
+{
+    /// <summary>The virtual tool: rides on the flange of a rig, and its fingers move as the robot's joints of their names.</summary>
+    /// <remarks>
+    /// On a robot without those joints the fingers stay as they are. Fingers that are links of the rig, moved by it already,
+    /// are left to it.
+    /// </remarks>
+    [AddComponentMenu("Nowpose/Virtual Gripper")]
+    [DisallowMultipleComponent]
+    public sealed class VirtualGripper : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The rig whose flange it rides on. Empty: the one above this object.")]
+        RobotRig _rig = null;
+
+        [SerializeField, Tooltip("Name of the link it rides on. Empty: the last link of the arm.")]
+        string _flangeLink = "";
+
+        [SerializeField, Tooltip("What opens and closes, and by which joint.")]
+        List<GripperFinger> _fingers = new List<GripperFinger>();
+
+        RobotRig _source;
+        Transform _flange;
+        FingerDrive[] _drives = Array.Empty<FingerDrive>();
+
+        /// <summary>The rig it rides on; null while it rides on none.</summary>
+        public RobotRig Rig => _source;
+
+        /// <summary>The link it rides on; null until the rig is bound to a robot that has it.</summary>
+        public Transform Flange => _flange;
+
+        internal IReadOnlyList<GripperFinger> Fingers => _fingers;
+
+        /// <summary>Rides on a rig from now on, whichever it rode on before; done by itself when enabled.</summary>
+        public void Mount(RobotRig rig)
+        {
+            Unmount();
+            _source = rig;
+            rig.Bound += Fit;
+            rig.Posed += Follow;
+            if (rig.Model != null) Fit();
+        }
+
+        /// <summary>Stays where it is, its fingers at rest; done by itself when disabled.</summary>
+        public void Unmount()
+        {
+            Rest();
+            if (_source is null) return;
+            _source.Bound -= Fit;
+            _source.Posed -= Follow;
+            _source = null;
+            _flange = null;
+        }
+
+        void OnEnable()
+        {
+            var rig = _rig != null ? _rig : GetComponentInParent<RobotRig>();
+            if (rig != null) Mount(rig);
+            else ConsoleLog.Fail(this, "gripper '" + name + "' has no rig to ride on; place it below one, or assign one");
+        }
+
+        void OnDisable() => Unmount();
+
+        void Fit()
+        {
+            _flange = string.IsNullOrEmpty(_flangeLink) ? _source.Flange : _source.Link(_flangeLink);
+            if (_flange == null)
+                ConsoleLog.Fail(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no link '" + _flangeLink + "' to ride on");
+            Rest();
+            var drives = new List<FingerDrive>();
+            var unknown = "";
+            foreach (var finger in _fingers)
+                if (TryDrive(finger, ref unknown, out var drive)) drives.Add(drive);
+            _drives = drives.ToArray();
+            // No warning: on a robot that has no gripper this is how it should be.
+            if (unknown.Length > 0)
+                ConsoleLog.Say(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
+                    + ", so what that moves stays as it is");
+        }
+
+        bool TryDrive(GripperFinger finger, ref string unknown, out FingerDrive drive)
+        {
+            drive = default;
+            if (finger.Finger == null) return false;
+            var index = _source.Model.IndexOfMovingJoint(finger.Joint);
+            if (index < 0)
+            {
+                unknown += (unknown.Length > 0 ? " and no " : "") + "'" + finger.Joint + "'";
+                return false;
+            }
+            var joint = _source.Model.MovingJoints[index];
+            if (_source.Link(joint.ChildLink) == finger.Finger) return false;
+            drive = new FingerDrive(index, finger.Finger, joint);
+            return true;
+        }
+
+        // Whenever a finger is taken for moving, now or after scripts were compiled anew while playing, it stands as it was made.
+        void Rest()
+        {
+            foreach (var drive in _drives)
+                if (drive.Finger != null) drive.Move.Apply(0);
+            _drives = Array.Empty<FingerDrive>();
+        }
+
+        void Follow()
+        {
+            if (_flange != null && !transform.IsChildOf(_flange)) transform.SetPositionAndRotation(_flange.position, _flange.rotation);
+            var joints = _source.Joints;
+            foreach (var drive in _drives)
+                if (drive.Finger != null) drive.Move.Apply(joints[drive.Joint]);
+        }
+
+        readonly struct FingerDrive
+        {
+            public FingerDrive(int index, Transform finger, RobotJoint joint)
+            {
+                Joint = index;
+                Finger = finger;
+                Move = new JointDrive(finger, joint, finger.localPosition, finger.localRotation);
+            }
+
+            public int Joint { get; }
+            public Transform Finger { get; }
+            public JointDrive Move { get; }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+using System;
+using System.Linq;
+using Nowpose.Network;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core
+{
+    public class BackoffTests
+    {
+        static readonly double[] Expected = { 0.2, 0.4, 0.8, 1.5, 1.5, 1.5 };
+
+        [Test]
+        public void Next_FailureAfterFailure_DoublesUpToTheLongestGiveOrTakeAFifth()
+        {
+            for (var seed = 0; seed < 50; seed++)
+            {
+                var backoff = new Backoff(new Random(seed));
+                foreach (var seconds in Expected)
+                    Assert.That(backoff.Next().TotalSeconds, Is.InRange(0.8 * seconds, 1.2 * seconds), "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void Next_ManyHeadsets_DoNotReturnAllAtOnce()
+        {
+            var waits = Enumerable.Range(0, 200).Select(seed => new Backoff(new Random(seed)).Next().TotalSeconds).ToList();
+
+            Assert.That(waits.Min(), Is.LessThan(0.17));
+            Assert.That(waits.Max(), Is.GreaterThan(0.23));
+        }
+
+        [Test]
+        public void Reset_AfterFailures_BeginsAnew()
+        {
+            var backoff = new Backoff(new Random(1));
+            for (var i = 0; i < 5; i++) backoff.Next();
+
+            backoff.Reset();
+
+            Assert.That(backoff.Next().TotalSeconds, Is.LessThanOrEqualTo(0.24));
+        }
+    }
+}

@@ -1,0 +1,168 @@
+using System;
+using Nowpose.Counter;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core
+{
+    public class CounterPairingTests
+    {
+        const long Day = 86_400;
+        const long StopwatchHz = 10_000_000;
+
+        static CounterPairing Measure(PlayedCounters device)
+        {
+            Assert.That(CounterPairing.TryMeasure(() => device.Counter, device.Stopwatch, out var pairing, out var fault), Is.True, fault);
+            return pairing;
+        }
+
+        // The reading of the stopwatch at a count, in 100 ns, worked out with 28 digits.
+        static long Expected(long count, long frequency, decimal lag) =>
+            decimal.ToInt64(decimal.Floor(((decimal)count / frequency - lag) * StopwatchHz));
+
+        [Test]
+        public void ToTarget_CountOfAnyFrequencyAndUpTime_IsTheReadingOfTheStopwatch(
+            [Values(10_000_000, 19_200_000, 24_000_000, 1_015_592)] long frequency,
+            [Values(0, 90 * Day, 1000 * Day)] long upTimeSeconds,
+            [Values(0.0, 1234.5678901)] double stopwatchLagSeconds,
+            [Values(-0.02, 0.0, 0.047, 3600.0)] double aheadSeconds)
+        {
+            var lag = (decimal)stopwatchLagSeconds;
+            var pairing = Measure(new PlayedCounters(frequency, upTimeSeconds + lag, lag));
+            var count = (long)((upTimeSeconds + lag + (decimal)aheadSeconds) * frequency);
+
+            var reading = pairing.ToTarget(count);
+
+            var bound = pairing.Uncertainty.Ticks + 1;
+            Assert.That(reading, Is.InRange(Expected(count, frequency, lag) - bound, Expected(count, frequency, lag) + bound));
+            Assert.That(pairing.Uncertainty.TotalMilliseconds, Is.LessThan(0.003), "two readings and a count of the slowest counter");
+        }
+
+        // What the display time did before: counts read as if they were the stopwatch's.
+        [TestCase(19_200_000)]
+        [TestCase(24_000_000)]
+        [TestCase(1_015_592)]
+        public void ToTarget_CountsTakenForReadings_WouldBeFarOff(long frequency)
+        {
+            var pairing = Measure(new PlayedCounters(frequency, 3600, 0));
+            var count = 3600 * frequency;
+
+            Assert.That(Math.Abs(count - pairing.ToTarget(count)) / (double)StopwatchHz, Is.GreaterThan(3000), "seconds");
+        }
+
+        [TestCase(19_200_000)]
+        [TestCase(1_015_592)]
+        public void ToTarget_TwoCountsASecondApart_AreASecondApartWhereverTheyAre(long frequency)
+        {
+            var pairing = Measure(new PlayedCounters(frequency, 500 * Day, 0));
+            var start = 500 * Day * frequency + 12_345;
+
+            for (var seconds = 1L; seconds < 100 * Day; seconds *= 10)
+            {
+                var length = pairing.ToTarget(start + seconds * frequency) - pairing.ToTarget(start);
+                Assert.That(length, Is.EqualTo(seconds * StopwatchHz).Within(1), $"{seconds} s");
+            }
+        }
+
+        [Test]
+        public void TryMeasure_InterruptedReadings_UsesTheShortestBracket()
+        {
+            // Each bracket is three readings; one in eight is left undisturbed by pauses of 1 to 16 ms.
+            var device = new PlayedCounters(24_000_000, 90 * Day, 17) { PauseAfter = i => i / 3 % 8 == 5 ? 0 : 0.001 * (1 + i % 16) };
+
+            var pairing = Measure(device);
+
+            var count = (90 * Day + 1) * 24_000_000;
+            Assert.That(pairing.ToTarget(count), Is.EqualTo(Expected(count, 24_000_000, 17)).Within(pairing.Uncertainty.Ticks + 1));
+            Assert.That(pairing.Uncertainty.TotalMilliseconds, Is.LessThan(0.001));
+            Assert.That(device.Readings, Is.LessThanOrEqualTo(100));
+        }
+
+        [Test]
+        public void TryMeasure_EveryReadingInterrupted_IsWithinItsUncertainty()
+        {
+            // The pause falls between the stopwatch and the second count: all of the bracket's asymmetry.
+            var device = new PlayedCounters(24_000_000, 90 * Day, 0) { PauseAfter = i => i % 3 == 1 ? 0.004 : 0 };
+
+            var pairing = Measure(device);
+
+            var count = 90 * Day * 24_000_000;
+            var error = TimeSpan.FromTicks(Math.Abs(pairing.ToTarget(count) - Expected(count, 24_000_000, 0)));
+            Assert.That(error, Is.LessThanOrEqualTo(pairing.Uncertainty));
+            Assert.That(error.TotalMilliseconds, Is.GreaterThan(1), "the effect");
+        }
+
+        [Test]
+        public void TryMeasure_NoLibrary_ReturnsFalseAndTheFault()
+        {
+            var isPaired = CounterPairing.TryMeasure(
+                () => throw new DllNotFoundException("kernel32.dll"), new StopwatchCounter(), out var pairing, out var fault);
+
+            Assert.That(isPaired, Is.False);
+            Assert.That(pairing, Is.Null);
+            Assert.That(fault, Does.Contain("no performance counter of Windows").And.Contain("kernel32.dll"));
+        }
+
+        [TestCase(0)]
+        [TestCase(-5)]
+        [TestCase(long.MaxValue)]
+        public void TryMeasure_FrequencyThatCannotBe_IsRefused(long frequency)
+        {
+            var device = new PlayedCounters(10_000_000, 10, 0);
+
+            var isPaired = CounterPairing.TryMeasure(() => new Broken(frequency, 0), device.Stopwatch, out _, out var fault);
+
+            Assert.That(isPaired, Is.False);
+            Assert.That(fault, Does.Contain(frequency + " Hz"));
+        }
+
+        [Test]
+        public void TryMeasure_CounterThatGoesBack_IsRefused()
+        {
+            var device = new PlayedCounters(10_000_000, 10, 0);
+
+            var isPaired = CounterPairing.TryMeasure(() => new Broken(10_000_000, -1), device.Stopwatch, out _, out var fault);
+
+            Assert.That(isPaired, Is.False);
+            Assert.That(fault, Does.Contain("went back"));
+        }
+
+        [TestCase(long.MaxValue)]
+        [TestCase(long.MinValue)]
+        public void ToTarget_CountThatNoDeviceReaches_DoesNotThrow(long count)
+        {
+            var pairing = Measure(new PlayedCounters(1_015_592, 10, 0));
+
+            Assert.That(() => pairing.ToTarget(count), Throws.Nothing);
+        }
+
+        // On Windows this reads the real counters; elsewhere there are none.
+        [Test]
+        public void TryMeasure_ThisDevice_PairsOrReturnsTheFault()
+        {
+            var stopwatch = new StopwatchCounter();
+
+            if (!CounterPairing.TryMeasure(() => new WindowsPerformanceCounter(), stopwatch, out var pairing, out var fault))
+            {
+                Assert.That(fault, Does.Contain("no performance counter of Windows"));
+                return;
+            }
+            var before = stopwatch.Read();
+            var reading = pairing.ToTarget(new WindowsPerformanceCounter().Read());
+            var after = stopwatch.Read();
+            var bound = pairing.Uncertainty.TotalSeconds * stopwatch.Frequency + 1;
+            Assert.That(reading, Is.InRange(before - bound, after + bound));
+        }
+
+        sealed class Broken : ICounter
+        {
+            readonly long _step;
+            long _count = 1_000_000_000;
+
+            public Broken(long frequency, long step) => (Frequency, _step) = (frequency, step);
+
+            public long Frequency { get; }
+
+            public long Read() => _count += _step;
+        }
+    }
+}

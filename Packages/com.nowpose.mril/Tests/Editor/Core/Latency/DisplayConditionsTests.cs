@@ -1,0 +1,83 @@
+using System.Linq;
+using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Latency
+{
+    public class DisplayConditionsTests
+    {
+        static DisplayConditions Calibrated(
+            string device = "HoloLens 2", double? displayHz = 60, string api = "Direct3D11", string jobs = "MultiThreaded",
+            string pipeline = "built-in", bool? rewrites = true, string optimization = "PrioritizeRendering",
+            ReprojectionMode reprojection = ReprojectionMode.Depth) =>
+            new DisplayConditions(device, displayHz, api, jobs, pipeline, rewrites, optimization, reprojection);
+
+        [Test]
+        public void MismatchesWith_SameConditions_IsEmpty()
+        {
+            Assert.That(Calibrated().MismatchesWith(Calibrated(device: "hololens 2", displayHz: 59.94)), Is.Empty);
+        }
+
+        [Test]
+        public void MismatchesWith_EachConditionChanged_NamesFieldBothValuesAndWhatToDo()
+        {
+            var actual = Calibrated(
+                "Quest 3", 72, "Vulkan", "NativeGraphicsJobs", "UniversalRenderPipelineAsset", false, "PrioritizeInputPolling",
+                ReprojectionMode.OrientationOnly);
+
+            var mismatches = Calibrated().MismatchesWith(actual);
+
+            Assert.That(mismatches.Select(each => each.Field), Is.EqualTo(new[]
+            {
+                "device", "display_hz", "graphics_api", "graphics_jobs", "render_pipeline", "rewrite_before_render", "latency_optimization",
+                "reprojection",
+            }));
+            Assert.That(mismatches.Select(each => each.Calibrated + " > " + each.Actual), Is.EqualTo(new[]
+            {
+                "HoloLens 2 > Quest 3", "60 > 72", "Direct3D11 > Vulkan", "MultiThreaded > NativeGraphicsJobs",
+                "built-in > UniversalRenderPipelineAsset", "on > off", "PrioritizeRendering > PrioritizeInputPolling", "depth > orientation_only",
+            }));
+            foreach (var mismatch in mismatches)
+                Assert.That(mismatch.Words, Does.Contain(mismatch.Calibrated).And.Contain(mismatch.Actual).And.Contain("; calibrate "));
+            Assert.That(mismatches[2].Words, Is.EqualTo(
+                "latency profile was measured with graphics API 'Direct3D11', this device has 'Vulkan'; calibrate again, or set it back "
+                + "(Project Settings, Player)"));
+        }
+
+        // L_visu of another device or another rate says nothing of this one; the rest moves it by some ms.
+        [Test]
+        public void IsRefusal_OtherDeviceOrRate_IsTrueAndElseFalse()
+        {
+            var mismatches = Calibrated().MismatchesWith(Calibrated("Quest 3", 72, "Vulkan", reprojection: ReprojectionMode.None));
+
+            Assert.That(mismatches.Select(each => each.IsRefusal), Is.EqualTo(new[] { true, true, false, false }));
+        }
+
+        [Test]
+        public void MismatchesWith_UnknownOnOneSide_IsEmpty()
+        {
+            Assert.That(Calibrated().MismatchesWith(DisplayConditions.Unknown), Is.Empty);
+            Assert.That(DisplayConditions.Unknown.MismatchesWith(Calibrated()), Is.Empty);
+            Assert.That(new DisplayConditions("", double.NaN, "").MismatchesWith(Calibrated()), Is.Empty);
+        }
+
+        [Test]
+        public void Or_UnknownHere_IsTakenFromTheOther()
+        {
+            var both = new DisplayConditions(graphicsApi: "Vulkan", rewritesBeforeRender: false).Or(Calibrated());
+
+            Assert.That(both, Is.EqualTo(Calibrated(api: "Vulkan", rewrites: false)));
+            Assert.That(DisplayConditions.Unknown.Or(Calibrated()), Is.EqualTo(Calibrated()));
+        }
+
+        [Test]
+        public void DisplayConditions_TextOfTwoLinesOrTooLong_IsRefusedByItsField()
+        {
+            Assert.That(() => Calibrated(api: "Direct3D\n11"),
+                Throws.TypeOf<InputException>().With.Message.EqualTo("graphics_api: the value is one line of up to 128 characters"));
+            Assert.That(() => Calibrated(pipeline: new string('x', 129)),
+                Throws.TypeOf<InputException>().With.Message.StartsWith("render_pipeline: "));
+        }
+    }
+}

@@ -1,0 +1,121 @@
+using System;
+using Nowpose.Latency;
+using Nowpose.Latency.DisplayTime;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Latency
+{
+    public class DisplayTimeCheckTests
+    {
+        DisplayTimeCheck _check;
+        Random _random;
+        int _frame;
+        double _start;
+
+        [SetUp]
+        public void Begin()
+        {
+            _check = new DisplayTimeCheck();
+            _random = new Random(4);
+            _frame = 0;
+            _start = 0;
+        }
+
+        // Predictions scatter: sd 1 ms. Returns the frames until it turned, or all.
+        int Frames(int count, double differenceMs, double outlierChance = 0)
+        {
+            var before = _check.IsDoubted;
+            for (var i = 0; i < count; i++)
+            {
+                var scatter = Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+                var outlier = _random.NextDouble() < outlierChance ? 16.7 : 0;
+                _check.Add(HeadsetTime.FromSeconds(_start + _frame++ / 60.0), Lengths.Ms(differenceMs + scatter + outlier));
+                if (_check.IsDoubted != before) return i + 1;
+            }
+            return count;
+        }
+
+        [TestCase(6)]
+        [TestCase(-6)]
+        [TestCase(20)]
+        public void Add_LastingDifference_IsDoubtedWithinTwoSeconds(double differenceMs)
+        {
+            var frames = Frames(600, differenceMs);
+
+            Assert.That(_check.IsDoubted, Is.True);
+            Assert.That(frames, Is.InRange(60, 126), "seed 4");
+            Assert.That(_check.Difference.Value.TotalMilliseconds, Is.EqualTo(differenceMs).Within(0.6));
+        }
+
+        [TestCase(4)]
+        [TestCase(-4)]
+        [TestCase(0)]
+        public void Add_SmallDifference_IsNotDoubtedInAMinute(double differenceMs)
+        {
+            Frames(3600, differenceMs, outlierChance: 0.05);
+
+            Assert.That(_check.IsDoubted, Is.False, "seed 4; single frames are 16.7 ms off");
+        }
+
+        [Test]
+        public void Add_BurstOfHalfASecond_IsNotDoubted()
+        {
+            Frames(300, 0);
+            Frames(45, 30);
+            Frames(300, 0);
+
+            Assert.That(_check.IsDoubted, Is.False);
+        }
+
+        [Test]
+        public void Add_DoubtedAndThenNearTheLimit_StaysDoubtedUntilItAgrees()
+        {
+            Frames(300, 8);
+            Frames(600, 4.6);
+            var atTheLimit = _check.IsDoubted;
+
+            Frames(300, 1);
+
+            Assert.That(atTheLimit, Is.True);
+            Assert.That(_check.IsDoubted, Is.False);
+        }
+
+        [TestCase(0.2, true)]
+        [TestCase(0.3, false)]
+        [TestCase(10, false)]
+        public void Add_GapAfterAFewBadFrames_CountsAsLastingOnlyWhereItIsShort(double gapSeconds, bool isDoubted)
+        {
+            // The median turns with the 31st bad frame: half a second before the gap and half a second after it are not enough.
+            Frames(60, 0);
+            Frames(60, 20);
+            _start += gapSeconds;
+
+            Frames(25, 20);
+
+            Assert.That(_check.IsDoubted, Is.EqualTo(isDoubted), "seed 4");
+        }
+
+        [Test]
+        public void Add_DoubtedAndOneGoodFrameAfterAGap_StaysDoubted()
+        {
+            Frames(300, 8);
+            Frames(40, 0);
+            _start += 10;
+
+            Frames(1, 0);
+
+            Assert.That(_check.IsDoubted, Is.True);
+        }
+
+        [Test]
+        public void Reset_Doubted_ForgetsAll()
+        {
+            Frames(300, 8);
+
+            _check.Reset();
+
+            Assert.That(_check.IsDoubted, Is.False);
+            Assert.That(_check.Difference, Is.Null);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+using Nowpose.Recording;
+using Nowpose.Session;
+
+namespace Nowpose.Tests.Core.Recording
+{
+    /// <summary>A session recorded into memory, and the lines that came of it.</summary>
+    sealed class RecordedRun : IDisposable
+    {
+        static readonly TimeSpan Patience = TimeSpan.FromMinutes(1);
+
+        readonly MemoryStream _bytes = new MemoryStream();
+
+        public RecordedRun(CompensationSession session, double maximumMegabytes = 500) => Recorder = new SessionRecorder(
+            session, new RecordingSettings("memory", () => _bytes, maximumMegabytes, new DateTime(2026, 1, 2, 3, 4, 5, DateTimeKind.Utc)));
+
+        public SessionRecorder Recorder { get; }
+
+        /// <summary>The file, once the recording has ended.</summary>
+        public string Text => Encoding.UTF8.GetString(_bytes.ToArray());
+
+        public List<JObject> Lines => Text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(Read).ToList();
+
+        public List<JObject> Of(string kind) => Lines.Where(l => (string)l["kind"] == kind).ToList();
+
+        /// <summary>Makes room in the ring: a session in virtual time is quicker than any disk.</summary>
+        public void Flush()
+        {
+            if (!Recorder.FlushAsync().Wait(Patience)) throw new TimeoutException("the recording does not come to write");
+        }
+
+        public RecordedRun Close()
+        {
+            Recorder.Dispose();
+            if (!Recorder.Ended.Wait(Patience)) throw new TimeoutException("the recording does not end");
+            return this;
+        }
+
+        public void Dispose() => Close();
+
+        public JObject Last => Lines[Lines.Count - 1];
+
+        // Numbers as they stand: whole ones whole, others as the nearest double.
+        static JObject Read(string line)
+        {
+            using (var reader = new JsonTextReader(new StringReader(line)) { DateParseHandling = DateParseHandling.None })
+                return JObject.Load(reader);
+        }
+    }
+}

@@ -1,0 +1,410 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Recording;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using Nowpose.Tests.Core.Session;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Recording
+{
+    public class SessionRecorderTests
+    {
+        static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
+
+        static CompensationSession NewSession() => new CompensationSession(
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1", token: "very-secret", headsetName: "test \"one\"\n"), new VisualisationLatency(Lengths.Ms(40)),
+                range: new ConstantLatencyRange(15.2, RenderTimeSourceKind.GpuCompletion)),
+            TestRobot.Model, new SetClock());
+
+        static SyncExchange Exchange(HeadsetTime at, double resolutionMs = 0) => new SyncExchange(
+            at - Lengths.Ms(2), new ControlTime(at.SinceEpoch), new ControlTime(at.SinceEpoch), at, Lengths.Ms(resolutionMs), Lengths.Ms(0.3));
+
+        [Test]
+        public void Header_SaysWhatWasInForce_AndNoSecret()
+        {
+            RecordedRun run;
+            using (run = new RecordedRun(NewSession())) run.Flush();
+
+            var header = run.Lines[0];
+            Assert.That((string)header["kind"], Is.EqualTo("session"));
+            Assert.That((string)header["format"], Is.EqualTo("nowpose-session"));
+            Assert.That((int)header["version"], Is.EqualTo(1));
+            Assert.That((string)header["headset"], Is.EqualTo("test \"one\"\n"));
+            Assert.That((string)header["started_utc"], Is.EqualTo("2026-01-02T03:04:05Z"));
+            Assert.That((string)header["robot"]["description_sha256"], Is.EqualTo(TestRobot.Model.SourceHash.ToString()).And.Length.EqualTo(64));
+            Assert.That(header["robot"]["joints"].Select(j => (string)j["name"]), Is.EqualTo(TestRobot.Model.MovingJoints.Select(j => j.Name)));
+            Assert.That(header["robot"]["joints"].Select(j => (string)j["unit"]), Is.EqualTo(new[] { "rad", "rad", "m", "m" }));
+            Assert.That((double)header["robot"]["joints"][0]["upper"], Is.EqualTo(3));
+            Assert.That(header["robot"]["joints"][1]["upper"], Is.Null, "nothing limits a continuous joint");
+            Assert.That((double)header["settings"]["visualisation_ms"], Is.EqualTo(40));
+            Assert.That((string)header["settings"]["render_time_source"], Is.EqualTo("gpu_completion"));
+            Assert.That(run.Text, Does.Not.Contain("secret"));
+        }
+
+        [Test]
+        public void Header_Conditions_AreThoseThatAreKnown()
+        {
+            var session = NewSession();
+            session.Conditions = new DisplayConditions("HoloLens 2", 59.94, graphicsApi: "Direct3D11");
+            session.Reprojection = ReprojectionMode.PlanarFromDepth;
+
+            RecordedRun run;
+            using (run = new RecordedRun(session)) run.Flush();
+
+            Assert.That(run.Lines[0]["conditions"].ToString(Formatting.None), Is.EqualTo(
+                "{\"device\":\"HoloLens 2\",\"display_hz\":59.94,\"graphics_api\":\"Direct3D11\",\"rewrite_before_render\":\"off\","
+                + "\"reprojection\":\"planar_from_depth\"}"));
+        }
+
+        [Test]
+        public void Display_ReprojectionReportedAfterTheStart_IsALineOfItsOwn()
+        {
+            var session = NewSession();
+            RecordedRun run;
+            using (run = new RecordedRun(session))
+            {
+                session.Tick(Start);
+                session.Reprojection = ReprojectionMode.Depth;
+                session.Tick(Start + Lengths.Ms(16));
+                session.Tick(Start + Lengths.Ms(33));
+            }
+
+            Assert.That(run.Of("display").Select(line => (string)line["reprojection"]), Is.EqualTo(new[] { null, "depth" }));
+        }
+
+        [Test]
+        public void Lines_OfASimulatedSession_AreWhatHappenedInItsOrder()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
+            var taken = new List<SampleArrival>();
+            var exchanges = new List<SyncExchange>();
+            var frames = new List<(long Start, long? Light, double[] Joints, double[] Held)>();
+            simulated.Session.SampleTaken += (arrival, _) => taken.Add(arrival);
+            simulated.Session.Clock.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => exchanges.Add(exchange);
+            var run = new RecordedRun(simulated.Session);
+
+            for (var second = 0; second < 20; second++)
+            {
+                simulated.Run(1, (frame, _) => frames.Add(
+                    (frame.Start.Nanoseconds, frame.DisplayTime?.Nanoseconds, frame.Joints.ToArray(), frame.HeldJoints.ToArray())));
+                run.Flush();
+            }
+            run.Close();
+
+            Assert.That(run.Recorder.LostLines, Is.EqualTo(0));
+            Assert.That(taken, Has.Count.GreaterThan(350));
+            var samples = run.Of("sample").Where(s => s["dropped"] == null).ToList();
+            Assert.That(samples.Select(s => (long)s["stamp_ns"]), Is.EqualTo(taken.Select(a => a.Message.Stamp.Nanoseconds)));
+            Assert.That(samples.Select(s => (long)s["arrival_ns"]), Is.EqualTo(taken.Select(a => a.At.Nanoseconds)));
+            Assert.That(
+                samples.SelectMany(s => s["position"].Select(p => (double)p)), Is.EqualTo(taken.SelectMany(a => a.Message.Positions)),
+                "to the last digit");
+            Assert.That(run.Of("sync").Select(s => (long)s["t1_ns"]), Is.EqualTo(exchanges.Select(e => e.T1.Nanoseconds)));
+            Assert.That(run.Of("sync").Select(s => (long)s["t3_ns"]), Is.EqualTo(exchanges.Select(e => e.T3.Nanoseconds)));
+            var lines = run.Of("frame");
+            Assert.That(lines.Select(f => (long)f["start_ns"]), Is.EqualTo(frames.Select(f => f.Start)));
+            Assert.That(lines.Select(f => (long?)f["light_ns"]), Is.EqualTo(frames.Select(f => f.Light)));
+            Assert.That(lines.SelectMany(f => f["joints"].Select(p => (double)p)), Is.EqualTo(frames.SelectMany(f => f.Joints)));
+            Assert.That(lines.SelectMany(f => f["held"].Select(p => (double)p)), Is.EqualTo(frames.SelectMany(f => f.Held)));
+            Assert.That(run.Of("clock").Select(c => (string)c["state"]).Last(), Is.EqualTo("synchronised"));
+            Assert.That(run.Of("statistics"), Has.Count.EqualTo(20));
+            var last = run.Of("statistics")[19];
+            Assert.That((double)last["tool_mm"]["reduction"], Is.GreaterThan(0.5));
+            Assert.That((double)last["tool_mm"]["hold_p95"], Is.GreaterThan((double)last["tool_mm"]["p95"]));
+            Assert.That((int)last["tool_of_run_mm"]["frames"], Is.GreaterThan((int)last["tool_mm"]["frames"]));
+            Assert.That(last["joint_errors"].Select(j => (string)j["joint"]), Is.EqualTo(new[] { "shoulder", "elbow" }));
+            Assert.That((double)last["joint_errors"][1]["rms"], Is.GreaterThan(0));
+            Assert.That((string)run.Last["reason"], Is.EqualTo("closed"));
+        }
+
+        [Test]
+        public void Frame_EstimatedError_IsThatOfTheClockOnceItIsKnown()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
+            var expected = new List<long?>();
+            var run = new RecordedRun(simulated.Session);
+
+            simulated.Run(2, (frame, _) => expected.Add(frame.DisplayTime.HasValue ? frame.ClockError.Ticks * 100 : (long?)null));
+            run.Close();
+
+            Assert.That(run.Of("frame").Select(f => (long?)f["estimated_error_ns"]), Is.EqualTo(expected));
+            Assert.That(expected.First(), Is.Null);
+            Assert.That(expected.Last(), Is.InRange(1_000, 20_000_000));
+        }
+
+        [Test]
+        public void Exchange_OfACoarseClock_IsWrittenAsItCameOverTheWire()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session);
+
+            session.Clock.Add(Exchange(Start, resolutionMs: 1), out _);
+            session.Clock.Add(Exchange(Start, resolutionMs: 1), out _);
+            run.Close();
+
+            var first = run.Of("sync")[0];
+            Assert.That((long)first["t2_ns"], Is.EqualTo(100_000_000_000));
+            Assert.That((long)first["resolution_ns"], Is.EqualTo(1_000_000));
+            Assert.That((long)first["server_bound_ns"], Is.EqualTo(300_000));
+            Assert.That((string)first["verdict"], Is.EqualTo("consistent"));
+            Assert.That((string)run.Of("sync")[1]["fault"], Is.EqualTo("not_newer"));
+        }
+
+        [Test]
+        public void Sample_WithVelocitiesAndDropped_IsKeptWithItsReason()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session);
+            var message = new JointStateMessage(
+                new ControlTime(Start.SinceEpoch), new[] { "elbow", "shoulder" }, new[] { 0.1, 1 / 3.0 }, new[] { double.NaN, -2e-7 });
+
+            session.Listener.Received(message, Start);
+            session.Listener.Received(message, Start);
+            session.Tick(Start);
+            run.Close();
+
+            var samples = run.Of("sample");
+            Assert.That(samples[0]["velocity"].Select(v => (double?)v), Is.EqualTo(new double?[] { null, -2e-7 }));
+            Assert.That((double)samples[0]["position"][1], Is.EqualTo(1 / 3.0));
+            Assert.That(samples[0]["dropped"], Is.Null);
+            Assert.That((string)samples[1]["dropped"], Is.EqualTo("duplicate_sample"));
+            Assert.That((int)run.Of("drops").Single()["messages"]["duplicate_sample"], Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Plan_IsKeptAsReceived_BeforeTheFrameItActsIn()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session);
+            session.Clock.Add(Exchange(Start), out _);
+            var stamp = new ControlTime(Start.SinceEpoch);
+
+            session.Listener.Planned(new JointTrajectoryMessage(stamp, new[] { "elbow" }, new[]
+            {
+                new JointTrajectoryPoint(TimeSpan.Zero, new[] { 1 / 3.0 }, new[] { double.NaN }),
+                new JointTrajectoryPoint(new TimeSpan(1234567), new[] { 0.5 }, null, new[] { -2e-7 }),
+            }), Start - Lengths.Ms(3));
+            session.Listener.Planned(new JointTrajectoryMessage(stamp, new[] { "wing" }, Array.Empty<JointTrajectoryPoint>()), Start);
+            session.Listener.Planned(new JointTrajectoryMessage(stamp + Lengths.Ms(5000), new[] { "elbow" }, Array.Empty<JointTrajectoryPoint>()), Start);
+            session.Tick(Start);
+            run.Close();
+
+            var plans = run.Of("plan");
+            Assert.That(
+                plans.Select(p => (string)p["dropped"]), Is.EqualTo(new[] { "unknown_joint", null, "stamp_in_future" }),
+                "the first is judged where it arrives");
+            var plan = plans[1];
+            Assert.That((long)plan["arrival_ns"], Is.EqualTo((Start - Lengths.Ms(3)).Nanoseconds));
+            Assert.That((long)plan["stamp_ns"], Is.EqualTo(stamp.Nanoseconds));
+            Assert.That(plan["names"].Select(n => (string)n), Is.EqualTo(new[] { "elbow" }));
+            Assert.That(plan["points"].Select(p => (long)p["time_from_start_ns"]), Is.EqualTo(new[] { 0, 123_456_700 }));
+            Assert.That((double)plan["points"][0]["position"][0], Is.EqualTo(1 / 3.0), "to the last digit");
+            Assert.That((double?)plan["points"][0]["velocity"][0], Is.Null);
+            Assert.That(plan["points"][0]["acceleration"], Is.Null);
+            Assert.That((double)plan["points"][1]["acceleration"][0], Is.EqualTo(-2e-7));
+            Assert.That(plans[2]["points"], Is.Empty);
+            var kinds = run.Lines.Select(l => (string)l["kind"]).ToList();
+            Assert.That(kinds.LastIndexOf("plan"), Is.LessThan(kinds.IndexOf("frame")));
+            Assert.That((bool)run.Lines[0]["settings"]["follow_plan"]);
+        }
+
+        [Test]
+        public void ClockStep_AndChangeOfTheDisplay_HaveLinesBeforeTheFrameTheyActIn()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session);
+
+            session.Clock.Add(Exchange(Start), out _);
+            session.Tick(Start);
+            session.Visualisation = VisualisationLatency.FromMilliseconds(55);
+            session.Tick(Start + Lengths.Ms(16));
+            run.Close();
+
+            var kinds = run.Lines.Select(l => (string)l["kind"]).Where(k => k != "statistics");
+            Assert.That(kinds, Is.EqualTo(new[] { "session", "sync", "clock", "display", "frame", "display", "frame", "end" }));
+            Assert.That((bool)run.Of("clock").Single()["new_start"]);
+            Assert.That((long)run.Of("display")[1]["l_visu_ns"], Is.EqualTo(55_000_000));
+        }
+
+        [Test]
+        public void Ring_ThatOverflows_LosesNothingSilently()
+        {
+            var session = NewSession();
+            using (var gate = new System.Threading.ManualResetEventSlim())
+            {
+                var bytes = new MemoryStream();
+                var recorder = new SessionRecorder(session, new RecordingSettings("slow disk", () =>
+                {
+                    gate.Wait();
+                    return bytes;
+                }));
+                for (var i = 0; i < 5000; i++) session.Tick(Start + Lengths.Ms(i));
+                gate.Set();
+                recorder.Dispose();
+                Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));
+
+                var text = System.Text.Encoding.UTF8.GetString(bytes.ToArray());
+                var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
+                var told = lines.Where(l => (string)l["kind"] == "lost").Sum(l => (long)l["count"]);
+                Assert.That(told, Is.EqualTo(recorder.LostLines).And.GreaterThan(2000));
+                Assert.That(lines.Count(l => (string)l["kind"] == "frame"), Is.GreaterThan(2000));
+            }
+        }
+
+        [Test]
+        public void Threads_ThatRecordAtTheSameTime_LoseAndMixNothing()
+        {
+            const int count = 5000;
+            var session = NewSession();
+            var run = new RecordedRun(session);
+            void AddExchanges()
+            {
+                for (var i = 1; i <= count; i++)
+                {
+                    session.Clock.Add(Exchange(Start + Lengths.Ms(i)), out _);
+                    if (i % 500 == 0) run.Flush();
+                }
+            }
+
+            var other = System.Threading.Tasks.Task.Run(AddExchanges);
+            for (var i = 1; i <= count; i++)
+            {
+                session.Tick(Start + Lengths.Ms(i));
+                if (i % 500 == 0) run.Flush();
+            }
+            Assert.That(other.Wait(TimeSpan.FromMinutes(2)));
+            run.Close();
+
+            Assert.That(run.Recorder.LostLines, Is.EqualTo(0));
+            var expected = Enumerable.Range(1, count).Select(i => (Start + Lengths.Ms(i)).Nanoseconds).ToList();
+            Assert.That(run.Of("sync").Select(l => (long)l["t4_ns"]), Is.EqualTo(expected));
+            Assert.That(run.Of("frame").Select(l => (long)l["start_ns"]), Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void File_AtItsGreatestSize_EndsWholeAndSaysSo()
+        {
+            var session = NewSession();
+            var run = new RecordedRun(session, maximumMegabytes: 0.02);
+
+            for (var i = 0; i < 500; i++) session.Tick(Start + Lengths.Ms(16 * i));
+            Assert.That(run.Recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
+
+            Assert.That(run.Recorder.State, Is.EqualTo(RecordingState.Full));
+            Assert.That(run.Recorder.Problem, Does.Contain("greatest size, 0.02 MB"));
+            Assert.That(run.Text.Length, Is.EqualTo(run.Recorder.Bytes).And.LessThanOrEqualTo(20_000).And.GreaterThan(19_000));
+            Assert.That((string)run.Last["reason"], Is.EqualTo("full"));
+        }
+
+        [Test]
+        public void Disk_ThatFails_EndsTheRecordingAndNotTheSession()
+        {
+            var session = NewSession();
+            var recorder = new SessionRecorder(session, new RecordingSettings("disk", () => throw new IOException("No space left\non device")));
+            Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));
+
+            session.Tick(Start);
+            var flush = recorder.FlushAsync();
+
+            Assert.That(flush.Wait(TimeSpan.FromMinutes(1)), "nobody waits for ever");
+            Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed));
+            Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
+            recorder.Dispose();
+        }
+
+        [TestCase(0)]
+        [TestCase(300)]
+        [TestCase(20_000)]
+        public void Disk_FullMidway_EndsTheRecordingAndNotTheSession(int room)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
+            var disk = new FullDisk(room);
+            var recorder = new SessionRecorder(simulated.Session, new RecordingSettings("disk", () => disk));
+            // Two seconds of lines are more than there is room for.
+            simulated.Run(2, (_, __) => { });
+            Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
+            simulated.Run(6, (_, __) => { });
+            var (bytes, lost) = (disk.ToArray(), recorder.LostLines);
+
+            var states = new List<PoseState>();
+            simulated.Run(10, (frame, _) => states.Add(frame.State));
+            recorder.Dispose();
+
+            Assert.That(states, Is.All.EqualTo(PoseState.Current));
+            Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
+            Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed), "still");
+            Assert.That(disk.IsClosed);
+            Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "once by writing, once by closing: nobody goes on trying");
+            Assert.That(recorder.LostLines, Is.EqualTo(lost), "nothing is collected that nobody will write");
+            var text = System.Text.Encoding.UTF8.GetString(bytes);
+            Assert.That(bytes.Length, Is.EqualTo(recorder.Bytes).And.LessThanOrEqualTo(room));
+            var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
+            Assert.That(lines.Count, room < 1000 ? Is.EqualTo(0) : Is.GreaterThan(30), "what fitted is there");
+        }
+
+        [Test]
+        public void Path_ThatMayNotBeWritten_EndsTheRecordingAndNotTheSession()
+        {
+            // Nobody may write to a folder as to a file, an administrator neither.
+            var folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N")));
+            try
+            {
+                var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
+                var recorder = new SessionRecorder(simulated.Session, new RecordingSettings(folder.FullName));
+                Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));
+
+                var last = PoseState.Incomplete;
+                simulated.Run(8, (frame, _) => last = frame.State);
+                recorder.Dispose();
+
+                Assert.That(last, Is.EqualTo(PoseState.Current));
+                Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed));
+                Assert.That(recorder.Problem, Does.StartWith("recording " + folder.FullName + " has stopped: ").And.Not.Contain("\n"));
+                Assert.That(recorder.LostLines, Is.EqualTo(0));
+            }
+            finally
+            {
+                folder.Delete(true);
+            }
+        }
+
+        [Test]
+        public void Path_InAFolderThatDoesNotExist_IsMade()
+        {
+            var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
+            var path = Path.Combine(folder, "deep", "session.jsonl");
+            try
+            {
+                var recorder = new SessionRecorder(NewSession(), new RecordingSettings(path));
+                recorder.Dispose();
+                Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)));
+
+                Assert.That(recorder.Problem, Is.Null);
+                Assert.That(File.ReadAllLines(path), Has.Length.EqualTo(2));
+            }
+            finally
+            {
+                Directory.Delete(folder, true);
+            }
+        }
+
+        [TestCase(0)]
+        [TestCase(1e9)]
+        [TestCase(double.NaN)]
+        public void Settings_SizeOutOfRange_IsRefused(double megabytes)
+        {
+            Assert.Throws<InputException>(() => new RecordingSettings("x.jsonl", megabytes));
+        }
+    }
+}

@@ -1,0 +1,163 @@
+using System;
+using Nowpose.Motion;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core
+{
+    public class SevenPhaseProfileTests
+    {
+        // All phases; no cruise; neither cruise nor constant acceleration; cruise without constant acceleration.
+        static readonly double[][] Moves =
+        {
+            new[] { 500.0, 1000, 5000, 50000 },
+            new[] { -500.0, 1000, 5000, 50000 },
+            new[] { 200.0, 1000, 5000, 50000 },
+            new[] { -10.0, 1000, 5000, 50000 },
+            new[] { 10.0, 20, 5000, 50000 },
+            new[] { 1.2, 1.5708, 3, 20 },
+            new[] { 1e-9, 1, 2, 3 },
+            new[] { 1e5, 0.5, 100, 1e6 }
+        };
+
+        static SevenPhaseProfile Profile(double[] move) => new SevenPhaseProfile(move[0], move[1], move[2], move[3]);
+
+        [Test]
+        public void Profile_AllSevenPhases_IsTheOneComputedByHand()
+        {
+            // Jerk 0.1 s to 5000 mm/s², 0.1 s constant, 0.1 s back: 0.3 s and 150 mm to 1000 mm/s; 200 mm of cruise in 0.2 s.
+            var profile = new SevenPhaseProfile(500, 1000, 5000, 50000);
+
+            Assert.That(profile.Duration, Is.EqualTo(0.8).Within(1e-14));
+            Assert.That(profile.PositionAt(0.1), Is.EqualTo(50000 * 1e-3 / 6).Within(1e-10));
+            Assert.That(profile.PositionAt(0.2), Is.EqualTo(50.0 / 6 + 25 + 25).Within(1e-10));
+            Assert.That(profile.PositionAt(0.3), Is.EqualTo(150).Within(1e-10));
+            Assert.That(profile.PositionAt(0.5), Is.EqualTo(350).Within(1e-10));
+            Assert.That(profile.VelocityAt(0.1), Is.EqualTo(250).Within(1e-10));
+            Assert.That(profile.VelocityAt(0.2), Is.EqualTo(750).Within(1e-10));
+            Assert.That(profile.VelocityAt(0.4), Is.EqualTo(1000).Within(1e-10));
+            Assert.That(profile.AccelerationAt(0.15), Is.EqualTo(5000).Within(1e-10));
+            Assert.That(profile.AccelerationAt(0.75), Is.EqualTo(-2500).Within(1e-8));
+        }
+
+        // No cruise: v²/a + v a/j = d, so T = 2 (v/a + a/j) = a/j + sqrt((a/j)² + 4 d/a).
+        [TestCase(200, 0.1 + 0.4123105625617661)]
+        // Jerk only: 4 (d / 2j)^(1/3).
+        [TestCase(10, 0.18566355334451112)]
+        public void Duration_ShortStroke_IsTheClosedForm(double distance, double expected)
+        {
+            Assert.That(new SevenPhaseProfile(distance, 1000, 5000, 50000).Duration, Is.EqualTo(expected).Within(1e-12));
+        }
+
+        [Test]
+        public void Duration_CruiseWithoutConstantAcceleration_IsTheClosedForm()
+        {
+            // Ramp 2 sqrt(v/j) = 0.04 s, in which it covers 0.4 mm; both ramps and the cruise: d/v + ramp.
+            Assert.That(new SevenPhaseProfile(10, 20, 5000, 50000).Duration, Is.EqualTo(0.5 + 0.04).Within(1e-12));
+        }
+
+        [TestCaseSource(nameof(Moves))]
+        public void Profile_AnyMove_StartsAndEndsAtRestAtItsDistance(double[] move)
+        {
+            var profile = Profile(move);
+            var end = profile.Duration;
+            var instant = Math.Min(end, 1) * 1e-6;
+
+            Assert.That(profile.PositionAt(0), Is.EqualTo(0));
+            Assert.That(profile.PositionAt(-1), Is.EqualTo(0));
+            Assert.That(profile.PositionAt(end), Is.EqualTo(move[0]));
+            Assert.That(profile.PositionAt(end + 1), Is.EqualTo(move[0]));
+            Assert.That(profile.PositionAt(end - instant), Is.EqualTo(move[0]).Within(1e-12 * Math.Abs(move[0])));
+            // The last phase ends with full jerk.
+            Assert.That(profile.VelocityAt(end - instant), Is.EqualTo(0).Within(move[3] * instant * instant));
+            Assert.That(profile.AccelerationAt(end - instant), Is.EqualTo(0).Within(move[3] * instant * 1.1));
+            Assert.That(profile.VelocityAt(end + 1), Is.EqualTo(0));
+            Assert.That(profile.AccelerationAt(-1), Is.EqualTo(0));
+        }
+
+        [TestCaseSource(nameof(Moves))]
+        public void Profile_AnyMove_KeepsItsLimitsAndNeverTurnsBack(double[] move)
+        {
+            var profile = Profile(move);
+            var step = profile.Duration / 5000;
+            var sign = Math.Sign(move[0]);
+
+            for (var i = 0; i < 5000; i++)
+            {
+                var t = i * step;
+                var jerk = (profile.AccelerationAt(t + step) - profile.AccelerationAt(t)) / step;
+                Assert.That(sign * profile.VelocityAt(t), Is.InRange(0, move[1] * (1 + 1e-12)), "velocity at " + t);
+                Assert.That(Math.Abs(profile.AccelerationAt(t)), Is.LessThanOrEqualTo(move[2] * (1 + 1e-12)), "acceleration at " + t);
+                Assert.That(Math.Abs(jerk), Is.LessThanOrEqualTo(move[3] * (1 + 1e-6)), "jerk (continuous acceleration) at " + t);
+                Assert.That(sign * (profile.PositionAt(t + step) - profile.PositionAt(t)), Is.GreaterThanOrEqualTo(0), "position at " + t);
+            }
+        }
+
+        [TestCaseSource(nameof(Moves))]
+        public void Profile_AnyMove_DerivativesAgree(double[] move)
+        {
+            var profile = Profile(move);
+            var step = profile.Duration / 4000;
+
+            for (var i = 1; i < 3999; i++)
+            {
+                var t = (i + 0.37) * step;
+                var velocity = (profile.PositionAt(t + step) - profile.PositionAt(t - step)) / (2 * step);
+                var acceleration = (profile.VelocityAt(t + step) - profile.VelocityAt(t - step)) / (2 * step);
+                // A central difference errs by jerk·step²/6 of the position, by at most jerk·step of the velocity.
+                Assert.That(profile.VelocityAt(t), Is.EqualTo(velocity).Within(move[3] * step * step + 1e-9 * move[1]), "velocity at " + t);
+                Assert.That(profile.AccelerationAt(t), Is.EqualTo(acceleration).Within(move[3] * step + 1e-9 * move[2]), "acceleration at " + t);
+            }
+        }
+
+        [TestCaseSource(nameof(Moves))]
+        public void Profile_AnyMove_IsSymmetricInTime(double[] move)
+        {
+            var profile = Profile(move);
+
+            for (var i = 0; i <= 100; i++)
+            {
+                var t = profile.Duration * i / 100;
+                Assert.That(profile.PositionAt(t) + profile.PositionAt(profile.Duration - t),
+                    Is.EqualTo(move[0]).Within(1e-12 * Math.Abs(move[0])), "at " + t);
+            }
+        }
+
+        [TestCaseSource(nameof(Moves))]
+        public void Profile_AnyMove_RunsAtALimitAllTheTime(double[] move)
+        {
+            // Time-optimal: at every moment velocity, acceleration or jerk stands at its limit.
+            var profile = Profile(move);
+            var step = profile.Duration / 1e5;
+
+            for (var i = 1; i < 1000; i++)
+            {
+                var t = profile.Duration * (i + 0.123) / 1001;
+                var jerk = (profile.AccelerationAt(t + step) - profile.AccelerationAt(t - step)) / (2 * step);
+                var used = Math.Max(Math.Abs(profile.VelocityAt(t)) / move[1],
+                    Math.Max(Math.Abs(profile.AccelerationAt(t)) / move[2], Math.Abs(jerk) / move[3]));
+                Assert.That(used, Is.EqualTo(1).Within(1e-3), "at " + t);
+            }
+        }
+
+        [Test]
+        public void Profile_NoDistance_TakesNoTime()
+        {
+            var profile = new SevenPhaseProfile(0, 1, 1, 1);
+
+            Assert.That(profile.Duration, Is.EqualTo(0));
+            Assert.That(profile.PositionAt(0.5), Is.EqualTo(0));
+            Assert.That(profile.VelocityAt(0), Is.EqualTo(0));
+        }
+
+        [TestCase(double.NaN, 1, 1, 1)]
+        [TestCase(double.PositiveInfinity, 1, 1, 1)]
+        [TestCase(1, 0, 1, 1)]
+        [TestCase(1, 1, -1, 1)]
+        [TestCase(1, 1, 1, double.NaN)]
+        [TestCase(1, double.PositiveInfinity, 1, 1)]
+        public void Profile_ImpossibleLimits_AreRefused(double distance, double velocity, double acceleration, double jerk)
+        {
+            Assert.Throws<ArgumentOutOfRangeException>(() => new SevenPhaseProfile(distance, velocity, acceleration, jerk));
+        }
+    }
+}

@@ -1,0 +1,132 @@
+using System;
+using System.Linq;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using Nowpose.Sync.Envelope;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Sync
+{
+    /// <summary>Steps of the control clock, and what must not be taken for one, with the default estimator.</summary>
+    [Category("Study")]
+    public class ClockStepTests
+    {
+        const int FirstSeed = 200;
+
+        static SimulatedLink Link(string network, int seed, bool isLoaded = false)
+        {
+            var link = new SimulatedLink(
+                NetworkProfile.Named(network), seed, skewPpm: 60 - 30 * (seed % 4), driftPpm: 2, lossChance: isLoaded ? 0.02 : 0, driftPeriod: 400);
+            if (isLoaded) link.Load = SimulatedLink.Queues;
+            return link;
+        }
+
+        [TestCase("wifi", 50, 2)]
+        [TestCase("wifi", -50, 2)]
+        [TestCase("wifi", 2, 5)]
+        [TestCase("wifi", -2, 5)]
+        [TestCase("busy-wifi", 50, 2)]
+        [TestCase("lan", 0.5, 4)]
+        [TestCase("lan", -0.5, 4)]
+        public void Step_OfTheControlClock_IsFoundOnceAndInTime(string network, double stepMs, double limitSeconds)
+        {
+            for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
+            {
+                var link = Link(network, seed);
+                var run = new SyncRun(new EnvelopeClockEstimator());
+                run.Run(link, 0, 90);
+                link.Step = Lengths.Ms(stepMs);
+                run.Run(link, 90, 90 + limitSeconds);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed " + seed);
+
+                run.Run(link, 90 + limitSeconds, 110);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(1), "found again; seed " + seed);
+                Assert.That(run.PercentileMs(100, 0.95), Is.LessThan(network == "busy-wifi" ? 0.8 : 0.2), "it starts anew with the old skew; seed " + seed);
+            }
+        }
+
+        [Test]
+        public void Step_OfHalfAMillisecondOverWifi_IsMostlyFoundWithinSixSeconds()
+        {
+            var found = 0;
+            for (var seed = FirstSeed; seed < FirstSeed + 20; seed++)
+            {
+                var link = Link("wifi", seed);
+                var run = new SyncRun(new EnvelopeClockEstimator());
+                run.Run(link, 0, 90);
+                link.Step = Lengths.Ms(seed % 2 == 0 ? 0.5 : -0.5);
+                run.Run(link, 90, 96);
+                if (run.Clock.Steps == 1) found++;
+            }
+
+            Assert.That(found, Is.GreaterThanOrEqualTo(12), "of 20, seeds from " + FirstSeed);
+        }
+
+        [Test]
+        public void ErrorBound_ShortStepBeforeItIsFound_HoldsFromTheFirstPunctualExchangeOn()
+        {
+            for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
+            {
+                var link = Link("wifi", seed);
+                var run = new SyncRun(new EnvelopeClockEstimator());
+                run.Run(link, 0, 90);
+                link.Step = TimeSpan.FromMilliseconds(2);
+                run.Run(link, 90, 95);
+
+                var broken = run.Instants.Count(i => i.At > 90 && Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds) * 0.02;
+                Assert.That(broken, Is.LessThan(1), "seconds; seed " + seed);
+            }
+        }
+
+        [TestCase("wifi", false)]
+        [TestCase("busy-wifi", true)]
+        public void Steps_AnHourWithoutOne_AreNoneAndTheBoundHolds(string network, bool isLoaded)
+        {
+            var run = new SyncRun(new EnvelopeClockEstimator());
+
+            run.Run(Link(network, FirstSeed, isLoaded), 0, 3600);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(0), "seed " + FirstSeed);
+            Assert.That(run.Instants.Count(i => i.Model.IsKnown && Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds), Is.EqualTo(0));
+        }
+
+        [TestCase("lan", 4)]
+        [TestCase("lan", -0.1)]
+        [TestCase("wifi", 4)]
+        [TestCase("wifi", -1)]
+        public void Steps_OneWayPathThatChanges_AreNone(string network, double upMs)
+        {
+            for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
+            {
+                var link = Link(network, seed);
+                var run = new SyncRun(new EnvelopeClockEstimator());
+                run.Run(link, 0, 60);
+                link.LongerUpMs = upMs;
+                run.Run(link, 60, 120);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(0), "seed " + seed);
+                var outside = run.Instants.Where(i => i.At > 61).Select(i => (i.At, Math.Abs(i.ErrorMs) - i.Model.ErrorBound.TotalMilliseconds))
+                    .Where(i => i.Item2 > 0).ToArray();
+                Assert.That(outside, Is.Empty, "seed " + seed);
+            }
+        }
+
+        [TestCase(300)]
+        [TestCase(-600)]
+        public void Steps_OtherMachinesClockAfterAStep_AreNoMoreThanThatOne(double skewPpm)
+        {
+            foreach (var network in NetworkProfile.All)
+            {
+                var run = new SyncRun(new EnvelopeClockEstimator());
+                run.Run(Link(network.Name, FirstSeed), 0, 60);
+                // An epoch of its own, too.
+                run.Run(new SimulatedLink(network, FirstSeed + 1, skewPpm, controlEpoch: 5000), 60, 180);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(1), network.Name);
+                Assert.That(run.PercentileMs(150, 1), Is.LessThan(0.8), network.Name);
+            }
+        }
+    }
+}

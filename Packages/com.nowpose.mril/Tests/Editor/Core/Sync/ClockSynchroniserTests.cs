@@ -1,0 +1,358 @@
+using System;
+using System.Linq;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Sync
+{
+    public class ClockSynchroniserTests
+    {
+        static SyncRun NewRun() => new SyncRun(new RansacClockEstimator(RansacSettings.Paper));
+
+        [Test]
+        public void State_FromTheStart_PassesAllStatesInOrder()
+        {
+            var run = NewRun();
+
+            run.Run(new SimulatedLink(NetworkProfile.Wifi, 1, 40), 0, 10);
+
+            var states = run.Instants.Select(i => i.Model.State).ToList();
+            Assert.That(states.First(), Is.EqualTo(ClockState.Unsynchronised));
+            Assert.That(states.Distinct(), Is.EqualTo(new[] { ClockState.Unsynchronised, ClockState.Converging, ClockState.Coarse, ClockState.Synchronised }));
+            Assert.That(run.FirstAt(m => m.State == ClockState.Synchronised), Is.LessThan(5));
+        }
+
+        [TestCase("lan", 0, 0.2)]
+        [TestCase("wifi", 0, 0.8)]
+        [TestCase("busy-wifi", 0.02, 3)]
+        public void State_OnceSynchronised_TheErrorIsWhatTheSettingsPromise(string network, double loss, double limitMs)
+        {
+            for (var seed = 0; seed < 12; seed++)
+            {
+                var run = NewRun();
+                run.Run(new SimulatedLink(NetworkProfile.Named(network), seed, 40, 2, loss), 0, 20);
+
+                var since = run.FirstAt(m => m.State == ClockState.Synchronised);
+                Assert.That(run.PercentileMs(since, 1), Is.LessThan(limitMs), "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void State_SilentNetwork_IsHoldoverWithAGrowingBoundThatHolds()
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 2, -60, driftPpm: 2);
+            var run = NewRun();
+            run.Run(link, 0, 60);
+            var boundBefore = run.Instants.Last().Model.ErrorBound;
+
+            run.Run(link, 60, 90, exchange: false);
+
+            var last = run.Instants.Last();
+            Assert.That(last.Model.State, Is.EqualTo(ClockState.Holdover));
+            Assert.That(last.Model.ErrorBound, Is.GreaterThan(boundBefore));
+            Assert.That(Math.Abs(last.ErrorMs), Is.LessThan(last.Model.ErrorBound.TotalMilliseconds).And.LessThan(1));
+
+            run.Run(link, 90, 91);
+
+            Assert.That(run.Instants.Last().Model.State, Is.EqualTo(ClockState.Synchronised), "one exchange ends the holdover");
+        }
+
+        // A gateway that has just started: its first times are wrong by more than the bound that it states later.
+        [TestCase(ClockEstimators.Default)]
+        [TestCase(ClockEstimators.Ransac)]
+        public void ErrorBound_ServerErrorBoundDecreases_Holds(string estimator)
+        {
+            foreach (var network in new[] { NetworkProfile.Lan, NetworkProfile.Wifi })
+                foreach (var firstMs in new[] { -4.0, 1, 4 })
+                    for (var seed = 40; seed < 44; seed++)
+                    {
+                        var run = new SyncRun(ClockEstimators.Create(estimator));
+                        double AheadMs(double s) => firstMs * Math.Exp(-s / 5);
+
+                        run.Run(new SimulatedLink(network, seed, 40) { Server = s => (AheadMs(s), Math.Abs(AheadMs(s)) + 0.1) }, 0, 90);
+
+                        var known = run.Instants.Where(i => i.Model.State == ClockState.Synchronised || i.Model.State == ClockState.Coarse).ToList();
+                        var label = network.Name + " " + firstMs + " ms, seed " + seed;
+                        Assert.That(known.Count(i => Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds), Is.EqualTo(0), label);
+                        var beyond = known.Count(i => Math.Abs(i.ErrorMs) > i.Model.EstimatedError.TotalMilliseconds);
+                        Assert.That(beyond, Is.LessThanOrEqualTo(0.01 * known.Count), label);
+                        Assert.That(known.Count, Is.GreaterThan(0.95 * run.Instants.Count()), label);
+                        Assert.That(run.PercentileMs(85, 1), Is.LessThan(1), label);
+                    }
+        }
+
+        // A gateway that loses its plant's clock, and goes on with a rate that is wrong.
+        [TestCase(ClockEstimators.Default)]
+        [TestCase(ClockEstimators.Ransac)]
+        public void ErrorBound_ServerErrorBoundGrows_Holds(string estimator)
+        {
+            for (var seed = 50; seed < 54; seed++)
+            {
+                var run = new SyncRun(ClockEstimators.Create(estimator));
+                double AheadMs(double s) => s < 40 ? 0 : 0.2 * (s - 40);
+
+                run.Run(new SimulatedLink(NetworkProfile.Wifi, seed, 40) { Server = s => (AheadMs(s), AheadMs(s) + 0.1) }, 0, 60);
+
+                var beyond = run.Instants.Count(i => i.Model.IsKnown && Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds);
+                Assert.That(beyond, Is.EqualTo(0), "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void State_ServerErrorBoundPeaksOnce_IsSynchronisedAgainAtOnce()
+        {
+            var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
+
+            run.Run(new SimulatedLink(NetworkProfile.Wifi, 60, 40) { Server = s => (0, s >= 40 && s < 40.2 ? 100 : 0.1) }, 0, 60);
+
+            Assert.That(run.Instants.Where(i => i.At > 40.1 && i.At < 40.2).Max(i => i.Model.EstimatedError.TotalMilliseconds), Is.GreaterThan(90));
+            Assert.That(run.Instants.Where(i => i.At > 42).All(i => i.Model.State == ClockState.Synchronised), Is.True);
+        }
+
+        [TestCase("lan", 0)]
+        [TestCase("wifi", 0)]
+        [TestCase("busy-wifi", 0.02)]
+        public void ErrorBound_OnceSynchronised_Holds(string network, double loss)
+        {
+            for (var seed = 10; seed < 14; seed++)
+            {
+                var run = NewRun();
+                run.Run(new SimulatedLink(NetworkProfile.Named(network), seed, 80, 2, loss), 0, 120);
+
+                var known = run.Instants.Where(i => i.Model.State == ClockState.Synchronised).ToList();
+                Assert.That(known.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True, "seed " + seed);
+                Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
+            }
+        }
+
+        [Test]
+        public void ErrorBound_OutagesOnALoadedNetwork_Holds()
+        {
+            for (var seed = 20; seed < 32; seed++)
+            {
+                var link = new SimulatedLink(NetworkProfile.BusyWifi, seed, 60, 2, 0.02)
+                {
+                    Load = SimulatedLink.Queues,
+                };
+                var run = NewRun();
+                for (var at = 0; at < 240; at += 60)
+                {
+                    run.Run(link, at, at + 30);
+                    run.Run(link, at + 30, at + 60, exchange: false);
+                }
+
+                var outages = run.Instants.Where(i => i.Model.State == ClockState.Holdover).ToList();
+                Assert.That(outages, Is.Not.Empty);
+                Assert.That(outages.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True, "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void Add_ServerThatIsNotOfOneMind_NeverOverflows()
+        {
+            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            var contradictions = 0;
+            for (var i = 0; i < 20_000; i++)
+            {
+                var t4 = HeadsetTime.FromSeconds(i * 0.2);
+                var control = ControlTime.FromSeconds(i % 2 == 0 ? 4e9 : -4e9);
+
+                if (clock.Add(new SyncExchange(t4 - TimeSpan.FromMilliseconds(1), control, control, t4), out _) == SyncVerdict.SetAside)
+                    contradictions++;
+                clock.ModelAt(t4 + TimeSpan.FromSeconds(60));
+            }
+
+            Assert.That(contradictions, Is.GreaterThan(1000));
+        }
+
+        [Test]
+        public void Step_WhileTheDeviceSlept_IsDoubtedAtOnce()
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 12, 20);
+            var run = NewRun();
+            run.Run(link, 0, 30);
+            link.Step = TimeSpan.FromMilliseconds(100);
+
+            run.Run(link, 120, 121);
+
+            var awake = run.Instants.Where(i => i.At > 120.1).ToList();
+            Assert.That(awake.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True);
+            Assert.That(awake.First().Model.State, Is.EqualTo(ClockState.Converging));
+        }
+
+        [TestCase(50)]
+        [TestCase(-50)]
+        [TestCase(86_400_000)]
+        public void Step_OfTheControlClock_IsFoundWithinASecondAndStartsAnew(int stepMs)
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 3, 20);
+            var run = NewRun();
+            run.Run(link, 0, 30);
+
+            link.Step = Lengths.Ms(stepMs);
+            run.Run(link, 30, 60);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(1));
+            Assert.That(run.Instants.First(i => i.At > 30 && i.Model.State == ClockState.Converging).At, Is.LessThan(31));
+            Assert.That(run.PercentileMs(31.5, 1), Is.LessThan(3));
+            Assert.That(run.Instants.Last().Model.State, Is.EqualTo(ClockState.Synchronised));
+        }
+
+        [Test]
+        public void Step_WhileItIsBeingFound_TheStateAndTheBoundAdmitTheDoubt()
+        {
+            var link = new SimulatedLink(NetworkProfile.Lan, 5, 20);
+            var run = NewRun();
+            run.Run(link, 0, 30);
+
+            link.Step = TimeSpan.FromMilliseconds(100);
+            run.Run(link, 30, 32);
+
+            var doubted = run.Instants.Where(i => i.At > 30.45).ToList();
+            var isBounded = doubted.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds);
+            Assert.That(isBounded, Is.True, "two exchanges contradict it by then");
+            Assert.That(doubted.First().Model.State, Is.EqualTo(ClockState.Converging));
+        }
+
+        [TestCase(200, 0.2)]
+        [TestCase(-600, 0.2)]
+        [TestCase(150, 2)]
+        [TestCase(150, 10)]
+        public void Steps_FastOrSlowClocks_AreNone(double skewPpm, double intervalSeconds)
+        {
+            foreach (var network in NetworkProfile.All)
+            {
+                var run = NewRun();
+                run.Run(new SimulatedLink(network, 6, skewPpm, driftPpm: 2), 0, 60 * intervalSeconds, intervalSeconds: intervalSeconds);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(0), network.Name);
+                Assert.That(run.Instants.Last().Model.IsKnown, Is.True);
+            }
+        }
+
+        [Test]
+        public void State_AfterALongSleep_SettlesAnew()
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 8, 60, driftPpm: 2);
+            var run = NewRun();
+            run.Run(link, 0, 30);
+
+            run.Run(link, 3600, 3620);
+
+            var awake = run.Instants.Where(i => i.At > 3600.3).ToList();
+            Assert.That(awake.First().Model.State, Is.EqualTo(ClockState.Converging));
+            Assert.That(awake.Last().Model.State, Is.EqualTo(ClockState.Synchronised));
+            Assert.That(awake.Where(i => i.Model.State == ClockState.Synchronised).All(i => Math.Abs(i.ErrorMs) < 1), Is.True);
+            Assert.That(run.Clock.Steps, Is.EqualTo(0));
+        }
+
+        [Test]
+        public void ErrorBound_FewExchangesLongAgo_CountsOnNoSkew()
+        {
+            var link = new SimulatedLink(NetworkProfile.Lan, 9, 80);
+            var run = NewRun();
+            run.Run(link, 0, 0.3);
+
+            run.Run(link, 0.3, 60, exchange: false);
+
+            Assert.That(Math.Abs(run.Instants.Last().ErrorMs), Is.GreaterThan(4), "80 ppm for a minute");
+            Assert.That(run.Instants.Where(i => i.Model.IsKnown).All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True);
+        }
+
+        [Test]
+        public void ErrorBound_ControlClockThatSaysItsCoarseResolution_Holds()
+        {
+            var run = NewRun();
+            var link = new SimulatedLink(NetworkProfile.Lan, 10, 30) { Resolution = TimeSpan.FromMilliseconds(1) };
+
+            run.Run(link, 0, 120);
+
+            Assert.That(run.Instants.Where(i => i.Model.IsKnown).All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds), Is.True);
+            Assert.That(run.Clock.Steps, Is.EqualTo(0));
+        }
+
+        [Test]
+        public void Add_RandomTimes_NeverBreaksTheModel()
+        {
+            var random = new Random(11);
+            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            var now = HeadsetTime.FromSeconds(0);
+            for (var i = 0; i < 2000; i++)
+            {
+                now += Lengths.Seconds(random.NextDouble() < 0.02 ? 100 : 0.2);
+                var control = ControlTime.FromNanoseconds((long)((2 * random.NextDouble() - 1) * long.MaxValue));
+                clock.Add(new SyncExchange(now - TimeSpan.FromMilliseconds(2), control, control, now), out _);
+
+                var model = clock.ModelAt(now + TimeSpan.FromSeconds(60));
+                if (model.IsKnown) Assert.DoesNotThrow(() => model.ToControl(now + TimeSpan.FromSeconds(60)), "seed 11, exchange " + i);
+            }
+        }
+
+        [Test]
+        public void Add_OneWildExchange_IsSetAsideAndForgotten()
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 4, 20);
+            var run = NewRun();
+            run.Run(link, 0, 10);
+            var before = run.Clock.ModelAt(HeadsetTime.FromSeconds(10.5));
+
+            var at = HeadsetTime.FromSeconds(10.4);
+            var wild = link.TrueOffset(at).ToControl(at) + TimeSpan.FromSeconds(5);
+            var verdict = run.Clock.Add(new SyncExchange(at, wild, wild, at + TimeSpan.FromMilliseconds(3)), out _);
+
+            var after = run.Clock.ModelAt(HeadsetTime.FromSeconds(10.5));
+            Assert.That(verdict, Is.EqualTo(SyncVerdict.SetAside));
+            Assert.That(after.ReferenceOffset, Is.EqualTo(before.ReferenceOffset));
+        }
+
+        [Test]
+        public void Add_NotNewerThanTheLast_IsDroppedByReason()
+        {
+            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            var exchange = new SyncExchange(HeadsetTime.FromSeconds(1), default, default, HeadsetTime.FromSeconds(1.01));
+            clock.Add(exchange, out _);
+
+            var verdict = clock.Add(exchange, out var fault);
+
+            Assert.That(verdict, Is.EqualTo(SyncVerdict.Dropped));
+            Assert.That(fault, Is.EqualTo(SyncExchangeFault.NotNewer));
+        }
+
+        [Test]
+        public void State_ServerSaysItIsNotSynchronised_StaysConverging()
+        {
+            var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+            for (var i = 0; i < 50; i++)
+            {
+                var t = HeadsetTime.FromSeconds(i * 0.2);
+                var at = new ControlTime(t.SinceEpoch);
+                clock.Add(new SyncExchange(t, at, at, t + TimeSpan.FromMilliseconds(1), serverSynchronised: false), out _);
+            }
+
+            Assert.That(clock.ModelAt(HeadsetTime.FromSeconds(10)).State, Is.EqualTo(ClockState.Converging));
+        }
+
+        [Test]
+        public void ErrorBound_ServerAddsItsOwn_IsWider()
+        {
+            TimeSpan BoundWith(TimeSpan server)
+            {
+                var clock = new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default);
+                clock.Add(new SyncExchange(default, default, default, HeadsetTime.FromSeconds(0.002), serverErrorBound: server), out _);
+                return clock.ModelAt(HeadsetTime.FromSeconds(0.002)).ErrorBound;
+            }
+
+            Assert.That(BoundWith(TimeSpan.Zero).TotalMilliseconds, Is.EqualTo(1).Within(0.002), "half the round trip");
+            Assert.That(BoundWith(TimeSpan.FromMilliseconds(3)).TotalMilliseconds, Is.EqualTo(4).Within(0.002));
+        }
+
+        [Test]
+        public void Settings_OutOfRange_NameValueUnitAndRange()
+        {
+            var error = Assert.Throws<InputException>(() => new ClockSettings(holdoverAfterSeconds: -1));
+
+            Assert.That(error.Message, Is.EqualTo("holdover after: -1 s is out of range; allowed are 0.1 to 3600 s"));
+        }
+    }
+}

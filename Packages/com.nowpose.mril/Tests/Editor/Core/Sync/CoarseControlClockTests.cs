@@ -1,0 +1,123 @@
+using System;
+using System.Linq;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using Nowpose.Sync.Envelope;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Sync
+{
+    /// <summary>Control clocks that advance in steps of a millisecond or of a PLC's cycle, and say so.</summary>
+    /// <remarks>The constants were chosen on other delays, with seeds 1 to 88.</remarks>
+    [Category("Study")]
+    public class CoarseControlClockTests
+    {
+        static readonly double[] Resolutions = { 1, 4, 8, 10, 15.6 };
+        static readonly double[] Skews = { -80, -24, 0, 12, 30, 200 };
+
+        [Test, Combinatorial]
+        public void ErrorBound_AtTheClientsPace_HoldsAndIsNoStep(
+            [ValueSource(nameof(Resolutions))] double resolutionMs, [ValueSource(nameof(Skews))] double skewPpm, [Values(0, 1.2)] double latestMs)
+        {
+            var seed = 600 + (int)skewPpm;
+            var link = new SimulatedLink(NetworkProfile.Lan, seed, skewPpm) { Resolution = Lengths.Ms(resolutionMs) };
+            var run = new PacedRun(seed: seed, latestMs: latestMs);
+
+            run.Run(link, 120);
+
+            Assert.That(run.Errors.Count(e => Math.Abs(e.ErrorMs) > e.BoundMs), Is.EqualTo(0), "seed " + seed);
+            Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
+            // One exchange tells half a step, many together a tenth: within half a minute, where the skew is four times what is expected.
+            Assert.That(run.P95Ms(30), Is.LessThan(0.1 * resolutionMs), "seed " + seed);
+        }
+
+        [Test, Combinatorial]
+        public void ErrorBound_ExchangesThatMeetOnePartOfTheStep_HoldsAndIsNoStep(
+            [ValueSource(nameof(Resolutions))] double resolutionMs, [ValueSource(nameof(Skews))] double skewPpm,
+            [Values("lan", "wifi")] string network)
+        {
+            var seed = 700 + (int)skewPpm;
+            var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm) { Resolution = Lengths.Ms(resolutionMs) };
+            var run = new SyncRun(new EnvelopeClockEstimator());
+
+            run.Run(link, 0, 120);
+
+            var known = run.Instants.Where(i => i.Model.IsKnown);
+            Assert.That(known.Count(i => Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds), Is.EqualTo(0), "seed " + seed);
+            Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
+        }
+
+        [TestCase(1, 5)]
+        [TestCase(4, 20)]
+        [TestCase(10, -50)]
+        public void Steps_OfSeveralResolutions_AreStillFound(double resolutionMs, double stepMs)
+        {
+            var link = new SimulatedLink(NetworkProfile.Lan, 800, 20) { Resolution = Lengths.Ms(resolutionMs) };
+            var run = new PacedRun();
+            run.Run(link, 60);
+
+            link.Step = Lengths.Ms(stepMs);
+            run.Run(link, 63);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed 800");
+        }
+
+        /// <summary>Another clock that is served from now on, or a simulation that runs in other steps.</summary>
+        [Test, Combinatorial]
+        public void ErrorBound_ResolutionThatChanges_HoldsAndIsNoStep(
+            [Values(0, 1, 10, 50)] double beforeMs, [Values(0, 1, 10, 50)] double afterMs, [Values("lan", "wifi")] string network)
+        {
+            var link = new SimulatedLink(NetworkProfile.Named(network), 810, 20) { Resolution = Lengths.Ms(beforeMs) };
+            var run = new PacedRun(seed: 810);
+            run.Run(link, 60);
+
+            link.Resolution = Lengths.Ms(afterMs);
+            run.Run(link, 150);
+
+            Assert.That(run.Errors.Where(e => Math.Abs(e.ErrorMs) > e.BoundMs).Select(e => (e.At, e.ErrorMs)), Is.Empty);
+            Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped");
+            Assert.That(run.P95Ms(110), Is.LessThan(0.2 + 0.1 * afterMs));
+            Assert.That(run.P95Ms(60), Is.LessThan(Math.Max(beforeMs, afterMs) / 2 + 1), "nor is it worse meanwhile than half of either");
+        }
+
+        /// <summary>A server that finds its resolution out says too much of it now and then.</summary>
+        [TestCase("lan", 0.1)]
+        [TestCase("wifi", 0.1)]
+        [TestCase("lan", 3)]
+        [TestCase("wifi", 3)]
+        public void ErrorBound_ResolutionOverstatedForAWhile_HoldsAndIsNoStep(string network, double seconds)
+        {
+            for (var seed = 820; seed < 824; seed++)
+            {
+                var link = new SimulatedLink(NetworkProfile.Named(network), seed, 20) { Resolution = Lengths.Ms(10) };
+                var run = new PacedRun(seed: seed);
+                run.Run(link, 60);
+
+                link.SaidResolution = Lengths.Ms(50);
+                run.Run(link, 60 + seconds);
+                link.SaidResolution = null;
+                run.Run(link, 150);
+
+                Assert.That(run.Errors.Where(e => Math.Abs(e.ErrorMs) > e.BoundMs).Select(e => (e.At, e.ErrorMs)), Is.Empty, "seed " + seed);
+                Assert.That(run.P95Ms(61 + seconds), Is.LessThan(2), "seed " + seed);
+                Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
+            }
+        }
+
+        [TestCase(10, 1, 100)]
+        [TestCase(1, 10, -100)]
+        [TestCase(50, 0, 1000)]
+        public void Step_TogetherWithAnotherResolution_IsFound(double beforeMs, double afterMs, double stepMs)
+        {
+            var link = new SimulatedLink(NetworkProfile.Wifi, 830, 20) { Resolution = Lengths.Ms(beforeMs) };
+            var run = new PacedRun();
+            run.Run(link, 60);
+
+            link.Resolution = Lengths.Ms(afterMs);
+            link.Step = Lengths.Ms(stepMs);
+            run.Run(link, 64);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(1));
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using System.Linq;
+using Nowpose.Protocol;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Sync
+{
+    public class ExchangePaceTests
+    {
+        static SimulatedLink Link(string network, int seed = 400) => new SimulatedLink(NetworkProfile.Named(network), seed, 35, 2, driftPeriod: 400);
+
+        [Test]
+        public void Next_QuietNetwork_IsQuickAtTheStartAndSlowWhenSettled()
+        {
+            var run = new PacedRun();
+
+            run.Run(Link("lan"), 120);
+
+            Assert.That(run.Pauses(0, 4.9), Is.All.EqualTo(50));
+            Assert.That(run.Pauses(60, 120).Average(), Is.GreaterThan(700), "most of them 1000 ms");
+            Assert.That(run.P95Ms(10), Is.LessThan(0.03), "and no target is missed for it; seed 400");
+        }
+
+        [TestCase("wifi", 0.05)]
+        [TestCase("busy-wifi", 0.12)]
+        public void Next_Wifi_StaysAtTheUsualPaceForMoreDoesHelp(string network, double limitMs)
+        {
+            var run = new PacedRun();
+
+            run.Run(Link(network), 200);
+
+            Assert.That(run.Pauses(0, 4), Is.All.EqualTo(50));
+            Assert.That(run.Pauses(30, 200).Average(), Is.EqualTo(200).Within(20));
+            Assert.That(run.P95Ms(10), Is.LessThan(limitMs), "seed 400");
+        }
+
+        [Test]
+        public void Next_AfterAStep_IsQuickAgain()
+        {
+            var link = Link("lan");
+            var run = new PacedRun();
+            run.Run(link, 120);
+
+            link.Step = TimeSpan.FromMilliseconds(2);
+            run.Run(link, 125);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(1), "within five seconds, though one exchange a second was enough before");
+            Assert.That(run.Pauses(122, 125), Is.All.EqualTo(50));
+        }
+
+        [Test]
+        public void Next_AfterASilence_IsQuickForAWhile()
+        {
+            var link = Link("wifi");
+            var run = new PacedRun();
+            run.Run(link, 60);
+
+            run.Sleep(90);
+            run.Run(link, 100);
+
+            Assert.That(run.Pauses(90, 91), Is.All.EqualTo(50));
+            Assert.That(run.Pauses(95, 100), Is.All.EqualTo(200));
+        }
+
+        [Test]
+        public void Next_SlowerSetting_IsNeverTakenForASilence()
+        {
+            var run = new PacedRun(usualMs: 500);
+
+            run.Run(Link("lan"), 120);
+
+            Assert.That(run.Pauses(60, 120).Average(), Is.GreaterThan(700), "slow, for it is settled");
+            Assert.That(run.Pauses(0, 120).Max(), Is.LessThanOrEqualTo(ClockSettings.Default.HoldoverAfter.TotalMilliseconds / 2));
+        }
+
+        [TestCase(20)]
+        [TestCase(200)]
+        [TestCase(10_000)]
+        public void Next_WhateverIsSet_TheServerBearsIt(double usualMs)
+        {
+            var run = new PacedRun(usualMs);
+
+            run.Run(Link("lan"), 60 * usualMs / 200);
+
+            var pauses = run.Pauses(0, double.MaxValue).ToArray();
+            Assert.That(pauses.Min(), Is.GreaterThanOrEqualTo(2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond));
+            Assert.That(pauses.Max(), Is.LessThan(ProtocolLimits.SyncSilence.TotalMilliseconds / 2));
+        }
+
+        [TestCase(1)]
+        [TestCase(10)]
+        public void Next_CoarseControlClock_SpreadsExchangesOverItsStep(double resolutionMs)
+        {
+            var link = Link("lan");
+            link.Resolution = Lengths.Ms(resolutionMs);
+            var run = new PacedRun();
+
+            run.Run(link, 4);
+
+            var parts = run.Exchanges.Select(e => e.At * 1000 % resolutionMs / resolutionMs).ToArray();
+            for (var quarter = 0; quarter < 4; quarter++)
+                Assert.That(parts.Count(p => (int)(4 * p) == quarter), Is.GreaterThan(parts.Length / 10), "quarter " + quarter);
+            Assert.That(run.Pauses(0.1, 4), Is.All.InRange(50, 50 + resolutionMs));
+        }
+
+        [Test]
+        public void Next_ServerThatClaimsAnAbsurdResolution_IsStillQuick()
+        {
+            var link = Link("lan");
+            link.Resolution = TimeSpan.FromSeconds(4);
+            var run = new PacedRun();
+
+            run.Run(link, 4);
+
+            Assert.That(run.Pauses(0, 4), Is.All.InRange(50, 100));
+        }
+    }
+}

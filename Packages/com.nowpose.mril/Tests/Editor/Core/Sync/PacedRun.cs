@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Sync;
+using Nowpose.Sync.Envelope;
+
+namespace Nowpose.Tests.Core.Sync
+{
+    /// <summary>Exchanges as the client does: the next when the pace says so, but not before the last one has ended.</summary>
+    sealed class PacedRun
+    {
+        static readonly TimeSpan Usual = TimeSpan.FromMilliseconds(200);
+
+        readonly ExchangePace _pace;
+        readonly Random _lateness;
+        readonly double _latestMs;
+        double _now;
+
+        /// <param name="latestMs">The thread wakes up to this much late, uniformly.</param>
+        public PacedRun(double usualMs = 200, int seed = 1, double latestMs = 0)
+        {
+            _pace = new ExchangePace(Lengths.Ms(usualMs), TimeSpan.FromSeconds(2), new Random(seed));
+            _lateness = new Random(seed + 1);
+            _latestMs = latestMs;
+        }
+
+        public ClockSynchroniser Clock { get; } = new ClockSynchroniser(new EnvelopeClockEstimator(), ClockSettings.Default);
+        public List<(double At, double PauseMs)> Exchanges { get; } = new List<(double, double)>();
+        public List<(double At, double ErrorMs, double BoundMs)> Errors { get; } = new List<(double, double, double)>();
+
+        public void Run(SimulatedLink link, double until)
+        {
+            while (_now < until)
+            {
+                var start = HeadsetTime.FromSeconds(_now);
+                while (!link.TryExchange(start, out _)) start += Usual;
+                link.TryExchange(start, out var exchange);
+                Clock.Add(exchange, out _);
+                var pause = _pace.Next(Clock, exchange.T4);
+                Exchanges.Add((_now, pause.TotalMilliseconds));
+                var due = start + pause + Lengths.Ms(_latestMs * _lateness.NextDouble());
+                var next = Math.Max(due.SinceEpoch.TotalSeconds, exchange.T4.SinceEpoch.TotalSeconds);
+                for (var s = exchange.T4.SinceEpoch.TotalSeconds; s < next; s += 0.05)
+                {
+                    var at = HeadsetTime.FromSeconds(s);
+                    var model = Clock.ModelAt(at);
+                    Errors.Add((s, (model.OffsetAt(at) - link.TrueOffset(at)).TotalMilliseconds, model.ErrorBound.TotalMilliseconds));
+                }
+                _now = next;
+            }
+        }
+
+        public void Sleep(double until) => _now = until;
+
+        public IEnumerable<double> Pauses(double from, double to) => Exchanges.Where(e => e.At >= from && e.At < to).Select(e => e.PauseMs);
+
+        public double P95Ms(double from)
+        {
+            var sorted = Errors.Where(e => e.At >= from).Select(e => Math.Abs(e.ErrorMs)).OrderBy(e => e).ToArray();
+            return sorted[(int)(0.95 * (sorted.Length - 1))];
+        }
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+using static Nowpose.Tests.Core.Lengths;
+
+namespace Nowpose.Tests.Core.Sync
+{
+    /// <summary>A headset and a control system with known clocks and a network between them, in virtual time.</summary>
+    /// <remarks>
+    /// The constants of the default estimator were chosen with another program on other seeds, so any seed here checks it. Tests
+    /// of accuracy use 100 and up, those of steps 200 and up.
+    /// </remarks>
+    sealed class SimulatedLink
+    {
+        readonly PathDelay _up, _down;
+        readonly Random _random;
+        readonly double _skew, _driftAmplitude, _driftPeriod, _lossChance;
+        readonly ControlTime _controlStart;
+
+        public SimulatedLink(
+            NetworkProfile network, int seed, double skewPpm, double driftPpm = 0, double lossChance = 0, double controlEpoch = 1.7e9,
+            double driftPeriod = 120)
+        {
+            _up = network.Up(seed * 2 + 1);
+            _down = network.Down(seed * 2 + 2);
+            _random = new Random(seed);
+            _skew = skewPpm * 1e-6;
+            _driftAmplitude = driftPpm * 1e-6;
+            _driftPeriod = driftPeriod;
+            _lossChance = lossChance;
+            _controlStart = ControlTime.FromSeconds(controlEpoch);
+        }
+
+        /// <summary>Extra queueing up and down, given seconds since the start.</summary>
+        public Func<double, Random, (double UpMs, double DownMs)> Load { get; set; } = (s, r) => (0, 0);
+
+        /// <summary>The load of a busy network: queues in 20 s of each minute, longer ones towards the headset.</summary>
+        public static (double UpMs, double DownMs) Queues(double seconds, Random random) => seconds % 60 < 20
+            ? (-2 * Math.Log(1 - random.NextDouble()), -15 * Math.Log(1 - random.NextDouble()))
+            : (0, 0);
+
+        /// <summary>Added to the way up from now on, ms: a path that changes.</summary>
+        public double LongerUpMs { get; set; }
+
+        /// <summary>The same for the way down.</summary>
+        public double LongerDownMs { get; set; }
+
+        /// <summary>Added to the control clock from now on.</summary>
+        public TimeSpan Step { get; set; }
+
+        /// <summary>The headset clock as a function of the control clock's true progress: skew plus a slow drift of the skew.</summary>
+        public ClockOffset TrueOffset(HeadsetTime t)
+        {
+            var s = t.SinceEpoch.TotalSeconds;
+            var wander = _driftAmplitude * _driftPeriod / (2 * Math.PI) * (1 - Math.Cos(2 * Math.PI * s / _driftPeriod));
+            return new ClockOffset(TimeSpan.FromTicks((long)((_skew * s + wander) * TimeSpan.TicksPerSecond)) - _controlStart.SinceEpoch - Step);
+        }
+
+        /// <summary>Steps in which the control clock advances, floored and said in each exchange.</summary>
+        public TimeSpan Resolution { get; set; }
+
+        /// <summary>What the exchanges say of it where that is not true; null where it is.</summary>
+        public TimeSpan? SaidResolution { get; set; }
+
+        /// <summary>The server clock's error and the server's stated bound of it, ms, given seconds since the start.</summary>
+        public Func<double, (double AheadMs, double SaidMs)> Server { get; set; } = s => (0, 0);
+
+        /// <returns>False when the exchange was lost.</returns>
+        public bool TryExchange(HeadsetTime at, out SyncExchange exchange)
+        {
+            var load = Load(at.SinceEpoch.TotalSeconds, _random);
+            var arrival = at + _up.Next() + Ms(load.UpMs + LongerUpMs);
+            var sent = arrival + Ms(0.02);
+            var back = sent + _down.Next() + Ms(load.DownMs + LongerDownMs);
+            exchange = new SyncExchange(
+                at, Stamp(arrival), Stamp(sent), back, SaidResolution ?? Resolution, Ms(Server(arrival.SinceEpoch.TotalSeconds).SaidMs), true);
+            return _random.NextDouble() >= _lossChance;
+        }
+
+        ControlTime Stamp(HeadsetTime moment)
+        {
+            var exact = (TrueOffset(moment).ToControl(moment) + Ms(Server(moment.SinceEpoch.TotalSeconds).AheadMs)).SinceEpoch.Ticks;
+            return new ControlTime(new TimeSpan(Resolution == TimeSpan.Zero ? exact : exact / Resolution.Ticks * Resolution.Ticks));
+        }
+    }
+}

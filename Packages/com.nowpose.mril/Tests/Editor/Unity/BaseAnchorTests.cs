@@ -1,0 +1,75 @@
+using System;
+using Nowpose.Tests.Unity.Robot;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Tests.Unity
+{
+    public class BaseAnchorTests
+    {
+        readonly SceneObjects _scene = new SceneObjects();
+        BaseAnchor _anchor;
+        int _moves;
+
+        [SetUp]
+        public void MakeAnchor()
+        {
+            var room = _scene.New("Room");
+            room.position = new Vector3(5, 0, 0);
+            _anchor = _scene.New<BaseAnchor>("Base Anchor", room);
+            _moves = 0;
+            _anchor.Moved += () => _moves++;
+        }
+
+        [TearDown]
+        public void Clean() => _scene.Destroy();
+
+        [Test]
+        public void Place_PoseInTheWorld_IsThere()
+        {
+            _anchor.Place(new Vector3(1, 2, 3), Quaternion.Euler(0, 90, 0));
+
+            Assert.That(Vector3.Distance(_anchor.transform.position, new Vector3(1, 2, 3)), Is.LessThan(1e-6));
+            Assert.That(Vector3.Distance(_anchor.transform.TransformPoint(Vector3.forward), new Vector3(2, 2, 3)), Is.LessThan(1e-6));
+            Assert.That(_moves, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Place_RotationOfAnotherLength_IsTheSameRotation()
+        {
+            _anchor.Place(Vector3.zero, new Quaternion(0, 2, 0, 2));
+
+            Assert.That(Quaternion.Angle(_anchor.transform.rotation, Quaternion.Euler(0, 90, 0)), Is.LessThan(0.05));
+            Assert.That(Quaternion.Dot(_anchor.transform.rotation, _anchor.transform.rotation), Is.EqualTo(1).Within(1e-6));
+        }
+
+        [Test]
+        public void Nudge_TurnedAnchor_GoesAlongItsOwnAxes()
+        {
+            _anchor.Place(new Vector3(1, 0, 0), Quaternion.Euler(0, 90, 0));
+
+            _anchor.Nudge(new Vector3(0, 0.01f, 0.05f), 30);
+
+            // Its forward is the world's right.
+            Assert.That(Vector3.Distance(_anchor.transform.position, new Vector3(1.05f, 0.01f, 0)), Is.LessThan(1e-6));
+            Assert.That(Quaternion.Angle(_anchor.transform.rotation, Quaternion.Euler(0, 120, 0)), Is.LessThan(0.05));
+            Assert.That(_moves, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Place_NotAPose_IsRefusedAndNothingMoves()
+        {
+            _anchor.Place(new Vector3(1, 2, 3), Quaternion.identity);
+
+            Assert.Throws<ArgumentException>(() => _anchor.Place(new Vector3(float.NaN, 0, 0), Quaternion.identity));
+            Assert.Throws<ArgumentException>(() => _anchor.Place(Vector3.zero, new Quaternion(0, 0, 0, 0)));
+            Assert.Throws<ArgumentException>(() => _anchor.Place(Vector3.zero, new Quaternion(0, float.NaN, 0, 1)));
+            Assert.Throws<ArgumentException>(() => _anchor.Nudge(Vector3.zero, float.PositiveInfinity));
+            Assert.Throws<ArgumentException>(() => _anchor.Nudge(new Vector3(0, float.NegativeInfinity, 0), 0));
+
+            Assert.That(Vector3.Distance(_anchor.transform.position, new Vector3(1, 2, 3)), Is.LessThan(1e-6));
+            Assert.That(_moves, Is.EqualTo(1));
+        }
+    }
+}

@@ -1,0 +1,67 @@
+using System.Collections.Generic;
+using System.Linq;
+using Nowpose.Editor;
+using Nowpose.Editor.Inspectors;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Nowpose.Tests.Unity
+{
+    /// <summary>The menu with the package's own prefabs.</summary>
+    public class CellMenuOfPackageTests
+    {
+        GameObject _instance;
+
+        static IEnumerable<PackageAsset> Cells => new[] { PackageAsset.RobotCell, PackageAsset.RobotCellUr5 };
+
+        [TearDown]
+        public void Clean()
+        {
+            if (_instance != null) Object.DestroyImmediate(_instance);
+        }
+
+        [Test]
+        public void Place_RobotCell_IsAnInstanceThatLacksNothing()
+        {
+            foreach (var cell in Cells)
+            {
+                _instance = CellMenu.Place(cell, new MenuCommand(null));
+
+                Assert.That(_instance.name, Is.EqualTo(cell.Name));
+                Assert.That(PrefabUtility.GetCorrespondingObjectFromSource(_instance), Is.SameAs(cell.Load<GameObject>()));
+                Assert.That(_instance.GetComponentsInChildren<MrilSession>(true).Length, Is.EqualTo(1), cell.Name);
+                foreach (var component in _instance.GetComponentsInChildren<MonoBehaviour>(true))
+                    Assert.That(Shortcomings.Of(new Object[] { component }).Select(s => s.Message), Is.Empty, cell.Name + ", " + component.name);
+                Clean();
+            }
+        }
+
+        [Test]
+        public void Place_VirtualGripper_GoesBelowTheRigThatWasClicked()
+        {
+            _instance = new GameObject("Robot");
+            var rig = _instance.AddComponent<RobotRig>();
+
+            var gripper = CellMenu.Place(PackageAsset.VirtualGripper, new MenuCommand(_instance));
+
+            Assert.That(gripper.transform.parent, Is.SameAs(rig.transform));
+            Assert.That(Shortcomings.Of(new Object[] { gripper.GetComponent<VirtualGripper>() }), Is.Empty);
+        }
+
+        [Test]
+        public void DefaultSettings_AreOfferedToASessionWithoutAny()
+        {
+            _instance = new GameObject("Session");
+            var session = _instance.AddComponent<MrilSession>();
+            var shortcoming = Shortcomings.Of(new Object[] { session }).Single();
+            Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'Default Session Settings'"));
+
+            shortcoming.Fix();
+
+            Assert.That(Shortcomings.Of(new Object[] { session }), Is.Empty);
+            Assert.That(PackageAsset.DefaultSettings.Load<SessionSettingsAsset>().ToSettings(), Is.Not.Null);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+using System.Linq;
+using Nowpose.Session;
+using Nowpose.Unity;
+using Nowpose.Unity.Rendering;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Unity
+{
+    public class PoseLookTests
+    {
+        [Test]
+        public void Of_Current_IsDrawnAsItIs()
+        {
+            var look = PoseLook.Of(PoseState.Current);
+
+            Assert.That(look.IsDrawn, Is.True);
+            Assert.That(look.Fade, Is.EqualTo(0));
+            Assert.That(look.IsHatched, Is.False);
+            Assert.That(look.Words, Is.Empty);
+        }
+
+        [Test]
+        public void Of_AnythingElse_IsFainterStripedAndInWords()
+        {
+            var states = new[] { PoseState.Incomplete, PoseState.Unsynchronised, PoseState.Held, PoseState.OutsideRange };
+            foreach (var state in states)
+            {
+                var look = PoseLook.Of(state);
+
+                Assert.That(look.Fade, Is.GreaterThan(0.2), state.ToString());
+                Assert.That(look.IsHatched, Is.True, state.ToString());
+                Assert.That(look.Words, Is.Not.Empty, state.ToString());
+            }
+            Assert.That(states.Select(s => PoseLook.Of(s).Words), Is.Unique);
+        }
+
+        [TestCase(OutsideRangeResponse.Fade, 0.3f)]
+        [TestCase(OutsideRangeResponse.GoOn, 0.2f)]
+        [TestCase(OutsideRangeResponse.Hold, 0.5f)]
+        public void Of_OutsideRange_IsStripedAndInWordsWhateverItsFade(OutsideRangeResponse response, float fade)
+        {
+            var look = PoseLook.Of(PoseState.OutsideRange, response);
+
+            Assert.That(look.Fade, Is.EqualTo(fade));
+            Assert.That(look.IsDrawn, Is.True);
+            Assert.That(look.IsHatched, Is.True);
+            Assert.That(look.Words, Does.Contain("outside range"));
+        }
+
+        [Test]
+        public void Also_WithoutAFade_IsFainterThanCurrentToo()
+        {
+            var look = PoseLook.Of(PoseState.Current).Also("being placed", "a marker is moved", 0);
+
+            Assert.That(look.IsHatched, Is.True);
+            Assert.That(look.Fade, Is.EqualTo(0.2f), "a part smaller than a stripe may show no stripe");
+        }
+
+        [Test]
+        public void Of_Incomplete_IsNotDrawn()
+        {
+            Assert.That(PoseLook.Of(PoseState.Incomplete).IsDrawn, Is.False);
+        }
+
+        [Test]
+        public void Abandoned_IsDrawnAsNotCurrent()
+        {
+            Assert.That(PoseLook.Abandoned.IsDrawn, Is.True);
+            Assert.That(PoseLook.Abandoned.IsHatched, Is.True);
+            Assert.That(PoseLook.Abandoned.Words, Is.Not.Empty);
+        }
+    }
+}

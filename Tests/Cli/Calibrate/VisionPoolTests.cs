@@ -1,0 +1,92 @@
+using Nowpose.Vision;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Cli.Calibrate;
+
+/// <summary>With a stand-in for what reads pictures, which ends at those that are named so.</summary>
+[NonParallelizable]
+public sealed class VisionPoolTests
+{
+    const string StandIn = """
+        import { createInterface } from 'node:readline';
+        for await (const line of createInterface({ input: process.stdin })) {
+          if (line.includes('deadly')) process.exit(9);
+          process.stdout.write('{"width":4,"height":3,"codes":[]}\n');
+        }
+        """;
+
+    string _script;
+
+    [OneTimeSetUp]
+    public void WriteStandIn()
+    {
+        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        _script = Path.Combine(Path.GetTempPath(), $"nowpose-{Guid.NewGuid():N}.mjs");
+        File.WriteAllText(_script, StandIn);
+    }
+
+    [OneTimeTearDown]
+    public void RemoveStandIn()
+    {
+        if (_script != null) File.Delete(_script);
+    }
+
+    SortedDictionary<int, SeenPicture> Look(IEnumerable<PictureRequest> pictures, CancellationToken cancellation = default)
+    {
+        var all = new SortedDictionary<int, SeenPicture>();
+        using var pool = new VisionPool(1, _script);
+        pool.Look(pictures, (place, seen) => all[place] = seen, cancellation);
+        return all;
+    }
+
+    static IEnumerable<PictureRequest> Files(params string[] names) => names.Select(PictureRequest.File);
+
+    [Test]
+    public void Look_PictureThatEndsAWorker_IsRejectedAndTheOthersAreSeen()
+    {
+        var seen = Look(Files("a.png", "deadly.png", "b.png", "deadly.png", "deadly.png", "c.png"));
+
+        Assert.That(seen.Values.Select(picture => picture.Fault == null), Is.EqualTo(new[] { true, false, true, false, false, true }));
+        Assert.That(seen[1].Fault, Does.Contain("has ended at it"));
+    }
+
+    [Test]
+    public void Look_WorkerThatEndsWhenItIsStarted_IsAFaultWithWhatItSaid()
+    {
+        var script = Path.ChangeExtension(_script, ".once.mjs");
+        File.WriteAllText(script, "console.error('no memory'); process.exit(7);");
+        try
+        {
+            Assert.That(() => new VisionPool(1, script).Dispose(), Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("no memory"));
+            File.WriteAllText(script, StandIn);
+            using var pool = new VisionPool(2, script);
+            File.WriteAllText(script, "console.error('no memory'); process.exit(7);");
+            Assert.That(
+                () => pool.Look(Files("a.png", "b.png"), (_, _) => { }, default), Throws.InstanceOf<InvalidOperationException>().With.Message.Contains("no memory"));
+        }
+        finally
+        {
+            File.Delete(script);
+        }
+    }
+
+    [Test]
+    public void Look_WorkerThatEndsAtEveryPicture_IsAFault()
+    {
+        Assert.That(() => Look(Files("deadly1.png", "deadly2.png", "deadly3.png", "deadly4.png")), Throws.InstanceOf<InvalidOperationException>());
+    }
+
+    [Test]
+    public void Look_FaultAfterItWasCancelled_LeavesWhatWasSeen()
+    {
+        using var cancellation = new CancellationTokenSource();
+        IEnumerable<PictureRequest> Interrupted()
+        {
+            yield return PictureRequest.File("a.png");
+            cancellation.Cancel();
+            throw new InputException("the video ended early");
+        }
+
+        Assert.That(() => Look(Interrupted(), cancellation.Token), Throws.Nothing);
+    }
+}

@@ -1,0 +1,87 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+/// <summary>Debian's MQTT broker on a free port of loopback, ended with the test.</summary>
+sealed class Mosquitto : IDisposable
+{
+    readonly Process _process;
+
+    Mosquitto(Process process, int port)
+    {
+        _process = process;
+        Port = port;
+    }
+
+    public int Port { get; }
+
+    /// <summary>Starts it, and has the test ignored where there is none.</summary>
+    public static async Task<Mosquitto> StartAsync(string folder)
+    {
+        var file = Path.Combine(folder, "mosquitto.conf");
+        while (true)
+        {
+            var port = FreePort();
+            await File.WriteAllTextAsync(file, $"listener {port} 127.0.0.1\nallow_anonymous true\npersistence false\nlog_dest none\n");
+            var broker = new Mosquitto(Start(file), port);
+            await Soon.BecomesAsync(() => broker._process.HasExited || Listens(port), "mosquitto listens");
+            if (!broker._process.HasExited) return broker;
+            // Somebody has taken the port since it was free; anything else is its fault.
+            var said = await broker._process.StandardError.ReadToEndAsync();
+            broker.Dispose();
+            Assert.That(said, Does.Contain("in use"), "why mosquitto ended");
+        }
+    }
+
+    static Process Start(string file)
+    {
+        foreach (var program in new[] { "mosquitto", "/usr/sbin/mosquitto" })
+        {
+            try
+            {
+                return Process.Start(new ProcessStartInfo(program, ["-c", file]) { RedirectStandardError = true });
+            }
+            catch (Win32Exception)
+            {
+                // Debian has it where only root looks.
+            }
+        }
+
+        Assert.Ignore("mosquitto is not installed (apt-get install mosquitto)");
+        return null;
+    }
+
+    static int FreePort()
+    {
+        var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        var port = ((IPEndPoint)listener.LocalEndpoint).Port;
+        listener.Stop();
+        return port;
+    }
+
+    static bool Listens(int port)
+    {
+        try
+        {
+            using var client = new TcpClient();
+            client.Connect(IPAddress.Loopback, port);
+            return true;
+        }
+        catch (SocketException)
+        {
+            return false;
+        }
+    }
+
+    public void Dispose()
+    {
+        _process.Kill();
+        _process.WaitForExit();
+        _process.Dispose();
+    }
+}

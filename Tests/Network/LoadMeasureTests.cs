@@ -1,0 +1,71 @@
+using System.Text;
+using Nowpose.Benchmarks.Load;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Network;
+
+/// <summary>What the load tool reads and counts is what came.</summary>
+public class LoadMeasureTests
+{
+    static readonly ControlTime Stamp = ControlTime.FromNanoseconds(5_000_000_123_400);
+
+    static byte[] Message => Encoding.UTF8.GetBytes(
+        RosbridgeWriter.PublishJointState(RosTopics.JointStates, new JointStateMessage(Stamp, ["a"], [1]), RosTimeForm.Sec));
+
+    [TestCase(1)]
+    [TestCase(7)]
+    [TestCase(1000)]
+    public void Frames_InPiecesOfAnyLength_AreRead(int pieceLength)
+    {
+        // As servers send them: without a mask.
+        byte[] frame = [0x81, (byte)126, (byte)(Message.Length >> 8), (byte)Message.Length, .. Message];
+        byte[] stream = [.. frame, 0x89, 2, 1, 2, .. frame];
+        var reader = new FrameReader();
+        var (stamps, pings) = (new List<long>(), 0);
+
+        foreach (var piece in stream.Chunk(pieceLength))
+        {
+            piece.CopyTo(reader.Room);
+            reader.Added(piece.Length);
+            var at = 0;
+            while (reader.TryTake(ref at, out var opcode, out var payload))
+            {
+                if (opcode == FrameReader.Ping) pings++;
+                else if (FrameReader.TryReadStamp(payload, out var stamp)) stamps.Add(stamp);
+            }
+
+            reader.Forget(at);
+        }
+
+        Assert.That(Message.Length, Is.GreaterThan(125), "or its frame has a shorter head");
+        Assert.That(stamps, Is.EqualTo(new[] { Stamp.Nanoseconds, Stamp.Nanoseconds }));
+        Assert.That(pings, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Quantiles_OfHundredLatencies_AreTheirsToTenMicroseconds()
+    {
+        var counts = new LatencyCounts();
+        for (var i = 1; i <= 100; i++) counts.Add(i * 1_000_000L);
+
+        Assert.That(counts.Quantile(0.5).TotalMilliseconds, Is.EqualTo(50).Within(0.011));
+        Assert.That(counts.Quantile(0.99).TotalMilliseconds, Is.EqualTo(99).Within(0.011));
+        Assert.That(counts.Greatest.TotalMilliseconds, Is.EqualTo(100));
+    }
+
+    [Test]
+    public void Memory_ThatGrows_IsNotFlat()
+    {
+        var (flat, growing) = (new MemoryWatch(), new MemoryWatch());
+        for (var second = 0; second < 300; second++)
+        {
+            // A collection of garbage every few seconds.
+            flat.Add(100_000_000 + (second % 7 * 3_000_000));
+            growing.Add(100_000_000 + (second * 60_000));
+        }
+
+        Assert.That(flat.Deviation, Is.LessThan(0.02));
+        Assert.That(growing.Deviation, Is.GreaterThan(0.05));
+    }
+}

@@ -1,0 +1,94 @@
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Repository;
+
+/// <summary>A namespace is the root namespace of its assembly and the folders below that assembly's own; no folder holds a file or two.</summary>
+public sealed partial class RoomTests
+{
+    const int MinFiles = 3;
+
+    /// <summary>Its namespaces are those of what they stand for.</summary>
+    const string StandIn = "Headless/StandIn/";
+
+    /// <summary>Compiled from all test projects.</summary>
+    const string Common = "Tests/Common";
+
+    /// <summary>Unity's samples name theirs as users do.</summary>
+    const string Samples = "/Samples~/";
+
+    /// <summary>The usual name of an editor assembly, which hides UnityEditor.Editor inside of it only.</summary>
+    const string EditorAssembly = "Editor";
+
+    static readonly Dictionary<string, string> Roots = RepositoryFiles.All
+        .Where(file => file.EndsWith(".asmdef", StringComparison.Ordinal)
+            || (file.EndsWith(".csproj", StringComparison.Ordinal) && !file.StartsWith("Headless/Package/", StringComparison.Ordinal)))
+        .GroupBy(FolderOf).ToDictionary(group => group.Key, group => RootNamespaceOf(group.First()));
+
+    static IEnumerable<string> Sources => RepositoryFiles.All.Where(file => file.EndsWith(".cs", StringComparison.Ordinal));
+
+    [Test]
+    public void Namespace_IsThatOfTheFolder()
+    {
+        var wrong = from file in Sources
+            where !file.StartsWith(StandIn, StringComparison.Ordinal)
+            let declared = Declared().Match(RepositoryFiles.Read(file)).Groups[1].Value
+            where declared.Length > 0 && declared != ExpectedIn(FolderOf(file))
+            select $"{file}: {declared}, expected {ExpectedIn(FolderOf(file))}";
+
+        Assert.That(wrong, Is.Empty);
+    }
+
+    [Test]
+    public void Namespace_HidesNoTypeOfUnity()
+    {
+        var types = Directory.GetFiles(Path.Combine(RepositoryFiles.Root, "Tests/Unity/Engine/Api"), "*.txt").SelectMany(File.ReadLines)
+            .Select(line => EngineType().Match(line)).Where(match => match.Success).Select(match => match.Groups[1].Value).ToHashSet();
+        Assert.That(types, Does.Contain("Time"), "the lists are read");
+        var names = RepositoryFiles.Under(RepositoryFiles.Package, ".cs")
+            .SelectMany(file => Declared().Match(RepositoryFiles.Read(file)).Groups[1].Value.Split('.')).ToHashSet();
+
+        Assert.That(names.Intersect(types).Except([EditorAssembly]), Is.Empty);
+    }
+
+    [Test]
+    public void Folder_WithSources_HasThreeFilesOrMore()
+    {
+        var small = Sources.GroupBy(FolderOf)
+            .Select(folder => folder.Key)
+            .Where(folder => !folder.Contains(Samples) && !Roots.ContainsKey(folder))
+            .Where(folder => RepositoryFiles.All.Count(file => IsBelow(file, folder) && !file.EndsWith(".meta", StringComparison.Ordinal)) < MinFiles);
+
+        Assert.That(small, Is.Empty, "move their files to a folder that is about the same");
+    }
+
+    static string ExpectedIn(string folder)
+    {
+        if (folder == Common) return "Nowpose.Tests.Common";
+        var root = folder;
+        while (!Roots.ContainsKey(root)) root = FolderOf(root);
+        return Roots[root] + folder[root.Length..].Replace('/', '.');
+    }
+
+    static string RootNamespaceOf(string file)
+    {
+        var text = RepositoryFiles.Read(file);
+        if (file.EndsWith(".csproj", StringComparison.Ordinal)) return RootNamespace().Match(text).Groups[1].Value;
+        using var definition = JsonDocument.Parse(text);
+        return definition.RootElement.GetProperty("rootNamespace").GetString();
+    }
+
+    static bool IsBelow(string file, string folder) => file.StartsWith(folder + "/", StringComparison.Ordinal);
+
+    static string FolderOf(string path) => path.LastIndexOf('/') is var end and >= 0 ? path[..end] : "";
+
+    [GeneratedRegex(@"^namespace ([\w.]+)", RegexOptions.Multiline)]
+    private static partial Regex Declared();
+
+    [GeneratedRegex("<RootNamespace>(.*?)<")]
+    private static partial Regex RootNamespace();
+
+    [GeneratedRegex(@"^type (?:\w+ )+(?:\w+\.)*(\w+)")]
+    private static partial Regex EngineType();
+}

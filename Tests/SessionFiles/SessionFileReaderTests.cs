@@ -1,0 +1,134 @@
+using Nowpose.Cli.Sessions;
+using Nowpose.Headless.Tests.Cli;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.SessionFiles;
+
+public class SessionFileReaderTests
+{
+    const string Header = """
+        {"kind":"session","format":"nowpose-session","version":1,"robot":{"name":"r","joints":[{"name":"a","unit":"rad","upper":2},{"name":"b","unit":"m"}]},"settings":{"predictor":"linear","horizon_cap_ms":300,"maximum_gap_ms":500}}
+        """;
+
+    const string Sample = """{"kind":"sample","arrival_ns":200,"stamp_ns":100,"names":["a"],"position":[0.5]}""";
+
+    const string Plan = """
+        {"kind":"plan","arrival_ns":200,"stamp_ns":100,"names":["a","b"],"points":[{"time_from_start_ns":0,"position":[1,2]},{"time_from_start_ns":500000000,"position":[0.5,0.75],"velocity":[null,2]}]}
+        """;
+
+    static List<SessionLine> Read(string text)
+    {
+        using var file = new TemporaryFile(text, ".jsonl");
+        using var reader = new SessionFileReader(file.Path);
+        return [.. reader.Lines()];
+    }
+
+    [Test]
+    public void Header_Fields_AreWhatWasInForce()
+    {
+        using var file = new TemporaryFile(Header, ".jsonl");
+
+        using var reader = new SessionFileReader(file.Path);
+
+        Assert.That(reader.Header.Joints.Select(j => j.Name + " " + j.Unit), Is.EqualTo(new[] { "a rad", "b m" }));
+        Assert.That(reader.Header.Joints[0].Limits.Upper, Is.EqualTo(2));
+        Assert.That(reader.Header.Joints[0].Limits.Lower, Is.EqualTo(double.NegativeInfinity));
+        Assert.That(reader.Header.Prediction.Predictor, Is.EqualTo("linear"));
+    }
+
+    [Test]
+    public void Line_OfAnUnknownKindOrWithAnUnknownField_IsNoMistake()
+    {
+        var lines = Read(Header + "\n{\"kind\":\"weather\",\"rain\":true}\n" + Sample.Replace("}", ",\"more\":1}") + "\n");
+
+        Assert.That(lines, Has.Count.EqualTo(1));
+        Assert.That(((SampleLine)lines[0]).Stamp.Nanoseconds, Is.EqualTo(100));
+    }
+
+    [Test]
+    public void Line_ThatIsTorn_EndsTheFileOnlyWhereItIsTheLast()
+    {
+        Assert.That(Read(Header + "\n" + Sample + "\n" + Sample[..30]), Has.Count.EqualTo(1));
+
+        var torn = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample[..30] + "\n" + Sample + "\n"));
+        Assert.That(torn.Message, Does.Contain(".jsonl:2: is no JSON object"));
+    }
+
+    [TestCase("", "is empty")]
+    [TestCase("t,a\n0,1\n", ":1: is no JSON object")]
+    [TestCase("[]", ":1: is no JSON object")]
+    [TestCase("{\"kind\":\"session\"}", ":1: field 'format' is not 'nowpose-session'")]
+    [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":2}", ":1: field 'version': the file is of version 2")]
+    [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":1}", ":1: field 'robot' is missing")]
+    public void File_ThatIsNoSession_IsOneLineThatSaysSo(string text, string expected)
+    {
+        var fault = Assert.Throws<InputException>(() => Read(text));
+
+        Assert.That(fault.Message, Does.Contain(expected).And.Not.Contain("\n"));
+    }
+
+    [TestCase("\"linear\"", "\"quartic\"", "field 'settings' predictor 'quartic' is unknown")]
+    [TestCase("300", "-1", "field 'settings' horizon cap: -1 ms is out of range")]
+    [TestCase("300", "\"x\"", "field 'horizon_cap_ms'")]
+    [TestCase("\"upper\":2", "\"upper\":2,\"lower\":3", "field 'lower' 3 is above the upper limit 2")]
+    [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' 0 is no limit")]
+    [TestCase("\"b\"", "\"a\"", "field 'joints' has joint 'a' twice")]
+    public void Header_ThatIsWrong_IsNamedWithItsField(string right, string wrong, string expected)
+    {
+        var fault = Assert.Throws<InputException>(() => Read(Header.Replace(right, wrong)));
+
+        Assert.That(fault.Message, Does.Contain(".jsonl:1: " + expected));
+    }
+
+    [TestCase("{\"stamp_ns\":1}", "field 'kind' is missing")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'stamp_ns' is missing")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' 1.5 is not a whole number")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' element 1: null is not a finite number")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' 2 numbers; there must be 1")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' is no array")]
+    [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' is no array")]
+    [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' 99999999999999999999 is not a whole number (64 bits)")]
+    public void Line_ThatIsWrong_IsNamedWithItsField(string line, string expected)
+    {
+        var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample + "\n" + line + "\n" + Sample + "\n"));
+
+        Assert.That(fault.Message, Does.Contain(".jsonl:3: " + expected));
+    }
+
+    [Test]
+    public void Plan_Fields_AreTheMessage()
+    {
+        var line = (PlanLine)Read(Header + "\n" + Plan + "\n")[0];
+
+        var message = line.Arrival.Message;
+        Assert.That(line.Arrival.At.Nanoseconds, Is.EqualTo(200));
+        Assert.That(message.Stamp.Nanoseconds, Is.EqualTo(100));
+        Assert.That(message.Names, Is.EqualTo(new[] { "a", "b" }));
+        Assert.That(message.Points.Select(p => p.TimeFromStart.Ticks), Is.EqualTo(new[] { 0, 5_000_000 }));
+        Assert.That(message.Points[1].Positions, Is.EqualTo(new[] { 0.5, 0.75 }));
+        Assert.That(message.Points[1].Velocities, Is.EqualTo(new[] { double.NaN, 2 }));
+        Assert.That(message.Points[1].Accelerations, Is.Null);
+        Assert.That(line.Dropped, Is.Null);
+    }
+
+    [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is not after the point before")]
+    [TestCase("[0.5,0.75]", "[0.5]", "field 'position' 1 numbers; there must be 2")]
+    [TestCase("\"points\":[", "\"points\":[7,", "field 'points' 7 is no object")]
+    [TestCase("\"points\"", "\"dots\"", "field 'points' is missing")]
+    public void Plan_ThatIsWrong_IsNamedWithItsField(string right, string wrong, string expected)
+    {
+        var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Plan.Replace(right, wrong) + "\n" + Sample + "\n"));
+
+        Assert.That(fault.Message, Does.Contain(".jsonl:2: " + expected));
+    }
+
+    [TestCase("a.jsonl", true)]
+    [TestCase("a.JSONL.gz", true)]
+    [TestCase("a.csv", false)]
+    [TestCase("a.json", false)]
+    [TestCase(null, false)]
+    public void IsSession_GoesByTheName(string path, bool expected)
+    {
+        Assert.That(SessionFileReader.IsSession(path), Is.EqualTo(expected));
+    }
+}

@@ -1,0 +1,82 @@
+using Nowpose.Gateway.Plants;
+using Nowpose.Kinematics;
+using Nowpose.Latency;
+using Nowpose.Motion;
+using Nowpose.Network;
+using Nowpose.Protocol;
+using Nowpose.Recording;
+using Nowpose.Session;
+using Nowpose.Simulation;
+using Nowpose.Sync;
+
+namespace Nowpose.Headless.Tests.SessionFiles;
+
+/// <summary>A session of a virtual cell in virtual time, recorded to a file, and what only the simulation knows of it.</summary>
+sealed class VirtualRecording
+{
+    static readonly HeadsetTime Start = HeadsetTime.FromSeconds(500);
+    static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
+
+    /// <summary>Squared errors of each joint in the frames after six seconds that were current: displayed, and held.</summary>
+    public double DisplayedSquares { get; private set; }
+
+    /// <inheritdoc cref="DisplayedSquares"/>
+    public double HeldSquares { get; private set; }
+
+    /// <summary>Every exchange as a line of a log: t1_ns,t2_ns,t3_ns,t4_ns.</summary>
+    public List<string> Exchanges { get; } = [];
+
+    /// <summary>Records; the control clock steps by 300 ms at <paramref name="stepAfter"/>.</summary>
+    /// <param name="predictor">With <paramref name="blendMs"/> what is predicted by, where <paramref name="prediction"/> is null.</param>
+    /// <param name="planLagMs">How much later than its published set-points the robot is; null where it publishes none.</param>
+    /// <param name="planUntil">s; no set-points are published later.</param>
+    /// <param name="jitterMs">Lets samples overtake each other where it exceeds the sampling interval.</param>
+    public static VirtualRecording To(
+        string path, double seconds = 20, string predictor = "quadratic", double jitterMs = 0, double loss = 0, double? stepAfter = null,
+        double blendMs = 0, int seed = 5, double samplingMs = 50, double? planLagMs = null,
+        double planUntil = double.PositiveInfinity, PredictionSettings prediction = null)
+    {
+        var robot = RobotFiles.Load("youbot");
+        var result = new VirtualRecording();
+        var clock = new VirtualClock(Start, TimeSpan.FromSeconds(1_700_000_000), 37e-6);
+        var settings = new VirtualCellSettings(samplingMs, 55, 105, jitterMs, loss, NetworkProfile.Wifi);
+        var cell = new VirtualCell(new PickAndPlaceMotion(robot), clock, settings, seed, Start);
+        if (planLagMs.HasValue) cell.PlanLag = TimeSpan.FromMilliseconds(planLagMs.Value);
+        using var session = new CompensationSession(
+            new SessionSettings(
+                new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation),
+                prediction ?? new PredictionSettings(predictor, blendMs: blendMs)),
+            robot, new StopwatchHeadsetClock());
+        session.Clock.Judged += (in SyncExchange e, SyncVerdict _, SyncExchangeFault _) =>
+            result.Exchanges.Add(FormattableString.Invariant($"{e.T1.Nanoseconds},{e.T2.Nanoseconds},{e.T3.Nanoseconds},{e.T4.Nanoseconds}"));
+        using (var recorder = new SessionRecorder(session, new RecordingSettings(path)))
+        {
+            for (var i = 0; i < seconds * 60; i++)
+            {
+                var now = Start + TimeSpan.FromTicks((long)(i / 60.0 * TimeSpan.TicksPerSecond));
+                if (i / 60.0 >= stepAfter) clock.Set(now, TimeSpan.FromSeconds(1_700_000_000.3), 37e-6);
+                if (i / 60.0 >= planUntil) cell.PlanLag = null;
+                cell.Run(now, session);
+                result.Score(session.Tick(now), cell, i > 360);
+                // The ring holds ten seconds.
+                if (i % 240 == 0) recorder.FlushAsync().Wait();
+            }
+            recorder.Dispose();
+            recorder.Ended.Wait();
+            if (recorder.Problem != null || recorder.LostLines > 0) throw new IOException(recorder.Problem ?? recorder.LostLines + " lines lost");
+        }
+        return result;
+    }
+
+    void Score(DisplayFrame frame, VirtualCell cell, bool isScored)
+    {
+        if (!isScored || frame.State != PoseState.Current) return;
+        Span<double> truth = stackalloc double[frame.Joints.Length];
+        cell.TruthAt(frame.Start + Visualisation, truth);
+        for (var joint = 0; joint < truth.Length; joint++)
+        {
+            DisplayedSquares += Math.Pow(frame.Joints[joint] - truth[joint], 2);
+            HeldSquares += Math.Pow(frame.HeldJoints[joint] - truth[joint], 2);
+        }
+    }
+}

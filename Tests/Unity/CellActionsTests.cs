@@ -1,0 +1,239 @@
+using System.Reflection;
+using Nowpose.Latency;
+using Nowpose.Session;
+using Nowpose.Unity;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests;
+
+public sealed class CellActionsTests
+{
+    PlayedCell _cell;
+    MrilSession _session;
+    CellActions _actions;
+    int _changes;
+
+    [SetUp]
+    public void Begin()
+    {
+        _cell = new PlayedCell();
+        _session = _cell.NewSessionOf("Nowpose Robot Cell");
+        _actions = _session.gameObject.AddComponent<CellActions>();
+        _changes = 0;
+        _actions.Changed += () => _changes++;
+        _session.gameObject.SetActive(true);
+        Run(5);
+    }
+
+    [TearDown]
+    public void End() => _cell.Dispose();
+
+    void Run(double seconds) => _cell.Run(seconds, _session);
+
+    T Find<T>(string name) where T : Component => _session.GetComponentsInChildren<T>(true).First(c => c.name == name);
+
+    float FadeOf(string part)
+    {
+        var block = new MaterialPropertyBlock();
+        Find<Transform>(part).GetComponentInChildren<MeshRenderer>().GetPropertyBlock(block);
+        return block.GetFloat(Shader.PropertyToID("_Fade"));
+    }
+
+    float HatchOf(string part)
+    {
+        var block = new MaterialPropertyBlock();
+        Find<Transform>(part).GetComponentInChildren<MeshRenderer>().GetPropertyBlock(block);
+        return block.GetFloat(Shader.PropertyToID("_Hatch"));
+    }
+
+    IEnumerable<MeshRenderer> Occluders => Find<RobotRig>("Robot").GetComponentsInChildren<MeshRenderer>(true)
+        .Where(r => r.sharedMaterial != null && r.sharedMaterial.name == "Occluder");
+
+    [Test]
+    public void ToggleConnected_TwoTimes_ConnectsAndLeaves()
+    {
+        _actions.ToggleConnected();
+        var first = (_session.IsConnecting, _actions.IsConnecting);
+        _actions.ToggleConnected();
+
+        Assert.That(first, Is.EqualTo((true, true)));
+        Assert.That(_session.IsConnecting, Is.False);
+        Assert.That(_session.Session.SampleLink, Is.EqualTo(Nowpose.Network.LinkStatus.Idle));
+    }
+
+    [Test]
+    public void ToggleGhost_Hidden_IsShown()
+    {
+        _actions.ToggleGhost();
+
+        Assert.That(Find<Ghost>("Ghost").Visible, Is.True);
+        Assert.That(_actions.IsGhostShown, Is.True);
+    }
+
+    [Test]
+    public void TogglePanel_Shown_IsHidden()
+    {
+        _actions.TogglePanel();
+
+        Assert.That(Find<StatusPanel>("Status Panel").gameObject.activeSelf, Is.False);
+        Assert.That(_actions.IsPanelShown, Is.False);
+    }
+
+    [Test]
+    public void SetOcclusion_Off_HidesTheOccludersAloneAndBringsThemBack()
+    {
+        var gripper = Find<Transform>("Palm").GetComponentInChildren<MeshRenderer>();
+        Assert.That(Occluders, Is.Not.Empty);
+
+        _actions.SetOcclusion(false);
+        Run(0.1);
+        var off = Occluders.Count(r => r.isVisible);
+        var gripperVisible = gripper.isVisible;
+        _actions.SetOcclusion(true);
+        Run(0.1);
+
+        Assert.That(off, Is.Zero);
+        Assert.That(gripperVisible, Is.True);
+        Assert.That(Occluders.All(r => r.isVisible), Is.True);
+    }
+
+    [Test]
+    public void SetOcclusion_OffBeforeTheRobotIsBuilt_HidesItThen()
+    {
+        _cell.Dispose();
+        _cell = new PlayedCell();
+        _session = _cell.NewSessionOf("Nowpose Robot Cell (Any Robot)");
+        _actions = _session.gameObject.AddComponent<CellActions>();
+        _session.gameObject.SetActive(true);
+
+        _actions.SetOcclusion(false);
+        Run(1);
+
+        Assert.That(Occluders, Is.Not.Empty);
+        Assert.That(Occluders.Count(r => r.enabled), Is.Zero);
+    }
+
+    [Test]
+    public void SetOcclusion_ComponentDisabled_GivesTheOccludersBack()
+    {
+        _actions.SetOcclusion(false);
+
+        _actions.enabled = false;
+
+        Assert.That(Occluders.All(r => r.enabled), Is.True);
+    }
+
+    [TestCase(0.4f, 0.6f)]
+    [TestCase(2f, 0f)]
+    [TestCase(-1f, 1f)]
+    [TestCase(float.NaN, 0f)]
+    public void SetOpacity_PoseIsCurrent_FadesTheGripperNotTheGhost(float opacity, float fade)
+    {
+        _actions.SetOpacity(opacity);
+        Run(0.1);
+
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        Assert.That(FadeOf("Palm"), Is.EqualTo(fade).Within(1e-6));
+        Assert.That(_actions.Opacity, Is.EqualTo(1 - fade).Within(1e-6));
+        Assert.That(Find<PoseAppearance>("Ghost").Opacity, Is.EqualTo(1));
+    }
+
+    [TestCase(0f, 0.8f)]
+    [TestCase(0.9f, 0.5f)]
+    public void SetOpacity_PoseIsHeld_StaysStripedAndNoFainterThanTheFaintest(float opacity, float fade)
+    {
+        _actions.SetOpacity(opacity);
+
+        _cell.IsPlantUp = false;
+        Run(1);
+
+        Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Held));
+        Assert.That(FadeOf("Palm"), Is.EqualTo(fade).Within(1e-6));
+        Assert.That(HatchOf("Palm"), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void SetNudgeMs_OfASession_ShiftsTheMomentOfLight()
+    {
+        var before = Light();
+
+        _actions.SetNudgeMs(12);
+        Run(0.1);
+
+        Assert.That((Light() - before).TotalMilliseconds, Is.EqualTo(12).Within(0.01));
+        Assert.That(_actions.NudgeMs, Is.EqualTo(12));
+    }
+
+    [Test]
+    public void Change_ByAButton_AddsUpWithinTheLimits()
+    {
+        for (var press = 0; press < 3; press++) _actions.ChangeNudgeMs(-2);
+        _actions.ChangeOpacity(-0.25f);
+        Assert.That(_actions.NudgeMs, Is.EqualTo(-6));
+        Assert.That(_actions.Opacity, Is.EqualTo(0.75f));
+
+        for (var press = 0; press < 100; press++) _actions.ChangeNudgeMs(-2);
+        for (var press = 0; press < 9; press++) _actions.ChangeOpacity(0.25f);
+        Assert.That(_actions.NudgeMs, Is.EqualTo(-40), "no light before its frame");
+        Assert.That(_actions.Opacity, Is.EqualTo(1));
+    }
+
+    // The control clock stands still against the headset's here.
+    TimeSpan Light() => _session.Frame.DisplayTime.Value.SinceEpoch - _session.Frame.Start.SinceEpoch;
+
+    [Test]
+    public void SetNudgeMs_SessionBeginsAnew_IsKept()
+    {
+        _actions.SetNudgeMs(12);
+        Run(0.1);
+
+        _session.Settings = PlayedCell.Offline;
+        Run(0.1);
+
+        Assert.That(_session.Session.Visualisation.Length.TotalMilliseconds, Is.EqualTo(52).Within(1e-6));
+    }
+
+    [Test]
+    public void Changed_SomebodyElseDidIt_IsToldOnce()
+    {
+        Assert.That(_changes, Is.Zero);
+
+        Find<Ghost>("Ghost").Visible = true;
+        Run(0.5);
+
+        Assert.That(_changes, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Methods_OfTheActions_CanBeCalledByAnyEvent()
+    {
+        var methods = typeof(CellActions).GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly)
+            .Where(m => !m.IsSpecialName);
+
+        foreach (var method in methods)
+        {
+            Assert.That(method.ReturnType, Is.EqualTo(typeof(void)), method.Name);
+            Assert.That(
+                method.GetParameters().Select(p => p.ParameterType), Is.Empty.Or.EqualTo(new[] { typeof(bool) }).Or.EqualTo(new[] { typeof(float) }),
+                method.Name);
+        }
+    }
+
+    [Test]
+    public void Act_NothingToActOn_SaysWhatIsMissingAndGoesOn()
+    {
+        var lone = new GameObject("Buttons").AddComponent<CellActions>();
+
+        lone.ToggleConnected();
+        lone.ToggleGhost();
+        lone.LockBase();
+        lone.SetOpacity(0.5f);
+        lone.SetNudgeMs(3);
+        Run(0.1);
+
+        Assert.That(_cell.Messages, Has.Some.Contains("cell actions 'Buttons' find no session to act on; assign one"));
+        Assert.That(_cell.Messages, Has.Some.Contains("cell actions 'Buttons' find no ghost to act on; assign one"));
+        Assert.That(lone.Opacity, Is.EqualTo(1));
+    }
+}
