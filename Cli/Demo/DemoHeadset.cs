@@ -121,7 +121,7 @@ sealed class DemoHeadset : IDisposable
         _watched = session;
         // The first one of a cell for any robot has no joints: nothing of it is worth a file.
         if (_recordingPath != null && session.Robot.MovingJoints.Count > 0) Record(session);
-        session.SampleTaken += (_, latency) =>
+        session.Intake.SampleTaken += (_, latency) =>
         {
             if (latency.HasValue) _latencies.Add(latency.Value);
         };

@@ -44,7 +44,7 @@ public class ReceiveAllocationTests
             if (i == Warm) before = GC.GetAllocatedBytesForCurrentThread();
             if (i == texts.Length) after = GC.GetAllocatedBytesForCurrentThread();
         });
-        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session, publishesDisplayed: false);
+        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session.Listener, publishesDisplayed: false);
 
         await socket.Ended.Bounded();
 
@@ -65,7 +65,7 @@ public class ReceiveAllocationTests
             new StopwatchHeadsetClock());
         var clock = new ManualClock();
         var kept = new List<SampleArrival>();
-        session.SampleTaken += (arrival, _) => kept.Add(arrival);
+        session.Intake.SampleTaken += (arrival, _) => kept.Add(arrival);
         var texts = Enumerable.Range(0, 100).Select(i => Encoding.UTF8.GetBytes(Text(i, names, false, ""))).ToArray();
         var socket = new MemoryWebSocket(texts, i =>
         {
@@ -73,7 +73,7 @@ public class ReceiveAllocationTests
             if (i == 0) Synchronise(session, clock.Now);
             session.Tick(clock.Now);
         });
-        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session, publishesDisplayed: false);
+        using var client = new RosbridgeClient(() => new MemoryLink(socket, clock), clock, session.Listener, publishesDisplayed: false);
 
         await socket.Ended.Bounded();
 

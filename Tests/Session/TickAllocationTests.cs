@@ -69,7 +69,7 @@ public class TickAllocationTests
         using var recorder = isRecorded ? new SessionRecorder(session, new RecordingSettings("nowhere", () => Stream.Null)) : null;
         var statistics = new SessionStatistics();
         var (plans, planned, allocated) = (0, 0, 0L);
-        session.PlanJudged += (_, _) => plans++;
+        session.Intake.PlanJudged += (_, _) => plans++;
         for (var frame = 0; frame < 2000; frame++)
         {
             var now = start + TimeSpan.FromTicks(frame * TimeSpan.TicksPerSecond / 60);

@@ -71,8 +71,8 @@ namespace Nowpose.Recording
         public void Dispose()
         {
             _session.Clock.Judged -= OnExchange;
-            _session.SampleJudged -= OnSample;
-            _session.PlanJudged -= OnPlan;
+            _session.Intake.SampleJudged -= OnSample;
+            _session.Intake.PlanJudged -= OnPlan;
             _session.StartedAnew -= OnStartedAnew;
             _session.Ticked -= OnFrame;
             _writer.Stop();
@@ -81,8 +81,8 @@ namespace Nowpose.Recording
         void Listen()
         {
             _session.Clock.Judged += OnExchange;
-            _session.SampleJudged += OnSample;
-            _session.PlanJudged += OnPlan;
+            _session.Intake.SampleJudged += OnSample;
+            _session.Intake.PlanJudged += OnPlan;
             _session.StartedAnew += OnStartedAnew;
             _session.Ticked += OnFrame;
         }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading.Tasks;
@@ -21,23 +20,12 @@ namespace Nowpose.Session
     /// <see cref="Disconnect"/> and <see cref="Dispose"/> belong to one thread, the frame's; everything else may be called
     /// from any. It never commands the robot.
     /// </remarks>
-    public sealed class CompensationSession : IRosbridgeListener, IDisposable
+    public sealed class CompensationSession : IDisposable
     {
-        /// <summary>
-        /// So many messages may wait for the next frame; beyond, the oldest go. Ten seconds at 100 Hz: enough for the newest of a
-        /// joint that speaks seldom. How many of them a frame solves is for <see cref="SampleBacklog"/> to say.
-        /// </summary>
-        const int QueueLength = 1000;
-
-        /// <summary>So many plans may wait: newer ones replace the older.</summary>
-        const int PlanQueueLength = 16;
-
         readonly SessionSettings _settings;
         readonly IHeadsetClock _clock;
-        readonly Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> _newLink;
         readonly ClockSynchroniser _synchroniser;
         readonly DisplayClock _displayClock = new DisplayClock();
-        readonly MessageJoints _messageJoints;
         readonly JointTracks _tracks;
         readonly DisplayFrame _frame;
         readonly JointWatch _joints;
@@ -46,22 +34,17 @@ namespace Nowpose.Session
         readonly HindcastMonitor _hindcast;
         readonly SessionMeasurements _measurements;
         readonly ApplicationLatency _latency = new ApplicationLatency();
-        readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
-        readonly SampleBacklog _backlog;
-        readonly ConcurrentQueue<PlannedMotion> _plans = new ConcurrentQueue<PlannedMotion>();
         readonly MomentOfLight _light;
         readonly object _gate = new object();
         volatile ReceivedDescription _description = ReceivedDescription.None;
         volatile string _descriptionFault;
-        SyncClient _syncClient;
-        RosbridgeClient _rosbridgeClient;
+        readonly SessionConnections _connections;
         readonly string[] _jointNames;
         ControlTime _told;
         DepthSubmission _depth;
         readonly ConditionCheck _conditions;
         bool _wasKnown;
         int _steps;
-        long _samples;
 
         /// <param name="robot">Its moving joints are matched with the samples' names.</param>
         /// <param name="clock">Stamps what the network threads receive.</param>
@@ -76,7 +59,6 @@ namespace Nowpose.Session
         {
             _settings = settings;
             _clock = clock;
-            _newLink = newLink;
             Robot = robot;
             _jointNames = robot.MovingJoints.Select(joint => joint.Name).ToArray();
             _conditions = new ConditionCheck(settings.RewriteBeforeRender);
@@ -89,14 +71,18 @@ namespace Nowpose.Session
             _hindcast = new HindcastMonitor(robot, settings.Prediction.MaximumGap);
             _tracks.StartedAnew += _hindcast.StartAnew;
             _measurements = new SessionMeasurements(_synchroniser, _latency, _light, _monitor, _frame, _hindcast);
-            _messageJoints = new MessageJoints(robot);
-            _backlog = new SampleBacklog(_messageJoints, QueueLength);
+            Intake = new SessionIntake(robot, _tracks, _hindcast, _latency, settings.Prediction.FollowsPlans);
+            Listener = new SessionListener(this, Intake, _joints, clock);
+            _connections = new SessionConnections(settings, clock, newLink, Listener, _synchroniser, SyncFaults);
         }
 
         public RobotModel Robot { get; }
 
         /// <summary>Takes what arrives over the network, and what takes its place in simulations. Any thread.</summary>
-        internal IRosbridgeListener Listener => this;
+        internal IRosbridgeListener Listener { get; }
+
+        /// <summary>The messages on their way into a frame.</summary>
+        internal SessionIntake Intake { get; }
 
         public SessionSettings Settings => _settings;
 
@@ -118,31 +104,8 @@ namespace Nowpose.Session
         /// </summary>
         public IReadOnlyList<JointBeyondLimits> BeyondLimits => _tracks.Limits.Found;
 
-        /// <summary>When to exchange, for whoever feeds <see cref="Clock"/>; each caller gets one of its own.</summary>
-        /// <param name="random">As of <see cref="ExchangePace"/>.</param>
-        internal ExchangePace NewExchangePace(Random random) => new ExchangePace(_settings.SyncInterval, _settings.Clock.HoldoverAfter, random);
-
         /// <summary>Takes sync exchanges; the network feeds it, and so may a test. A frame follows it without going back.</summary>
         internal ClockSynchroniser Clock => _synchroniser;
-
-        /// <summary>Each message whose samples were used, with its L_app where the clock is known; raised within <see cref="Tick"/>.</summary>
-        /// <remarks>A handler must be quick, must not throw, and must not call back into the session. It may keep the message.</remarks>
-        internal event Action<SampleArrival, TimeSpan?> SampleTaken;
-
-        /// <summary>
-        /// Each message with why it was of no use, <see cref="DropReason.None"/> when it was. Raised within <see cref="Tick"/>,
-        /// but where the queue was full already on the thread that received.
-        /// </summary>
-        /// <remarks>As of <see cref="SampleTaken"/>.</remarks>
-        internal event Action<SampleArrival, DropReason> SampleJudged;
-
-        /// <summary>
-        /// Each message of set-points with why it was of no use, <see cref="DropReason.None"/> when it could be, even if the settings
-        /// follow none. Raised within <see cref="Tick"/> once the clock is known, but where none of its joints is the robot's, or the
-        /// queue was full, already on the thread that received.
-        /// </summary>
-        /// <remarks>As of <see cref="SampleJudged"/>.</remarks>
-        internal event Action<PlanArrival, DropReason> PlanJudged;
 
         /// <summary>
         /// All samples are forgotten, for the clock stepped or became known; raised within <see cref="Tick"/>, before it takes
@@ -151,7 +114,9 @@ namespace Nowpose.Session
         public event Action<HeadsetTime, ClockModel> StartedAnew;
 
         /// <summary>A frame as it was computed; raised at the end of each <see cref="Tick"/>.</summary>
-        /// <remarks>As of <see cref="SampleJudged"/>; but properties, <see cref="Fill"/> and <see cref="Clock"/> may be read.</remarks>
+        /// <remarks>
+        /// A handler must be quick, must not throw, and must not call methods of the session but <see cref="Fill"/>; properties may be read.
+        /// </remarks>
         public event Action<DisplayFrame> Ticked;
 
         /// <summary>As of <see cref="HindcastMonitor.ToolJudged"/>; raised within <see cref="Tick"/>.</summary>
@@ -162,7 +127,7 @@ namespace Nowpose.Session
         }
 
         /// <summary>What was dropped, by reason.</summary>
-        internal DropCounters Drops { get; } = new DropCounters();
+        internal DropCounters Drops => Intake.Drops;
 
         /// <summary>Sync exchanges that were dropped, by reason.</summary>
         internal SyncFaultCounters SyncFaults { get; } = new SyncFaultCounters();
@@ -247,41 +212,24 @@ namespace Nowpose.Session
         public TimeSpan? NewestRenderTime { get; private set; }
 
         /// <summary>Completes when the connections that were ended are gone, sockets, threads and all; nobody has to wait for it.</summary>
-        public Task Ended { get; private set; } = Task.CompletedTask;
+        public Task Ended => _connections.Ended;
 
         /// <summary>Where the connection of the clock sync stands, or the exchanges of ROS's time. Any thread.</summary>
-        public LinkStatus SyncLink => _syncClient?.Status ?? _rosbridgeClient?.ClockStatus ?? LinkStatus.Idle;
+        public LinkStatus SyncLink => _connections.SyncLink;
 
         /// <summary>Where the connection of the joint positions stands. Any thread.</summary>
-        public LinkStatus SampleLink => _rosbridgeClient?.Status ?? LinkStatus.Idle;
+        public LinkStatus SampleLink => _connections.SampleLink;
 
         /// <summary>
         /// Starts the connections, both or, by ROS's time, one; they come up, and come back, by themselves. Does nothing while connected.
         /// </summary>
         /// <remarks>Neither this nor <see cref="Disconnect"/> nor <see cref="Dispose"/> waits for the network.</remarks>
-        public void Connect()
-        {
-            if (_rosbridgeClient != null) return;
-            var (connection, pace) = (_settings.Connection, NewExchangePace(new Random()));
-            var isRos = connection.ClockSource == ControlClockSource.RosTime;
-            if (!isRos) _syncClient = new SyncClient(connection, _clock, _synchroniser, SyncFaults, pace);
-            _rosbridgeClient = new RosbridgeClient(
-                () => _newLink(connection, _clock), _clock, this, connection.PublishesDisplayed,
-                isRos ? new RosTimeExchanges(_clock, _synchroniser, SyncFaults, pace) : null);
-        }
+        public void Connect() => _connections.Connect();
 
         /// <summary>
         /// Ends the connections; returns at once. What is known stays: the pose is held, the clock goes into holdover.
         /// </summary>
-        public void Disconnect()
-        {
-            if (_rosbridgeClient == null) return;
-            _rosbridgeClient.Dispose();
-            _syncClient?.Dispose();
-            Ended = Task.WhenAll(Ended, _rosbridgeClient.Ended, _syncClient?.Ended ?? Task.CompletedTask);
-            _rosbridgeClient = null;
-            _syncClient = null;
-        }
+        public void Disconnect() => _connections.Disconnect();
 
         public void Dispose() => Disconnect();
 
@@ -298,9 +246,7 @@ namespace Nowpose.Session
             {
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
                 ForgetWhatAnotherClockStamped(start, clock);
-                TakeArrivals(clock);
-                // Their stamps can be judged, and mean anything, only with the clock; a source may not send them again for long.
-                while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
+                Intake.TakeAll(clock);
                 var seen = _light.LightOf(start, isComparable: isLast && _monitor.State != RangeState.Outside);
                 var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
                 _frame.IsDisplayTimeImplausible = _light.IsImplausible;
@@ -342,35 +288,6 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>A message, queued for the next frame. Any thread.</summary>
-        /// <param name="message">Checked already.</param>
-        /// <param name="arrival">When it arrived on the headset clock.</param>
-        void IRosbridgeListener.Received(JointStateMessage message, HeadsetTime arrival)
-        {
-            _arrivals.Enqueue(new SampleArrival(message, arrival));
-            if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) Judged(oldest, DropReason.SlowReader);
-        }
-
-        /// <summary>Set-points ahead of time, queued for the next frame that knows the control time. Any thread.</summary>
-        /// <param name="message">Checked already.</param>
-        /// <param name="arrival">When it arrived on the headset clock.</param>
-        void IRosbridgeListener.Planned(JointTrajectoryMessage message, HeadsetTime arrival)
-        {
-            var plan = PlannedMotion.Of(new PlanArrival(message, arrival), Robot.IndexOfMovingJoint);
-            if (plan.Count == 0)
-            {
-                Judged(plan.Arrival, DropReason.UnknownJoint);
-                return;
-            }
-            _plans.Enqueue(plan);
-            if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out var oldest)) Judged(oldest.Arrival, DropReason.SlowReader);
-        }
-
-        /// <summary>The gateway's status of the joints that are not live; replaces the one before. Any thread.</summary>
-        /// <param name="message">Checked already.</param>
-        /// <param name="arrival">When it arrived on the headset clock.</param>
-        void IRosbridgeListener.StatusReceived(JointStatusMessage message, HeadsetTime arrival) => _joints.Take(message, arrival);
-
         /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
         public void Described(string urdf)
         {
@@ -383,9 +300,6 @@ namespace Nowpose.Session
             }
             _descriptionFault = fault;
         }
-
-        /// <summary>A message that never came so far as to be queued. Any thread.</summary>
-        void IRosbridgeListener.Dropped(DropReason reason) => Drops.Count(reason);
 
         /// <summary>Begins a new run for <see cref="SessionStatistics.ToolErrorOfRun"/>, with the next frame. Any thread.</summary>
         public void RestartErrorRun()
@@ -413,7 +327,7 @@ namespace Nowpose.Session
                 into.BeyondLimits = _tracks.Limits.Present;
                 into.CurrentShare = _currentShare.Value;
                 _joints.Fill(into.ChangeableJointStatuses, now, into.Clock, _frame.DisplayTime);
-                into.Samples = _samples;
+                into.Samples = Intake.Samples;
                 into.Dropped = Drops.Total + SyncFaults.Total;
                 into.SyncLink = SyncLink;
                 into.SampleLink = SampleLink;
@@ -422,15 +336,6 @@ namespace Nowpose.Session
                 into.ProfileMismatches = _conditions.MismatchesOf(_light.Profile);
                 into.Security = _settings.Connection.Security;
             }
-        }
-
-        /// <summary>What this headset publishes about itself once a second; stamped zero until the control time is known. Any thread.</summary>
-        DiagnosticsMessage IRosbridgeListener.Diagnostics()
-        {
-            var now = _clock.Now;
-            var statistics = Statistics(now);
-            return SessionDiagnostics.Of(
-                statistics, _settings.Connection.HeadsetName, statistics.Clock.IsKnown ? statistics.Clock.ToControl(now) : default);
         }
 
         /// <summary>
@@ -459,60 +364,6 @@ namespace Nowpose.Session
             _latency.Reset();
             _hindcast.Reset();
             StartedAnew?.Invoke(now, clock);
-        }
-
-        void TakeArrivals(in ClockModel clock)
-        {
-            _backlog.TakeFrom(_arrivals);
-            for (var i = 0; i < _backlog.Count; i++)
-            {
-                var mayBeKept = HasSampleHandler;
-                if (_backlog.IsWorthwhile(i)) Take(_backlog[i], clock);
-                else Judged(_backlog[i], DropReason.SlowReader);
-                // Before and after, for handlers come and go on other threads.
-                if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
-            }
-            _backlog.Clear();
-        }
-
-        // A handler may keep the message that it gets: such a message is not reused.
-        bool HasSampleHandler => SampleTaken != null || SampleJudged != null;
-
-        void Take(in SampleArrival arrival, in ClockModel clock)
-        {
-            var stamp = arrival.Message.Stamp;
-            if (clock.IsKnown && StampRule.IsInFuture(stamp, clock.ToControl(arrival.At), clock.ErrorBound))
-            {
-                Judged(arrival, DropReason.StampInFuture);
-                return;
-            }
-            var joints = _messageJoints.Of(arrival.Message);
-            var reason = _tracks.Add(arrival.Message, joints);
-            Judged(arrival, reason);
-            if (reason != DropReason.None) return;
-            _samples++;
-            _hindcast.Add(arrival.Message, joints);
-            if (clock.IsKnown) _latency.Add(clock.ToControl(arrival.At), stamp);
-            SampleTaken?.Invoke(arrival, clock.IsKnown ? _latency.Newest : (TimeSpan?)null);
-        }
-
-        void Take(PlannedMotion plan, in ClockModel clock)
-        {
-            var isInFuture = StampRule.IsInFuture(plan.Stamp, clock.ToControl(plan.Arrival.At), clock.ErrorBound);
-            Judged(plan.Arrival, isInFuture ? DropReason.StampInFuture : DropReason.None);
-            if (!isInFuture && _settings.Prediction.FollowsPlans) _tracks.Follow(plan);
-        }
-
-        void Judged(in SampleArrival arrival, DropReason reason)
-        {
-            Drops.Count(reason);
-            SampleJudged?.Invoke(arrival, reason);
-        }
-
-        void Judged(in PlanArrival arrival, DropReason reason)
-        {
-            Drops.Count(reason);
-            PlanJudged?.Invoke(arrival, reason);
         }
     }
 }

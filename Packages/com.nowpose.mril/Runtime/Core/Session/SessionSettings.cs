@@ -74,6 +74,10 @@ namespace Nowpose.Session
         /// <summary>A fresh estimator of the chosen kind.</summary>
         internal IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
 
+        /// <summary>When to exchange, for whoever feeds a session's clock; each caller gets one of its own.</summary>
+        /// <param name="random">As of <see cref="ExchangePace"/>.</param>
+        internal ExchangePace NewExchangePace(Random random) => new ExchangePace(SyncInterval, Clock.HoldoverAfter, random);
+
         /// <summary>Whether whoever shows the pose computes and writes it once more right before rendering.</summary>
         public bool RewriteBeforeRender { get; }
     }

@@ -41,7 +41,7 @@ namespace Nowpose.Simulation
                 if (_session != null) _next = now;
                 _underway = null;
                 _session = session;
-                _pace = session.NewExchangePace(new Random(_paceSeed));
+                _pace = session.Settings.NewExchangePace(new Random(_paceSeed));
             }
             if (_next < from) _next = from;
             while (true)

@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Recording
             var taken = new List<SampleArrival>();
             var exchanges = new List<SyncExchange>();
             var frames = new List<(long Start, long? Light, double[] Joints, double[] Held)>();
-            simulated.Session.SampleTaken += (arrival, _) => taken.Add(arrival);
+            simulated.Session.Intake.SampleTaken += (arrival, _) => taken.Add(arrival);
             simulated.Session.Clock.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => exchanges.Add(exchange);
             var run = new RecordedRun(simulated.Session);
 

@@ -228,7 +228,7 @@ namespace Nowpose.Tests.Core.Session
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(6);
             var taken = new List<ControlTime>();
-            simulated.Session.SampleTaken += (arrival, latency) => taken.Add(arrival.Message.Stamp);
+            simulated.Session.Intake.SampleTaken += (arrival, latency) => taken.Add(arrival.Message.Stamp);
             var now = HeadsetTime.FromSeconds(simulated.Now);
             var stamp = simulated.Link.TrueOffset(now).ToControl(now);
             foreach (var each in new[] { stamp - TimeSpan.FromSeconds(20), stamp })
@@ -417,7 +417,7 @@ namespace Nowpose.Tests.Core.Session
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             var judged = new List<(ControlTime Stamp, DropReason Reason)>();
-            session.SampleJudged += (arrival, reason) => judged.Add((arrival.Message.Stamp, reason));
+            session.Intake.SampleJudged += (arrival, reason) => judged.Add((arrival.Message.Stamp, reason));
             session.Listener.Received(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "grip" }, new[] { 0.02 }), default);
             for (var i = 1; i < 1000; i++) Send(session, 1 + i * 0.01, i * 0.001);
 

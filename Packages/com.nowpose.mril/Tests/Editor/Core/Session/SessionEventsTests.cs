@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Session
             _session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Lengths.Ms(40))), TestRobot.Model, new SetClock());
             _session.Clock.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => _told.Add(verdict + " " + fault);
-            _session.SampleJudged += (arrival, reason) => _told.Add("sample " + reason);
+            _session.Intake.SampleJudged += (arrival, reason) => _told.Add("sample " + reason);
             _session.StartedAnew += (at, clock) => _told.Add("anew " + clock.IsKnown);
             _session.Ticked += frame => _told.Add("frame");
         }

@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Simulation
             Session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings()),
                 Robot, new StopwatchHeadsetClock());
-            _pace = Session.NewExchangePace(new Random(seed));
+            _pace = Session.Settings.NewExchangePace(new Random(seed));
         }
 
         public CompensationSession Session { get; }

@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Simulation
             Session = new CompensationSession(
                 new SessionSettings(new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor)),
                 Robot, new StopwatchHeadsetClock());
-            Session.SampleTaken += (arrival, _) => Taken.Add(arrival);
+            Session.Intake.SampleTaken += (arrival, _) => Taken.Add(arrival);
         }
 
         /// <summary>After this long the motion repeats, s.</summary>
