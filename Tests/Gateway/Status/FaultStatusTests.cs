@@ -168,6 +168,8 @@ public class FaultStatusTests
 
         await BeginsAsync("joint", "a (press)");
         var status = (await StateAsync()).GetProperty("status");
+        Assert.That((await StateAsync()).GetProperty("joints")[0].GetProperty("uncertain").GetString(), Is.EqualTo("the stop itself was not observed"));
+        Assert.That((await GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 1"));
         Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(status.GetProperty("text").GetString(), Is.EqualTo(
             "joint a (press) may not be at rest: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
@@ -177,6 +179,20 @@ public class FaultStatusTests
         Report("adapter/press", ("state", "connected"), ("joint/a", $"live {Since()} "));
 
         await EndsAsync("joint", "a (press)");
+        Assert.That((await StateAsync()).GetProperty("joints")[0].TryGetProperty("uncertain", out _), Is.False);
+        Assert.That((await GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 0"));
+    }
+
+    [Test]
+    public async Task Joint_AtRestUncertainlyWithAdviceOfItsAdapter_HasNoOther()
+    {
+        await StartAsync();
+        Publish("a");
+
+        Report("adapter/press", ("state", "connected"), ("joint/a", $"rest {Since(3)} assumed at rest"), ("uncertain/a", "nothing confirms it; set silence"));
+
+        await BeginsAsync("joint", "a (press)");
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("text").GetString(), Does.EndWith("UTC). Check that the joint really stands still."));
     }
 
     [Test]

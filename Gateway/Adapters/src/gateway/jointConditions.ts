@@ -56,7 +56,8 @@ export class JointConditions {
 
   /** @param since Time of the last sample. @param uncertainty Why rest is not certain; empty for none. */
   rest(joint: string, since: number, uncertainty = ''): void {
-    if (this.stateOf(joint) === 'rest') return;
+    const known = this.#joints.get(joint);
+    if (known?.state === 'rest' && known.uncertainty === uncertainty) return;
     this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`, since, uncertainty);
     this.log.resume(`joint ${joint}`, `${joint} is at rest, without fault`);
   }
