@@ -21,6 +21,8 @@ export class Silence {
   /** Whether the data of a joint ended while it moved; asked for a silent joint that the source cannot confirm. */
   hasEnded: (joint: string) => boolean = () => false;
   readonly #heard = new Map<string, Heard>();
+  /** Joints whose state another gateway reports: their silence is not judged here. */
+  readonly #reported = new Set<string>();
 
   /**
    * @param faultAfterMs Silence of a joint that is a fault; null: the joint is at rest.
@@ -33,7 +35,20 @@ export class Silence {
   /** A usable sample came. */
   heard(joint: string): void {
     this.arrived(joint);
-    this.status.joints.live(joint);
+    if (!this.#reported.has(joint)) this.status.joints.live(joint);
+  }
+
+  /** Another gateway reports the joint's state, until `judge` is called. */
+  leave(joint: string): void {
+    this.#reported.add(joint);
+  }
+
+  /** Nobody else reports the joint's state any more. Returns whether a sample of it has ever come. */
+  judge(joint: string): boolean {
+    const heard = this.#heard.get(joint);
+    // One that was reported in fault stays so until its next sample.
+    if (this.#reported.delete(joint) && heard !== undefined && this.now() - heard.sample < REST_MS) this.status.joints.live(joint);
+    return heard !== undefined;
   }
 
   /** A value came that shows the joint only once it is confirmed. */
@@ -64,7 +79,7 @@ export class Silence {
     if (this.status.state !== 'connected') return [];
     const areAllSilent = this.#heard.size > 1 && [...this.#heard.values()].every(({ sample }) => this.now() - sample >= REST_MS);
     return [...this.#heard].flatMap(([joint, heard]) => {
-      const state = this.status.joints.stateOf(joint);
+      const state = this.#reported.has(joint) ? undefined : this.status.joints.stateOf(joint);
       return state === 'live' || state === 'rest' ? this.#check(joint, heard, areAllSilent ? ALL_UNCONFIRMED : UNCONFIRMED) : [];
     });
   }

@@ -42,6 +42,14 @@ public class JointStatusTopicTests
     }
 
     [Test]
+    public void Publish_RestThatIsNotCertain_SaysSoInItsReason()
+    {
+        _topic.Publish([Joint("b", JointDataState.Rest, "no change is reported") with { Uncertainty = "the stop itself was not observed" }]);
+
+        Assert.That(_received.Single().Values.Single().Value, Is.EqualTo("rest 4996.000 may not be at rest: the stop itself was not observed"));
+    }
+
+    [Test]
     public void Publish_OverTime_OnEachChangeAndEverySecondWhileThereAreAny()
     {
         JointStatus[] fault = [Joint("a", JointDataState.Fault)];
