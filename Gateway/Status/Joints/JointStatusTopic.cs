@@ -27,7 +27,10 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     {
         // A joint of two sources is as good as the better one: the other's samples are refused.
         var troubled = joints.GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
-            .Where(row => row.State != JointDataState.Live).Take(ProtocolLimits.Joints).ToList();
+            .Where(row => row.State != JointDataState.Live).ToList();
+        // A joint that has just failed must not be left out for those that others left behind long ago.
+        if (troubled.Count > ProtocolLimits.Joints)
+            troubled = [.. troubled.OrderBy(row => row.IsGood).ThenByDescending(row => row.Since).Take(ProtocolLimits.Joints).OrderBy(row => row.Name, StringComparer.Ordinal)];
         var content = troubled.ConvertAll(row => (row.Name, row.State, ReasonOf(row)));
         var isSame = _sent != null && content.SequenceEqual(_sent);
         if (isSame && (content.Count == 0 || time.GetElapsedTime(_sentAt) < Interval)) return;

@@ -195,6 +195,26 @@ public class FaultStatusTests
         Assert.That((await StateAsync()).GetProperty("status").GetProperty("text").GetString(), Does.EndWith("UTC). Check that the joint really stands still."));
     }
 
+    [TestCase(null, "error")]
+    [TestCase("03F3", "error")]
+    [TestCase("03E8", "ok")]
+    public async Task Joint_OfAClientThatEnded_IsAFaultWhateverTimePassesUnlessTheClientClosedInOrder(string close, string level)
+    {
+        await StartAsync();
+        using var client = await RawWebSocket.OpenAsync(_gateway);
+        await client.SendTextAsync(Gateways.StateText(1));
+        await Soon.BecomesAsync(() => StateAsync().Result.GetProperty("joints").GetArrayLength() == 1, "it is published");
+
+        if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
+        client.EndSending();
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the connection is over");
+        _time.Advance(TimeSpan.FromHours(30));
+
+        var state = await StateAsync();
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level), state.GetRawText());
+        Assert.That(state.GetProperty("joints").GetArrayLength(), Is.EqualTo(level == "ok" ? 0 : 1));
+    }
+
     [Test]
     public async Task JointStatus_Subscribed_ContainsTheJointsThatAreNotLive()
     {

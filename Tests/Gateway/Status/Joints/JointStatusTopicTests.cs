@@ -50,6 +50,18 @@ public class JointStatusTopicTests
     }
 
     [Test]
+    public void Publish_MoreJointsThanAllowed_KeepsThoseThatFailedLast()
+    {
+        var old = Enumerable.Range(0, 600).Select(i => Joint($"a{i:000}", JointDataState.Stale, secondsAgo: 90_000 + i));
+        var resting = Enumerable.Range(0, 300).Select(i => Joint($"b{i:000}", JointDataState.Rest, secondsAgo: 1));
+
+        _topic.Publish([.. old, .. resting, Joint("z", JointDataState.Fault, secondsAgo: 2)]);
+
+        var names = _received.Single().Values.Select(pair => pair.Key).ToList();
+        Assert.That(names, Has.Count.EqualTo(ProtocolLimits.Joints).And.Contain("z").And.Contain("a000").And.Not.Contain("a599").And.Ordered);
+    }
+
+    [Test]
     public void Publish_OverTime_OnEachChangeAndEverySecondWhileThereAreAny()
     {
         JointStatus[] fault = [Joint("a", JointDataState.Fault)];
