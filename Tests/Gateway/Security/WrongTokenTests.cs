@@ -49,6 +49,72 @@ public class WrongTokenTests
     }
 
     [Test]
+    public void Count_OfABlockedAddress_AnswersLeaveOneByOneAndThoseOfOthersAtOnce()
+    {
+        var time = new SteppedTime();
+        var wrong = new WrongTokens(time);
+        var (guessing, other) = (IPAddress.Parse("2001:db8::1"), IPAddress.Parse("2001:db8:0:1::1"));
+        double Wait(IPAddress address) => wrong.Count(address, TimeSpan.FromSeconds(1)).TotalSeconds;
+        for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++) Assert.That(Wait(guessing), Is.Zero);
+
+        Assert.That(new[] { Wait(guessing), Wait(IPAddress.Parse("2001:db8::2")), Wait(guessing) }, Is.EqualTo(new[] { 1.0, 2, 3 }));
+        Assert.That(Wait(other), Is.Zero);
+        time.Advance(TimeSpan.FromSeconds(2.5));
+        Assert.That(Wait(guessing), Is.EqualTo(1.5), "half a second of the third is left");
+        time.Advance(TimeSpan.FromSeconds(30));
+        Assert.That(Wait(guessing), Is.EqualTo(1));
+        for (var i = 0; i < 1000; i++) Wait(guessing);
+        Assert.That(Wait(guessing), Is.EqualTo(WrongTokens.MaxTurns));
+    }
+
+    [Test]
+    public void Count_OfMoreAddressesThanThereIsRoomFor_ForgetsThoseThatTriedNothingForLongest()
+    {
+        var wrong = new WrongTokens(new SteppedTime());
+        var (silent, trying, newest) = (IPAddress.Parse("10.0.0.1"), IPAddress.Parse("10.0.0.2"), IPAddress.Parse("10.0.0.3"));
+        void Block(IPAddress address)
+        {
+            for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++) wrong.Count(address);
+        }
+
+        Block(silent);
+        Block(trying);
+        for (var i = 0; i < 3 * WrongTokens.MaxAddresses; i++)
+        {
+            wrong.Count(new IPAddress([10, 1, (byte)(i >> 8), (byte)i]));
+            if (i % 500 == 0) Assert.That(wrong.IsBlocked(trying), Is.True, $"after {i} others");
+        }
+
+        Block(newest);
+        for (var i = 0; i < WrongTokens.MaxAddresses - 1; i++) wrong.Count(new IPAddress([10, 2, (byte)(i >> 8), (byte)i]));
+        Assert.That(wrong.IsBlocked(newest), Is.True, "only the oldest make room");
+        Assert.That(wrong.IsBlocked(silent), Is.False);
+    }
+
+    [Test]
+    public async Task Http_WrongBearersOfManyConnectionsAtOnce_AreAnsweredOneByOne()
+    {
+        var time = new RecordedDelays();
+        await using var gateway = await Gateways.StartAsync(Slow with { Time = time });
+        for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++) await AskAsync(gateway, "guess");
+        using var http = new HttpClient();
+
+        var answers = Enumerable.Range(0, 3).Select(_ =>
+        {
+            var request = new HttpRequestMessage(HttpMethod.Get, new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/metrics"));
+            request.Headers.Authorization = new AuthenticationHeaderValue("Bearer", "guess");
+            return http.SendAsync(request);
+        }).ToList();
+
+        await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all are held back");
+        Assert.That(time.Long.Order(), Is.EqualTo(new[] { 1, 2, 3 }.Select(turn => turn * Slow.WrongTokenDelay)));
+        Assert.That(answers, Has.None.Matches<Task>(answer => answer.IsCompleted));
+        Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "a known one");
+        time.End();
+        foreach (var answer in answers) Assert.That((await answer.Bounded()).StatusCode, Is.EqualTo(HttpStatusCode.TooManyRequests));
+    }
+
+    [Test]
     public async Task Http_WithoutAToken_IsNoGuess()
     {
         await using var gateway = await Gateways.StartAsync(Slow);
@@ -91,6 +157,35 @@ public class WrongTokenTests
         }
 
         Assert.That((await AskAsync(gateway, "guess")).Status, Is.EqualTo(HttpStatusCode.TooManyRequests));
+    }
+
+    /// <summary>Keeps the delays that are as long as those of wrong tokens; they end when the test says so.</summary>
+    sealed class RecordedDelays : TimeProvider
+    {
+        readonly List<(TimeSpan Delay, Action End)> _delays = [];
+
+        public IReadOnlyList<TimeSpan> Long
+        {
+            get
+            {
+                lock (_delays) return [.. _delays.Select(one => one.Delay)];
+            }
+        }
+
+        public override ITimer CreateTimer(TimerCallback callback, object state, TimeSpan dueTime, TimeSpan period)
+        {
+            if (dueTime < Slow.WrongTokenDelay) return base.CreateTimer(callback, state, dueTime, period);
+            lock (_delays) _delays.Add((dueTime, () => callback(state)));
+            return base.CreateTimer(callback, state, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
+        }
+
+        public override long GetTimestamp() => 0;
+
+        public void End()
+        {
+            lock (_delays)
+                foreach (var (_, end) in _delays) end();
+        }
     }
 
     static async Task<(HttpStatusCode Status, TimeSpan? RetryAfter)> AskAsync(GatewayServer gateway, string token)
