@@ -1,5 +1,8 @@
+using System.Globalization;
 using System.Net;
 using System.Net.Http.Headers;
+using System.Net.Sockets;
+using System.Text;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
@@ -114,6 +117,23 @@ public class WrongTokenTests
         foreach (var answer in answers) Assert.That((await answer.Bounded()).StatusCode, Is.EqualTo(HttpStatusCode.TooManyRequests));
     }
 
+    [TestCase("/operations/login", "{\"token\":\"guess\"}")]
+    [TestCase("/pair", "{\"token\":\"guess\",\"name\":\"a\"}")]
+    public async Task Form_ManyWrongRequestsBegunAtOnce_NoMoreAreAnsweredThanOfThoseInARow(string path, string body)
+    {
+        const int Requests = PairingLimits.WrongCodesPerMinute + 3;
+        await using var gateway = await PairingGateway.StartAsync(isSecure: false, Gateways.Tokens);
+        var clients = new List<HalfRequest>();
+        for (var i = 0; i < Requests; i++) clients.Add(await HalfRequest.BeginAsync(gateway.Server, path, body.Length));
+
+        var statuses = new List<int>();
+        foreach (var client in clients) statuses.Add(await client.EndAsync(body));
+
+        Assert.That(statuses.Count(status => status == 401), Is.EqualTo(PairingLimits.WrongCodesPerMinute));
+        Assert.That(statuses.Count(status => status == 429), Is.EqualTo(Requests - PairingLimits.WrongCodesPerMinute));
+        clients.ForEach(client => client.Dispose());
+    }
+
     [Test]
     public async Task Http_WithoutAToken_IsNoGuess()
     {
@@ -157,6 +177,38 @@ public class WrongTokenTests
         }
 
         Assert.That((await AskAsync(gateway, "guess")).Status, Is.EqualTo(HttpStatusCode.TooManyRequests));
+    }
+
+    /// <summary>A request whose body is not sent yet, and that the gateway has begun to read.</summary>
+    sealed class HalfRequest(TcpClient client) : IDisposable
+    {
+        public static async Task<HalfRequest> BeginAsync(GatewayServer gateway, string path, int length)
+        {
+            var client = new TcpClient();
+            await client.ConnectAsync(gateway.WebSocketEndPoint).Bounded();
+            var request = new HalfRequest(client);
+            await request.SendAsync($"POST {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: {length}\r\nExpect: 100-continue\r\n\r\n");
+            Assert.That(await request.StatusAsync(), Is.EqualTo(100));
+            return request;
+        }
+
+        public async Task<int> EndAsync(string body)
+        {
+            await SendAsync(body);
+            return await StatusAsync();
+        }
+
+        public void Dispose() => client.Dispose();
+
+        Task SendAsync(string text) => client.GetStream().WriteAsync(Encoding.ASCII.GetBytes(text)).AsTask().Bounded();
+
+        async Task<int> StatusAsync()
+        {
+            // "HTTP/1.1 100 Continue" and an empty line; of other answers the beginning is enough.
+            var answer = new byte[25];
+            await client.GetStream().ReadExactlyAsync(answer).AsTask().Bounded();
+            return int.Parse(Encoding.ASCII.GetString(answer, 9, 3), CultureInfo.InvariantCulture);
+        }
     }
 
     /// <summary>Keeps the delays that are as long as those of wrong tokens; they end when the test says so.</summary>
