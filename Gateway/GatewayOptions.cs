@@ -76,7 +76,7 @@ public sealed record GatewayOptions
     /// <summary>Maximum number of connections to the WebSocket port that have not yet been let in, of all addresses.</summary>
     internal int MaxPendingInAll => Math.Max(MaxConnections, MaxPendingConnections);
 
-    /// <summary>How long the answer to a wrong token is held back from an address that has sent too many of them.</summary>
+    /// <summary>Interval of the answers to wrong tokens of one address that has sent too many of them.</summary>
     public TimeSpan WrongTokenDelay { get; init; } = TimeSpan.FromSeconds(1);
 
     /// <summary>Messages that a client may send within a second: what comes beyond is dropped before it is read.</summary>

@@ -77,6 +77,9 @@ public sealed class HubSource : IDisposable
     /// <param name="names">The joints that it names, as far as they can be read.</param>
     internal void ReportDropped(string[] names, string reason) => _hub.ReportDropped(this, names, reason);
 
+    /// <summary>The source ends in order: its joints are missed no longer than usual.</summary>
+    internal void Leave() => _hub.ReportLeft(this);
+
     /// <summary>Gives back what was claimed on one topic.</summary>
     public void Release(string topic)
     {

@@ -38,6 +38,9 @@ public sealed class MessageHub
     /// <summary>A client closed its connection in order: its name.</summary>
     internal event Action<string> Left;
 
+    /// <summary>A source ended in order: it closed its connection, or said that it publishes no more joint states.</summary>
+    internal event Action<HubSource> SourceLeft;
+
     /// <summary>Somebody who publishes; a joint belongs to the first source that publishes it, until that one is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
@@ -110,6 +113,8 @@ public sealed class MessageHub
     }
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
+
+    internal void ReportLeft(HubSource source) => SourceLeft?.Invoke(source);
 
     internal void ReportDropped(HubSource source, string[] names, string reason)
     {

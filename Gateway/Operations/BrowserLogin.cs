@@ -12,18 +12,18 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
     /// <summary>POST /operations/login: {"token": …}.</summary>
     public async Task LogInAsync(HttpContext context)
     {
-        var address = context.Connection.RemoteIpAddress;
-        if (_wrong.IsBlocked(address))
-            await Door.RefuseForNowAsync(context, _wrong.BlockedFor(address), "too many wrong tokens; wait a minute");
-        else if (!options.AsksForTokens)
+        if (await RefuseBlockedAsync(context))
+            return;
+        if (!options.AsksForTokens)
             await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway asks for no token");
-        else if (await SmallJson.ReadAsync(context) is not { } request)
+        // Others of this address may have been answered while the body was on its way.
+        else if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context))
             return;
         else if (options.RoleOf(request.GetValueOrDefault("token", "").Trim()) is { } role)
             await WelcomeAsync(context, request["token"].Trim(), role);
         else
         {
-            _wrong.Count(address);
+            _wrong.Count(context.Connection.RemoteIpAddress);
             counters.Count(Closure.Token);
             log("operations: refused a token that is none of those known");
             await RefuseAsync(context, StatusCodes.Status401Unauthorized, "not a token of this gateway");
@@ -36,6 +36,14 @@ sealed class BrowserLogin(GatewayOptions options, Door door, ConnectionCounters 
         Forget(context);
         context.Response.Cookies.Delete(BrowserSessions.CookieOf(context), Terms());
         return SmallJson.AnswerAsync(context, new { });
+    }
+
+    async Task<bool> RefuseBlockedAsync(HttpContext context)
+    {
+        var blocked = _wrong.BlockedFor(context.Connection.RemoteIpAddress);
+        if (blocked == TimeSpan.Zero) return false;
+        await Door.RefuseForNowAsync(context, blocked, "too many wrong tokens; wait a minute");
+        return true;
     }
 
     Task WelcomeAsync(HttpContext context, string token, Role role)

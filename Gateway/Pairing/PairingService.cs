@@ -13,19 +13,21 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, Door door, 
     {
         // A headset sends no Origin; a page of somebody else's that tries codes does.
         if (!await door.AdmitOriginAsync(context)) return;
-        var address = context.Connection.RemoteIpAddress;
-        if (_wrong.IsBlocked(address))
-        {
-            await Door.RefuseForNowAsync(
-                context, _wrong.BlockedFor(address), $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
-            return;
-        }
-
-        if (await SmallJson.ReadAsync(context) is not { } request) return;
+        if (await RefuseBlockedAsync(context)) return;
+        // Others of this address may have been answered while the body was on its way.
+        if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context)) return;
         if (!request.TryGetValue("token", out var token) || !request.TryGetValue("name", out var name))
             await Door.AnswerAsync(context, StatusCodes.Status400BadRequest, "token and name are needed");
         else
             await ExchangeAsync(context, token, name);
+    }
+
+    async Task<bool> RefuseBlockedAsync(HttpContext context)
+    {
+        var blocked = _wrong.BlockedFor(context.Connection.RemoteIpAddress);
+        if (blocked == TimeSpan.Zero) return false;
+        await Door.RefuseForNowAsync(context, blocked, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
+        return true;
     }
 
     Task ExchangeAsync(HttpContext context, string token, string name)

@@ -59,6 +59,7 @@ sealed class RosbridgeSession : IDisposable
     public void Leave()
     {
         if (_name != null && _names.Release(_name, this)) _hub.ReportLeft(_name);
+        _source.Leave();
     }
 
     public void Handle(in Received received)
@@ -142,8 +143,9 @@ sealed class RosbridgeSession : IDisposable
 
     void Unadvertise(RosbridgeMessage message)
     {
-        if (_advertised.Remove(message.Topic))
-            _source.Release(message.Topic);
+        if (!_advertised.Remove(message.Topic)) return;
+        _source.Release(message.Topic);
+        if (message.Topic == RosTopics.JointStates) _source.Leave();
     }
 
     void Offer(RosbridgeMessage message)

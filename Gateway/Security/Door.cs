@@ -83,7 +83,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         const string Text = "no or an unknown bearer token";
         var address = context.Connection.RemoteIpAddress;
         var blocked = wrong.BlockedFor(address);
-        if (AccessRule.HasBearer(context)) wrong.Count(address);
+        var wait = AccessRule.HasBearer(context) ? wrong.Count(address, options.WrongTokenDelay) : TimeSpan.Zero;
         if (blocked == TimeSpan.Zero || !AccessRule.HasBearer(context))
         {
             await RefuseAsync(context, StatusCodes.Status401Unauthorized, Closure.Token, Text);
@@ -93,7 +93,7 @@ sealed class Door(GatewayOptions options, WrongTokens wrong, ConnectionCounters 
         counters.Count(Closure.Token);
         log("websocket: refused a connection, too many wrong tokens of its address");
         // Also when the client goes away: its place as a pending connection is taken until then.
-        await Task.Delay(options.WrongTokenDelay);
+        await Task.Delay(wait, options.Time);
         await RefuseForNowAsync(context, blocked, $"{Text}, and too many of them from this address");
     }
 

@@ -58,6 +58,7 @@ sealed class GatewayStatus : IDisposable
         hub.JointRefused += Refuse;
         hub.Left += _said.Remove;
         hub.SampleDropped += _joints.Refuse;
+        hub.SourceLeft += _joints.Leave;
         _started = options.Time.GetUtcNow();
         _subscriptions = [.. Enumerable.Range(0, Topics.Length).Select(topic => hub.Subscribe(Topics[topic], message => Watch(topic, message)))];
         _watch = new StatusWatch(_conditions, events, _joints, new JointStatusTopic(hub, clock, options.Time), plant, options.Time, log);
@@ -82,6 +83,7 @@ sealed class GatewayStatus : IDisposable
         _hub.JointRefused -= Refuse;
         _hub.Left -= _said.Remove;
         _hub.SampleDropped -= _joints.Refuse;
+        _hub.SourceLeft -= _joints.Leave;
         foreach (var subscription in _subscriptions) subscription.Dispose();
     }
 
@@ -132,7 +134,7 @@ sealed class GatewayStatus : IDisposable
     {
         var name = StatusObjects.AdapterName(diagnostics.HardwareId);
         if (source != null) source.Name = name;
-        _joints.Report(name, diagnostics.Values);
+        _joints.Report(name, diagnostics.Values, source);
     }
 
     void Refuse(HubSource source, string joint, HubSource owner)
@@ -143,7 +145,7 @@ sealed class GatewayStatus : IDisposable
 
     static JointView Of(JointStatus joint) => new(
         joint.Name, joint.Source, joint.Word, UtcText.Of(joint.Since), joint.Age is { } age ? Math.Round(age.TotalSeconds, 3) : null, joint.RateHz,
-        joint.Reason);
+        joint.Reason, joint.Uncertainty.Length == 0 ? null : joint.Uncertainty);
 
     ClockStatus OfClock()
     {

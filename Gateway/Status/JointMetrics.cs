@@ -32,6 +32,8 @@ static class JointMetrics
         foreach (var joint in joints)
             foreach (var word in JointDataStates.Names)
                 text.Add(joint.State == word ? 1 : 0, ("joint", joint.Name), ("source", joint.Source), ("state", word));
+        text.Begin("nowpose_joint_rest_uncertain", Gauge, "1 for a joint that may not be at rest although no change of it is reported, 0 otherwise.");
+        foreach (var joint in joints) text.Add(joint.Uncertain == null ? 0 : 1, ("joint", joint.Name), ("source", joint.Source));
         text.Begin("nowpose_joint_state_since_seconds", Gauge, "Unix time at which the present state of the joint began.");
         foreach (var joint in joints) text.Add(UtcText.UnixSeconds(joint.SinceUtc), ("joint", joint.Name), ("source", joint.Source));
         text.Begin("nowpose_joint_age_seconds", Gauge, "Control time minus the stamp of the joint's newest sample.");

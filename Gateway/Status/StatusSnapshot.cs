@@ -24,7 +24,9 @@ sealed record StatusSnapshot(
 /// <param name="State">live, rest, stale, refused, fault or missing.</param>
 /// <param name="AgeS">Control time minus the newest sample's stamp; null before the first sample.</param>
 /// <param name="Reason">One sentence; empty for a live joint.</param>
-sealed record JointView(string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason);
+/// <param name="Uncertain">Why it is not certain that a joint at rest rests; null where it is, and for other states.</param>
+sealed record JointView(
+    string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason, string Uncertain = null);
 
 /// <param name="Source">"own", or the name of the plant clock that is served.</param>
 /// <param name="State">unsynchronised, converging, coarse, synchronised or holdover.</param>

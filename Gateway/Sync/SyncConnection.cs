@@ -196,15 +196,16 @@ sealed class SyncConnection
     // A known token is answered at once, also from an address that others guess from.
     void SlowDown()
     {
-        var isBlocked = _wrong.IsBlocked(_address);
-        _wrong.Count(_address);
+        var wait = _wrong.Count(_address, _options.WrongTokenDelay);
         lock (_delay)
-            if (isBlocked && Volatile.Read(ref _stopped) == NotStopped) Monitor.Wait(_delay, _options.WrongTokenDelay);
+            if (wait > TimeSpan.Zero && Volatile.Read(ref _stopped) == NotStopped && !_isOverdue) Monitor.Wait(_delay, wait);
     }
 
     void Overdue()
     {
         _isOverdue = true;
+        // The thread that holds an answer back for longer has nobody left to give it to.
+        lock (_delay) Monitor.PulseAll(_delay);
         _socket.Dispose();
     }
 

@@ -1,4 +1,6 @@
+using System.Text.Json;
 using NUnit.Framework;
+using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Protocol;
@@ -47,6 +49,47 @@ public class BrokerBridgeTests
         Assert.That(state.Stamp, Is.InRange(PlantStart, after), "the plant's own stamp");
         Assert.That(bound, Is.GreaterThan(TimeSpan.Zero).And.LessThan(TimeSpan.FromSeconds(1)));
         Assert.That(ControlTime.FromNanoseconds(reply.T2Ns), Is.InRange(before - bound, after + bound));
+    }
+
+    [Test]
+    public async Task OtherHall_JointsThatAreNotLive_AreNamedWithTheirReasonUntilThePlantsGatewayEnds()
+    {
+        if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs"))) Assert.Ignore("Node.js was missing when this was built");
+        using var folder = new TemporaryFolder();
+        using var broker = await Mosquitto.StartAsync(folder.Path);
+        await using var far = await Gateways.StartAsync();
+        await using var clock = await Gateways.StartAsync();
+        var publish = Configure(folder, "publish", broker, "");
+        var subscribe = Configure(folder, "subscribe", broker, $"  clock: {{ host: 127.0.0.1, port: {clock.SyncEndPoint.Port} }}\n");
+        await using var farBridge = AdapterProcesses.Start([new PlantFile(subscribe, "hall", "")], far);
+        var since = DateTimeOffset.UtcNow.ToUnixTimeSeconds() - 100;
+        JsonElement[] joints = [];
+
+        await using (var near = await Gateways.StartAsync())
+        {
+            await using var nearBridge = AdapterProcesses.Start([new PlantFile(publish, "hall", "")], near);
+            using var adapter = near.Hub.OpenSource();
+            using var reports = new Timer(
+                _ => adapter.Publish(new DiagnosticsMessage(Gateways.Start, "plant/press", [
+                    new("state", "connected"), new("joint/gone", $"missing {since}.000 the server has no node Axis1"),
+                    new("joint/still", $"rest {since}.000 assumed at rest"), new("uncertain/still", "the stop itself was not observed"),
+                ])), null, TimeSpan.Zero, TimeSpan.FromMilliseconds(500));
+            await Soon.BecomesAsync(() => (joints = Joints(far)).Length == 2, "the other hall has the joints");
+        }
+
+        Assert.That(joints.Select(joint => joint.GetProperty("state").GetString()), Is.EqualTo(new[] { "missing", "rest" }));
+        Assert.That(joints[0].GetProperty("reason").GetString(), Is.EqualTo("the server has no node Axis1"));
+        Assert.That(joints[1].GetProperty("uncertain").GetString(), Is.EqualTo("the stop itself was not observed"));
+        foreach (var joint in joints)
+            Assert.That(joint.GetProperty("since_utc").GetDateTimeOffset().ToUnixTimeSeconds(), Is.EqualTo(since).Within(30));
+        await Soon.BecomesAsync(() => Joints(far)[1].GetProperty("state").GetString() == "fault", "the other hall says that the plant's gateway is away");
+    }
+
+    static JsonElement[] Joints(GatewayServer gateway)
+    {
+        using var http = new HttpClient();
+        var state = http.GetStringAsync(new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/operations/state")).GetAwaiter().GetResult();
+        return [.. JsonDocument.Parse(state).RootElement.GetProperty("joints").EnumerateArray()];
     }
 
     /// <summary>The first joint state that gets through; one is published until then.</summary>

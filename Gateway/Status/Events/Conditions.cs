@@ -21,6 +21,9 @@ sealed class Conditions(
 
     const string DoesNotReport = "does not report";
 
+    /// <summary>How an adapter adds to why a rest is not certain what to do about it.</summary>
+    const string OwnCure = "; set ";
+
     static readonly string[] CurrentPoses = ["current", "coarse"];
 
     /// <summary>State of each adapter that this gateway started.</summary>
@@ -56,7 +59,8 @@ sealed class Conditions(
     static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
         row => new Condition("joint", $"{row.Name} ({row.Source})", "may not be at rest", row.Uncertainty, Level.Warning, Since: row.Since)
         {
-            Remedy = "Check that the joint really stands still; if it does, set its max_deceleration in the plant's configuration.",
+            Remedy = "Check that the joint really stands still" + (row.Uncertainty.Contains(OwnCure, StringComparison.Ordinal)
+                ? "." : "; if it does, set its max_deceleration in the plant's configuration."),
         });
 
     string ClockName => clock.Source == PlantClocks.Own ? "the gateway's own control clock" : $"the control clock {clock.Source}";

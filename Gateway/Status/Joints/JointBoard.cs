@@ -6,7 +6,8 @@ namespace Nowpose.Gateway.Status.Joints;
 /// <summary>State of every joint and source, from the adapters' reports and from the samples that arrive. Any thread; bounded.</summary>
 /// <remarks>
 /// A joint that an adapter has in its configuration stays until the adapter reports without it. One that was only published is forgotten
-/// when it has been silent for <see cref="ForgottenAfter"/>.
+/// when it has been silent for <see cref="ForgottenAfter"/> and its source ended in order. Without that its data have failed, which does
+/// not end by waiting: it stays until it is published again.
 /// </remarks>
 sealed class JointBoard(TimeProvider time)
 {
@@ -59,7 +60,8 @@ sealed class JointBoard(TimeProvider time)
     }
 
     /// <summary>The diagnostics of an adapter, with a key for each joint of its configuration.</summary>
-    public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values)
+    /// <param name="source">The adapter's connection; null where it is not known.</param>
+    public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
     {
         var reports = new Dictionary<string, AdapterJointReport>();
         var uncertainties = values.Where(pair => pair.Key.StartsWith(AdapterJointReport.UncertainPrefix, StringComparison.Ordinal)).Take(ProtocolLimits.Joints)
@@ -77,9 +79,17 @@ sealed class JointBoard(TimeProvider time)
         lock (_lock)
         {
             foreach (var (name, joint) in _joints)
-                if (!reports.ContainsKey(name)) joint.Rows.Find(row => row.Source == adapter)?.EndReports();
+                if (!reports.ContainsKey(name) && joint.EndReports(adapter) && joint.Flow.Source == source) joint.Flow.Leave();
             foreach (var (name, report) in reports) Find(name)?.RowOf(adapter, time).Report(report);
         }
+    }
+
+    /// <summary>A source ended in order.</summary>
+    public void Leave(HubSource source)
+    {
+        lock (_lock)
+            foreach (var joint in _joints.Values)
+                if (joint.IsPublishedBy(source)) joint.Flow.Leave();
     }
 
     /// <summary>All joints in the order of their names and sources.</summary>
@@ -104,18 +114,20 @@ sealed class JointBoard(TimeProvider time)
         return _joints[name] = new Joint(name, time);
     }
 
-    // Names that a source makes up never displace a joint that is configured or live.
+    // Names that a source makes up never displace a joint that is configured or live, and those of a source that ended in order go first.
     void DropOldest()
     {
-        var oldest = _joints.Values.Where(joint => !joint.IsConfigured && !joint.Flow.IsFlowing).MaxBy(joint => joint.Flow.Silence);
+        var oldest = _joints.Values.Where(joint => !joint.IsConfigured && !joint.Flow.IsFlowing).MaxBy(joint => (joint.Flow.HasLeft, joint.Flow.Silence));
         if (oldest != null) _joints.Remove(oldest.Name);
     }
 
     void Forget()
     {
         foreach (var (name, joint) in _joints)
-            if (!joint.IsConfigured && !joint.IsRefused && (!joint.Flow.HasAny || joint.Flow.Silence > ForgottenAfter)) _joints.Remove(name);
+            if (!joint.IsConfigured && !joint.IsRefused && IsOver(joint.Flow)) _joints.Remove(name);
     }
+
+    static bool IsOver(SampleFlow flow) => !flow.HasAny || flow.HasLeft && flow.Silence > ForgottenAfter;
 
     sealed class Joint(string name, TimeProvider time)
     {
@@ -127,6 +139,9 @@ sealed class JointBoard(TimeProvider time)
         public bool IsOnlyRefused => !IsConfigured && !Flow.HasAny;
 
         public bool IsPublishedBy(HubSource source) => Flow.HasAny && Flow.Source == source;
+
+        /// <summary>An adapter reports without the joint. Returns whether it had the joint until now.</summary>
+        public bool EndReports(string adapter) => Rows.Find(row => row.Source == adapter)?.EndReports() == true;
 
         public JointRow RowOf(string source, TimeProvider time)
         {

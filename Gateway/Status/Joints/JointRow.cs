@@ -25,8 +25,13 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
     }
 
-    /// <summary>The adapter no longer has the joint.</summary>
-    public void EndReports() => IsConfigured = false;
+    /// <summary>The adapter no longer has the joint. Returns whether it had it until now.</summary>
+    public bool EndReports()
+    {
+        var had = IsConfigured;
+        IsConfigured = false;
+        return had;
+    }
 
     /// <summary>The gateway refused a sample of the joint.</summary>
     public void Refuse(string reason) => (_refusal, _refusedAt) = (reason, time.GetTimestamp());

@@ -16,6 +16,9 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     // Of all reasons together: with the names, the message stays below the 64 KiB that clients read.
     const int MaxReasonsLength = 16 * 1024;
 
+    // Bridges to other gateways look for it.
+    const string Uncertain = "may not be at rest: ";
+
     readonly HubSource _source = hub.OpenSource();
     List<(string Name, JointDataState State, string Reason)> _sent;
     long _sentAt;
@@ -24,8 +27,11 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     {
         // A joint of two sources is as good as the better one: the other's samples are refused.
         var troubled = joints.GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
-            .Where(row => row.State != JointDataState.Live).Take(ProtocolLimits.Joints).ToList();
-        var content = troubled.ConvertAll(row => (row.Name, row.State, row.Reason));
+            .Where(row => row.State != JointDataState.Live).ToList();
+        // A joint that has just failed must not be left out for those that others left behind long ago.
+        if (troubled.Count > ProtocolLimits.Joints)
+            troubled = [.. troubled.OrderBy(row => row.IsGood).ThenByDescending(row => row.Since).Take(ProtocolLimits.Joints).OrderBy(row => row.Name, StringComparer.Ordinal)];
+        var content = troubled.ConvertAll(row => (row.Name, row.State, ReasonOf(row)));
         var isSame = _sent != null && content.SequenceEqual(_sent);
         if (isSame && (content.Count == 0 || time.GetElapsedTime(_sentAt) < Interval)) return;
         (_sent, _sentAt) = (content, time.GetTimestamp());
@@ -39,6 +45,8 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
 
     public void Dispose() => _source.Dispose();
 
+    static string ReasonOf(JointStatus row) => row.Uncertainty.Length == 0 ? row.Reason : Uncertain + row.Uncertainty;
+
     static string ValueOf(JointStatus row, ControlTime since, int longest) => string.Create(
-        CultureInfo.InvariantCulture, $"{row.Word} {since.SinceEpoch.TotalSeconds:0.000} {InputException.OneLine(row.Reason, longest)}").TrimEnd();
+        CultureInfo.InvariantCulture, $"{row.Word} {since.SinceEpoch.TotalSeconds:0.000} {InputException.OneLine(ReasonOf(row), longest)}").TrimEnd();
 }

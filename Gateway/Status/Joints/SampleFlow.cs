@@ -19,6 +19,9 @@ sealed class SampleFlow(TimeProvider time)
 
     public bool HasAny { get; private set; }
 
+    /// <summary>Whether the source of the newest sample has ended in order since.</summary>
+    public bool HasLeft { get; private set; }
+
     /// <summary>Time since the newest sample arrived.</summary>
     public TimeSpan Silence => time.GetElapsedTime(_last);
 
@@ -29,6 +32,9 @@ sealed class SampleFlow(TimeProvider time)
 
     public double RateHz => IsFlowing && _meanSeconds > 0 ? 1 / Math.Max(_meanSeconds, Silence.TotalSeconds) : 0;
 
+    /// <summary>The source ended in order.</summary>
+    public void Leave() => HasLeft = true;
+
     /// <param name="age">Control time minus the sample's stamp at its arrival.</param>
     public void Add(HubSource source, TimeSpan age)
     {
@@ -37,7 +43,7 @@ sealed class SampleFlow(TimeProvider time)
         // The pause before does not count as an interval between samples.
         if (!IsFlowing) _meanSeconds = 0;
         else _meanSeconds = _meanSeconds == 0 ? interval : _meanSeconds + Weight * (interval - _meanSeconds);
-        HasAny = true;
+        (HasAny, HasLeft) = (true, false);
         (Source, _last, _ageAtArrival, LastUtc) = (source, now, age, time.GetUtcNow());
     }
 }

@@ -1,5 +1,8 @@
+using System.Globalization;
 using System.Net;
 using System.Net.Http.Headers;
+using System.Net.Sockets;
+using System.Text;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
@@ -49,6 +52,89 @@ public class WrongTokenTests
     }
 
     [Test]
+    public void Count_OfABlockedAddress_AnswersLeaveOneByOneAndThoseOfOthersAtOnce()
+    {
+        var time = new SteppedTime();
+        var wrong = new WrongTokens(time);
+        var (guessing, other) = (IPAddress.Parse("2001:db8::1"), IPAddress.Parse("2001:db8:0:1::1"));
+        double Wait(IPAddress address) => wrong.Count(address, TimeSpan.FromSeconds(1)).TotalSeconds;
+        for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++) Assert.That(Wait(guessing), Is.Zero);
+
+        Assert.That(new[] { Wait(guessing), Wait(IPAddress.Parse("2001:db8::2")), Wait(guessing) }, Is.EqualTo(new[] { 1.0, 2, 3 }));
+        Assert.That(Wait(other), Is.Zero);
+        time.Advance(TimeSpan.FromSeconds(2.5));
+        Assert.That(Wait(guessing), Is.EqualTo(1.5), "half a second of the third is left");
+        time.Advance(TimeSpan.FromSeconds(30));
+        Assert.That(Wait(guessing), Is.EqualTo(1));
+        for (var i = 0; i < 1000; i++) Wait(guessing);
+        Assert.That(Wait(guessing), Is.EqualTo(WrongTokens.MaxTurns));
+    }
+
+    [Test]
+    public void Count_OfMoreAddressesThanThereIsRoomFor_ForgetsThoseThatTriedNothingForLongest()
+    {
+        var wrong = new WrongTokens(new SteppedTime());
+        var (silent, trying, newest) = (IPAddress.Parse("10.0.0.1"), IPAddress.Parse("10.0.0.2"), IPAddress.Parse("10.0.0.3"));
+        void Block(IPAddress address)
+        {
+            for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++) wrong.Count(address);
+        }
+
+        Block(silent);
+        Block(trying);
+        for (var i = 0; i < 3 * WrongTokens.MaxAddresses; i++)
+        {
+            wrong.Count(new IPAddress([10, 1, (byte)(i >> 8), (byte)i]));
+            if (i % 500 == 0) Assert.That(wrong.IsBlocked(trying), Is.True, $"after {i} others");
+        }
+
+        Block(newest);
+        for (var i = 0; i < WrongTokens.MaxAddresses - 1; i++) wrong.Count(new IPAddress([10, 2, (byte)(i >> 8), (byte)i]));
+        Assert.That(wrong.IsBlocked(newest), Is.True, "only the oldest make room");
+        Assert.That(wrong.IsBlocked(silent), Is.False);
+    }
+
+    [Test]
+    public async Task Http_WrongBearersOfManyConnectionsAtOnce_AreAnsweredOneByOne()
+    {
+        var time = new RecordedDelays();
+        await using var gateway = await Gateways.StartAsync(Slow with { Time = time });
+        for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++) await AskAsync(gateway, "guess");
+        using var http = new HttpClient();
+
+        var answers = Enumerable.Range(0, 3).Select(_ =>
+        {
+            var request = new HttpRequestMessage(HttpMethod.Get, new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/metrics"));
+            request.Headers.Authorization = new AuthenticationHeaderValue("Bearer", "guess");
+            return http.SendAsync(request);
+        }).ToList();
+
+        await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all are held back");
+        Assert.That(time.Long.Order(), Is.EqualTo(new[] { 1, 2, 3 }.Select(turn => turn * Slow.WrongTokenDelay)));
+        Assert.That(answers, Has.None.Matches<Task>(answer => answer.IsCompleted));
+        Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "a known one");
+        time.End();
+        foreach (var answer in answers) Assert.That((await answer.Bounded()).StatusCode, Is.EqualTo(HttpStatusCode.TooManyRequests));
+    }
+
+    [TestCase("/operations/login", "{\"token\":\"guess\"}")]
+    [TestCase("/pair", "{\"token\":\"guess\",\"name\":\"a\"}")]
+    public async Task Form_ManyWrongRequestsBegunAtOnce_NoMoreAreAnsweredThanOfThoseInARow(string path, string body)
+    {
+        const int Requests = PairingLimits.WrongCodesPerMinute + 3;
+        await using var gateway = await PairingGateway.StartAsync(isSecure: false, Gateways.Tokens);
+        var clients = new List<HalfRequest>();
+        for (var i = 0; i < Requests; i++) clients.Add(await HalfRequest.BeginAsync(gateway.Server, path, body.Length));
+
+        var statuses = new List<int>();
+        foreach (var client in clients) statuses.Add(await client.EndAsync(body));
+
+        Assert.That(statuses.Count(status => status == 401), Is.EqualTo(PairingLimits.WrongCodesPerMinute));
+        Assert.That(statuses.Count(status => status == 429), Is.EqualTo(Requests - PairingLimits.WrongCodesPerMinute));
+        clients.ForEach(client => client.Dispose());
+    }
+
+    [Test]
     public async Task Http_WithoutAToken_IsNoGuess()
     {
         await using var gateway = await Gateways.StartAsync(Slow);
@@ -91,6 +177,67 @@ public class WrongTokenTests
         }
 
         Assert.That((await AskAsync(gateway, "guess")).Status, Is.EqualTo(HttpStatusCode.TooManyRequests));
+    }
+
+    /// <summary>A request whose body is not sent yet, and that the gateway has begun to read.</summary>
+    sealed class HalfRequest(TcpClient client) : IDisposable
+    {
+        public static async Task<HalfRequest> BeginAsync(GatewayServer gateway, string path, int length)
+        {
+            var client = new TcpClient();
+            await client.ConnectAsync(gateway.WebSocketEndPoint).Bounded();
+            var request = new HalfRequest(client);
+            await request.SendAsync($"POST {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: {length}\r\nExpect: 100-continue\r\n\r\n");
+            Assert.That(await request.StatusAsync(), Is.EqualTo(100));
+            return request;
+        }
+
+        public async Task<int> EndAsync(string body)
+        {
+            await SendAsync(body);
+            return await StatusAsync();
+        }
+
+        public void Dispose() => client.Dispose();
+
+        Task SendAsync(string text) => client.GetStream().WriteAsync(Encoding.ASCII.GetBytes(text)).AsTask().Bounded();
+
+        async Task<int> StatusAsync()
+        {
+            // "HTTP/1.1 100 Continue" and an empty line; of other answers the beginning is enough.
+            var answer = new byte[25];
+            await client.GetStream().ReadExactlyAsync(answer).AsTask().Bounded();
+            return int.Parse(Encoding.ASCII.GetString(answer, 9, 3), CultureInfo.InvariantCulture);
+        }
+    }
+
+    /// <summary>Keeps the delays that are as long as those of wrong tokens; they end when the test says so.</summary>
+    sealed class RecordedDelays : TimeProvider
+    {
+        readonly List<(TimeSpan Delay, Action End)> _delays = [];
+
+        public IReadOnlyList<TimeSpan> Long
+        {
+            get
+            {
+                lock (_delays) return [.. _delays.Select(one => one.Delay)];
+            }
+        }
+
+        public override ITimer CreateTimer(TimerCallback callback, object state, TimeSpan dueTime, TimeSpan period)
+        {
+            if (dueTime < Slow.WrongTokenDelay) return base.CreateTimer(callback, state, dueTime, period);
+            lock (_delays) _delays.Add((dueTime, () => callback(state)));
+            return base.CreateTimer(callback, state, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
+        }
+
+        public override long GetTimestamp() => 0;
+
+        public void End()
+        {
+            lock (_delays)
+                foreach (var (_, end) in _delays) end();
+        }
     }
 
     static async Task<(HttpStatusCode Status, TimeSpan? RetryAfter)> AskAsync(GatewayServer gateway, string token)

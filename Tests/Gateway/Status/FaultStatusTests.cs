@@ -167,6 +167,8 @@ public class FaultStatusTests
 
         await BeginsAsync("joint", "a (press)");
         var status = (await StateAsync()).GetProperty("status");
+        Assert.That((await StateAsync()).GetProperty("joints")[0].GetProperty("uncertain").GetString(), Is.EqualTo("the stop itself was not observed"));
+        Assert.That((await GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 1"));
         Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(status.GetProperty("text").GetString(), Is.EqualTo(
             "joint a (press) may not be at rest: the stop itself was not observed (since 2026-11-20 11:59:57 UTC). "
@@ -176,6 +178,40 @@ public class FaultStatusTests
         Report("adapter/press", ("state", "connected"), ("joint/a", $"live {Since()} "));
 
         await EndsAsync("joint", "a (press)");
+        Assert.That((await StateAsync()).GetProperty("joints")[0].TryGetProperty("uncertain", out _), Is.False);
+        Assert.That((await GetAsync("/metrics")).Text, Does.Contain("nowpose_joint_rest_uncertain{joint=\"a\",source=\"press\"} 0"));
+    }
+
+    [Test]
+    public async Task Joint_AtRestUncertainlyWithAdviceOfItsAdapter_HasNoOther()
+    {
+        await StartAsync();
+        Publish("a");
+
+        Report("adapter/press", ("state", "connected"), ("joint/a", $"rest {Since(3)} assumed at rest"), ("uncertain/a", "nothing confirms it; set silence"));
+
+        await BeginsAsync("joint", "a (press)");
+        Assert.That((await StateAsync()).GetProperty("status").GetProperty("text").GetString(), Does.EndWith("UTC). Check that the joint really stands still."));
+    }
+
+    [TestCase(null, "error")]
+    [TestCase("03F3", "error")]
+    [TestCase("03E8", "ok")]
+    public async Task Joint_OfAClientThatEnded_IsAFaultWhateverTimePassesUnlessTheClientClosedInOrder(string close, string level)
+    {
+        await StartAsync();
+        using var client = await RawWebSocket.OpenAsync(_gateway);
+        await client.SendTextAsync(Gateways.StateText(1));
+        await Soon.BecomesAsync(() => StateAsync().Result.GetProperty("joints").GetArrayLength() == 1, "it is published");
+
+        if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
+        client.EndSending();
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the connection is over");
+        _time.Advance(TimeSpan.FromHours(30));
+
+        var state = await StateAsync();
+        Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo(level), state.GetRawText());
+        Assert.That(state.GetProperty("joints").GetArrayLength(), Is.EqualTo(level == "ok" ? 0 : 1));
     }
 
     [Test]

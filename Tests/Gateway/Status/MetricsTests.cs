@@ -107,6 +107,20 @@ public class MetricsTests
         }));
     }
 
+    [Test]
+    public void Of_AJointAtRest_SaysWhetherThatIsCertain()
+    {
+        JointView Rest(string name, string uncertain) => new(name, "press", "rest", "2026-11-20T12:00:00.000Z", 5, 0, "no change is reported", uncertain);
+        var state = Snapshot() with { Joints = [Rest("sure", null), Rest("doubtful", "the stop itself was not observed")] };
+
+        var lines = Metrics.Of(state, new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_rest_uncertain{", StringComparison.Ordinal));
+
+        Assert.That(lines, Is.EqualTo(new[]
+        {
+            "nowpose_joint_rest_uncertain{joint=\"sure\",source=\"press\"} 0", "nowpose_joint_rest_uncertain{joint=\"doubtful\",source=\"press\"} 1",
+        }));
+    }
+
     [TestCase("held", "held")]
     [TestCase("coarse", "coarse")]
     [TestCase("a word of a later release", "other")]

@@ -33,11 +33,14 @@ export class Plants {
   adapterNote);
   private readonly joints = new LiveTable<Joint>('Joints', [
     { label: 'Source', cell: j => j.source },
-    { label: 'State', cell: j => JOINT_WORDS[j.state] ?? j.state, level: j => JOINT_LEVELS[j.state] ?? 'error' },
+    {
+      label: 'State', cell: j => (j.uncertain ? 'may not be at rest' : JOINT_WORDS[j.state] ?? j.state),
+      level: j => (j.uncertain ? 'warning' : JOINT_LEVELS[j.state] ?? 'error'),
+    },
     { label: 'Since', cell: j => localTime(j.since_utc) },
     { label: 'Rate (Hz)', isNumber: true, cell: j => format(j.rate_hz) },
     { label: 'Age', isNumber: true, cell: j => (j.age_s == null ? '–' : lengthWords(j.age_s)) },
-  ], j => j.name + KEY + j.source, 'No joint is configured, and no joint positions have arrived.', key => key.split(KEY)[0], 'Joint', j => j.reason);
+  ], j => j.name + KEY + j.source, 'No joint is configured, and no joint positions have arrived.', key => key.split(KEY)[0], 'Joint', jointNote);
   private readonly sources = new LiveTable<Source>('Sources of joint positions', [
     { label: 'Rate (Hz)', isNumber: true, cell: s => format(s.rate_hz) },
     { label: 'Age at the gateway, median (ms)', isNumber: true, cell: s => format(s.age_ms?.p50) },
@@ -66,6 +69,11 @@ export class Plants {
     this.sources.show(state.sources ?? []);
     this.clocks.show(state.plant_clocks ?? []);
   }
+}
+
+/** The reason of the joint's state, with why a rest is not certain. */
+function jointNote({ reason, uncertain }: Joint): string {
+  return uncertain && !reason.includes(uncertain) ? [reason, uncertain].filter(Boolean).join('; ') : reason;
 }
 
 /** Why it is not connected, and how many values it refused for which reason. */

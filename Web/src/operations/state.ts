@@ -32,6 +32,8 @@ export interface Joint {
   age_s?: number | null;
   rate_hz: number;
   reason: string;
+  /** Why it is not certain that a joint at rest rests. */
+  uncertain?: string | null;
 }
 
 export interface StatusEvent {

@@ -244,6 +244,23 @@ describe('faults', () => {
     }
   });
 
+  it('that may be there: a rest that is not certain is a warning with its reason, a certain one is none', async () => {
+    const why = 'the stop itself was not observed';
+    Object.assign(gateway.state.joints[0], { state: 'rest', reason: 'no change is reported', uncertain: why });
+    Object.assign(gateway.state.joints[1], { state: 'rest', reason: 'no change is reported' });
+    const page = await open();
+    const badge = name => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) .level`);
+    const note = name => page.locator(`[aria-label="Joints"] tbody:has(th:text-is("${name}")) .note`).innerText();
+
+    assert.deepEqual([await badge('arm_joint_1').innerText(), await badge('arm_joint_1').getAttribute('class')], ['may not be at rest', 'level warning']);
+    assert.equal(await note('arm_joint_1'), `no change is reported; ${why}`);
+    assert.deepEqual([await badge('arm_joint_2').innerText(), await badge('arm_joint_2').getAttribute('class')], ['assumed at rest', 'level rest']);
+
+    Object.assign(gateway.state.joints[0], { state: 'live', reason: '', uncertain: null });
+    await badge('arm_joint_1').and(page.locator('.ok')).waitFor();
+    assert.equal(await badge('arm_joint_1').innerText(), 'live');
+  });
+
   it('have words, icon and colour, and can be read on light and dark', async () => {
     fail();
     gateway.state.events.push(event(6, 'warning', { kind: 'headset', which: 'left door' }));

@@ -6,8 +6,14 @@ import type { BrokerSettings } from './settings';
 
 const KEEP_ALIVE_S = 3, CONNECT_MS = 5000, STEADY_MS = 2000, GOODBYE_MS = 500;
 
-/** What is published, below the plant's topic: as it is called in ROS, and whether the publishing end is there (true or false, retained). */
-export const STATES = 'joint_states', TRAJECTORY = 'joint_trajectory', DESCRIPTION = 'robot_description', ALIVE = 'alive';
+/**
+ * What is published, below the plant's topic: as it is called in ROS, the joints that are not live, and whether the publishing end is there.
+ * All but the joint states are retained.
+ */
+export const STATES = 'joint_states', TRAJECTORY = 'joint_trajectory', DESCRIPTION = 'robot_description', STATUS = 'joint_status', ALIVE = 'alive';
+
+/** What ALIVE says: the bridge and its gateway are there, the bridge is there without its gateway, or the bridge is away. */
+export type Presence = 'true' | 'no gateway' | 'false';
 
 /** Room for a description of 1 MiB. */
 const LARGEST_PACKET = 1024 * 1024 + 64 * 1024;
@@ -25,6 +31,7 @@ export class BrokerLink {
   readonly #queue = new SendQueue();
   readonly #retained = new Map<string, string>();
   #client: MqttClient | null = null;
+  #presence: Presence = 'no gateway';
 
   /** @param subscriptions Below the plant's topic. */
   constructor(readonly settings: BrokerSettings, readonly name: string, readonly subscriptions: string[], readonly events: BrokerEvents) {}
@@ -45,6 +52,14 @@ export class BrokerLink {
   publishRetained(topic: string, payload: string): void {
     this.#retained.set(topic, payload);
     if (this.#client?.connected) this.#keep(topic, payload);
+  }
+
+  /** Whether the gateway of a publishing bridge is there. */
+  set isGatewayOpen(value: boolean) {
+    const presence: Presence = value ? 'true' : 'no gateway';
+    if (presence === this.#presence) return;
+    this.#presence = presence;
+    if (this.#client?.connected) this.#keep(ALIVE, presence);
   }
 
   async run(stop: AbortSignal): Promise<void> {
@@ -117,7 +132,7 @@ export class BrokerLink {
       client.subscribe(`${topic}/${name}`, { qos: 1 }, error => {
         if (error) this.events.away(`the broker refuses the subscription of ${topic}/${name}: ${error.message}`);
       });
-    if (direction === 'publish') this.#keep(ALIVE, 'true');
+    if (direction === 'publish') this.#keep(ALIVE, this.#presence);
     for (const [name, payload] of this.#retained) this.#keep(name, payload);
     this.events.opened();
     this.#pump();

@@ -1,6 +1,6 @@
 import type { AdapterContext } from '../adapter';
-import { JOINT_STATES, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/messages';
-import { BrokerLink, DESCRIPTION, TRAJECTORY } from './brokerLink';
+import { JOINT_STATES, JOINT_STATUS, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/messages';
+import { BrokerLink, DESCRIPTION, STATUS, TRAJECTORY } from './brokerLink';
 import type { BrokerSettings } from './settings';
 
 /** From the gateway that has the plant to the broker: what its headsets get, in the same JSON. */
@@ -14,6 +14,8 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
     heard: () => {},
     malformed: (name, problem) => status.refuse('malformed', name, problem),
   });
+  broker.isGatewayOpen = gateway.isOpen;
+  gateway.watch({ opened: () => { broker.isGatewayOpen = true; }, away: () => { broker.isGatewayOpen = false; } });
   gateway.subscribe(JOINT_STATES, message => {
     status.sampled();
     status.detail('lost', broker.dropped);
@@ -21,5 +23,6 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
   });
   gateway.subscribe(JOINT_TRAJECTORY, message => broker.publishRetained(TRAJECTORY, JSON.stringify(message)));
   gateway.subscribe(ROBOT_DESCRIPTION, message => broker.publishRetained(DESCRIPTION, JSON.stringify(message)));
+  gateway.subscribe(JOINT_STATUS, message => broker.publishRetained(STATUS, JSON.stringify(message)));
   await broker.run(stopping);
 }

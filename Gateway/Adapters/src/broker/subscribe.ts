@@ -3,7 +3,8 @@ import { description, JOINT_TRAJECTORY, ROBOT_DESCRIPTION } from '../gateway/mes
 import { JointNames } from '../ros/jointNames';
 import { JointStates } from '../ros/jointStates';
 import { passedTrajectory } from '../ros/trajectory';
-import { ALIVE, BrokerLink, DESCRIPTION, STATES, TRAJECTORY } from './brokerLink';
+import { ALIVE, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, TRAJECTORY } from './brokerLink';
+import { ReportedJoints } from './reportedJoints';
 import type { BrokerSettings } from './settings';
 import { runUpstreamClock } from './upstreamClock';
 
@@ -14,8 +15,10 @@ export async function subscribe(
   { configuration, gateway, clock, output, status, log, stopping }: AdapterContext, settings: BrokerSettings,
 ): Promise<void> {
   const names = new JointNames([]), states = new JointStates(names, settings.oldest, clock, gateway, status, output.silence);
+  const reported = new ReportedJoints(names, status, output.silence);
   const take: Record<string, (message: Record<string, unknown>) => void> = {
     [STATES]: message => states.pass(message),
+    [STATUS]: message => reported.hear(message),
     [TRAJECTORY]: message => {
       const passed = passedTrajectory(message, names);
       if (passed === null) return status.refuse('malformed', 'trajectory', 'it has no joints, or values that are no numbers');
@@ -30,11 +33,12 @@ export async function subscribe(
   const broker = new BrokerLink(settings, configuration.plant.name, [...Object.keys(take), ALIVE], {
     opened: () => status.enter('waiting', `nobody publishes ${settings.topic} at the broker yet`),
     away: reason => {
+      reported.leave();
       if (status.state === 'connected') status.reconnected();
       status.enter('waiting', reason);
     },
     heard: (name, payload) => {
-      if (name === ALIVE) return enterAlive(payload.toString() === 'true');
+      if (name === ALIVE) return enter(payload.toString());
       const message = parsed(name, payload);
       if (message === null) return status.refuse('malformed', name, 'it is no JSON object, or longer than allowed');
       take[name]?.(message);
@@ -42,9 +46,15 @@ export async function subscribe(
     malformed: (name, problem) => status.refuse('malformed', name, problem),
   });
 
-  function enterAlive(isAlive: boolean): void {
-    if (isAlive) status.enter('connected');
-    else status.enter('waiting', 'the bridge of the gateway that has the plant is away');
+  function enter(presence: string): void {
+    if (presence === 'true' satisfies Presence) {
+      status.enter('connected');
+      reported.enter();
+    } else {
+      reported.leave();
+      status.enter('waiting', presence === 'no gateway' satisfies Presence
+        ? 'the bridge has lost the gateway that has the plant' : 'the bridge of the gateway that has the plant is away');
+    }
   }
 
   await Promise.all([broker.run(stopping), settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping)]);

@@ -16,6 +16,9 @@ export interface JointCondition {
   uncertainty: string;
 }
 
+/** A time since when that differs by less comes of the way of the message that tells it. */
+const SAME_SINCE_MS = 2000;
+
 const isGood = ({ state }: JointCondition): boolean => state === 'live' || state === 'rest';
 
 /** State of each joint with its reason. Logs each trouble once, and its end once. */
@@ -56,7 +59,8 @@ export class JointConditions {
 
   /** @param since Time of the last sample. @param uncertainty Why rest is not certain; empty for none. */
   rest(joint: string, since: number, uncertainty = ''): void {
-    if (this.stateOf(joint) === 'rest') return;
+    const known = this.#joints.get(joint);
+    if (known?.state === 'rest' && known.uncertainty === uncertainty) return;
     this.#enter(joint, 'rest', `no change is reported; the joint is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`, since, uncertainty);
     this.log.resume(`joint ${joint}`, `${joint} is at rest, without fault`);
   }
@@ -72,6 +76,23 @@ export class JointConditions {
   /** The caller logs the refusal. */
   refused(joint: string, reason: string): void {
     this.#trouble(joint, 'refused', reason, this.now(), false);
+  }
+
+  /** Takes what the gateway that has the joint reports of it. */
+  report(joint: string, { state, since, reason: text, uncertainty }: JointCondition): void {
+    const known = this.#joints.get(joint), reason = this.log.clean(text);
+    const isSame = known?.state === state && known.reason === reason && known.uncertainty === uncertainty;
+    if (isSame && Math.abs(known.since - since) < SAME_SINCE_MS) return;
+    this.#enter(joint, state, reason, since, uncertainty);
+    if (state === 'rest' || state === 'live') this.log.resume(`joint ${joint}`, `${joint} is ${state === 'rest' ? 'at rest, without fault' : 'live again'}`);
+    else this.log.change(`joint ${joint}`, `${state} ${reason}`, `${joint} ${state}: ${reason}`);
+  }
+
+  /** The joint is not expected any more. */
+  forget(joint: string): void {
+    if (!this.#joints.delete(joint)) return;
+    this.log.resume(`joint ${joint}`, `${joint} is not expected any more`);
+    this.changed();
   }
 
   /** The connection to the source ended: what was good is not known any more. */

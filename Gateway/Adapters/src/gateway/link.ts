@@ -43,13 +43,16 @@ export class GatewayLink {
   readonly #subscriptions = new Map<string, { type: string; listen: (message: Record<string, unknown>) => void }>();
   readonly #calls = new Map<string, (answer: Record<string, unknown>) => void>();
   readonly #statuses = new Set<string>();
+  readonly #watchers: LinkEvents[];
   #socket: WebSocket | null = null;
   #called = 0;
   /** When the gateway began to measure our clocks. */
   #measured = 0;
 
   /** @param name What is there, for the log. */
-  constructor(readonly address: GatewayAddress, readonly log: Log, readonly name = 'gateway', readonly events: LinkEvents = {}) {}
+  constructor(readonly address: GatewayAddress, readonly log: Log, readonly name = 'gateway', events: LinkEvents = {}) {
+    this.#watchers = [events];
+  }
 
   get isOpen(): boolean { return this.#socket?.readyState === WebSocket.OPEN; }
 
@@ -78,6 +81,11 @@ export class GatewayLink {
 
   withdraw(service: string): void {
     if (this.#services.delete(service)) this.#send(JSON.stringify({ op: 'unadvertise_service', service }));
+  }
+
+  /** Calls these beside those of the constructor. */
+  watch(events: LinkEvents): void {
+    this.#watchers.push(events);
   }
 
   /** Listens to a topic of what is at the other end. */
@@ -115,7 +123,7 @@ export class GatewayLink {
       const reason = await this.#connect(stop);
       if (stop.aborted) break;
       this.log.change(this.name, `${this.name} ${this.address.url} away: ${this.log.clean(reason)}`);
-      this.events.away?.(reason);
+      for (const { away } of this.#watchers) away?.(reason);
       // A gateway that takes us in and throws us out must not be asked five times a second.
       if (performance.now() - opened > STEADY_MS) backoff.reset();
       await pause(backoff.next(), stop);
@@ -181,7 +189,7 @@ export class GatewayLink {
     for (const [topic, { type }] of this.#subscriptions) this.#send(subscription(topic, type));
     for (const message of this.#kept.values()) this.#send(message);
     this.#pump();
-    this.events.opened?.();
+    for (const { opened } of this.#watchers) opened?.();
   }
 
   #hear(data: RawData): void {
@@ -199,7 +207,7 @@ export class GatewayLink {
     try {
       this.#subscriptions.get(text(topic))?.listen(msg as Record<string, unknown>);
     } catch (error) {
-      this.events.malformed?.(text(topic), (error as Error).message);
+      for (const { malformed } of this.#watchers) malformed?.(text(topic), (error as Error).message);
     }
   }
 

@@ -5,11 +5,15 @@ export const JOINT_TRAJECTORY = '/joint_trajectory';
 export const ROBOT_DESCRIPTION = '/robot_description';
 export const DIAGNOSTICS = '/nowpose/diagnostics';
 
+/** The joints that are not live, as a gateway judges them. */
+export const JOINT_STATUS = '/nowpose/joint_status';
+
 export const TYPES: Record<string, string> = {
   [JOINT_STATES]: 'sensor_msgs/msg/JointState',
   [JOINT_TRAJECTORY]: 'trajectory_msgs/msg/JointTrajectory',
   [ROBOT_DESCRIPTION]: 'std_msgs/msg/String',
   [DIAGNOSTICS]: 'diagnostic_msgs/msg/DiagnosticArray',
+  [JOINT_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
 };
 
 /** Positions of one moment on the control clock. */

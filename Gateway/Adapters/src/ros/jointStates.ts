@@ -2,6 +2,7 @@ import type { PlantClock } from '../clock/plantClock';
 import { shown } from '../configuration/problem';
 import { JOINT_STATES, jointState } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
+import { EndOfData, FLOOR_LINEAR, FLOOR_ROTARY } from '../samples/endOfData';
 import type { Silence } from '../samples/silence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
@@ -25,11 +26,16 @@ interface RosJointState {
 /** Passes a robot's joint states on with their own stamps, each joint that has a usable one. */
 export class JointStates {
   readonly #rule: StampRule;
+  /** At most as many as there are names. */
+  readonly #ends = new Map<string, EndOfData>();
+  /** Joints whose end of data was judged since their last sample: joints that start to move later say nothing about it. */
+  readonly #judged = new Set<string>();
 
   constructor(readonly names: JointNames, oldest: Nanoseconds, readonly clock: Pick<PlantClock, 'now' | 'isSettled'>, readonly gateway: Publisher,
     readonly status: AdapterStatus, readonly silence: Silence) {
     // Nothing confirms a joint whose publisher is silent.
     silence.unconfirmedMs = null;
+    silence.hasEnded = joint => this.#hasEnded(joint);
     this.#rule = new StampRule(MOST_JOINTS, oldest);
   }
 
@@ -58,7 +64,7 @@ export class JointStates {
     });
   }
 
-  #isUsable({ index, joint, scale, offset }: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
+  #isUsable({ index, joint, scale, offset, isLinear }: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
     this.status.joints.expect(joint);
     // A NaN arrives as null.
     if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
@@ -71,8 +77,20 @@ export class JointStates {
     } else {
       this.status.accept(joint);
       this.silence.heard(joint);
+      let end = this.#ends.get(joint);
+      if (end === undefined) this.#ends.set(joint, end = new EndOfData(isLinear ? FLOOR_LINEAR : FLOOR_ROTARY));
+      end.add(stamp!, position * scale + offset);
+      this.#judged.delete(joint);
     }
     return refusal === null;
+  }
+
+  #hasEnded(joint: string): boolean {
+    if (this.#judged.has(joint)) return false;
+    this.#judged.add(joint);
+    const end = this.#ends.get(joint), newest = end?.newest ?? null;
+    const areOthersMoving = newest !== null && [...this.#ends.values()].some(other => other !== end && other.goesOnAfter(newest));
+    return end !== undefined && end.verdict(0, areOthersMoving) !== null;
   }
 }
 

@@ -36,6 +36,9 @@ const GOES_ON_S = 0.3, GOES_ON_STEPS = 3;
 /** A joint that starts again this near to where it was last seen, as a part of its last step, did stop there. */
 const STOPPED_NEAR = 0.25;
 
+/** Deceleration that each joint is capable of: rad/s², and m/s² where its value is a length. A third of a hard emergency stop. */
+export const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
+
 interface Point {
   /** Seconds since the first sample of the joint. */
   time: number;

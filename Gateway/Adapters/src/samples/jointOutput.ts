@@ -4,7 +4,7 @@ import { JOINT_STATES, jointState } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
 import { shown } from '../configuration/problem';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
-import { EndOfData, type LimitBasis } from './endOfData';
+import { EndOfData, FLOOR_LINEAR, FLOOR_ROTARY, type LimitBasis } from './endOfData';
 import { grouped, type Sample } from './grouping';
 import { Silence } from './silence';
 import { type Refusal, StampRule } from './stampRule';
@@ -35,9 +35,6 @@ export interface JointOutputOptions {
 
 /** What a value's stamp may be that was written before anybody listened. */
 const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
-
-/** Deceleration that each joint is capable of: rad/s², and m/s² where its value is a length. A third of a hard emergency stop. */
-const FLOOR_ROTARY = 12, FLOOR_LINEAR = 3;
 
 /** What a fault says of the limit that was exceeded. */
 const LIMITS: Record<LimitBasis, string> = {

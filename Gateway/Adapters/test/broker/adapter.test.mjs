@@ -36,7 +36,7 @@ const clockOf = ({ port }, more = '') => `  clock: { host: 127.0.0.1, port: ${po
 async function halls(t, { more = '' } = {}) {
   const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
   const publisher = bridge(t, 'publish', near, broker), subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + more);
-  await until(() => near.heard.filter(m => m.op === 'subscribe').length === 3, () => publisher.err);
+  await until(() => near.heard.filter(m => m.op === 'subscribe').length === 4, () => publisher.err);
   await until(() => far.state?.state === 'connected', () => subscriber.err);
   // Before it is known whose time the stamps are of, none passes.
   await served(far);
@@ -48,6 +48,12 @@ const state = (stamp, name = ['a'], position = [1]) => ({
   name, position, velocity: [], effort: [],
 });
 const publish = (double, topic, msg) => double.send({ op: 'publish', topic, msg });
+/** A gateway's joints that are not live, as it publishes them on its own topic. */
+const jointStatus = (stamp, values) => ({
+  header: state(stamp).header,
+  status: [{ level: 2, name: 'joints', message: '', hardware_id: 'gateway', values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
+});
+const secondsAgo = (stamp, seconds) => (Number(stamp) / 1e9 - seconds).toFixed(3);
 const served = (double, service = '/nowpose/plant_time/hall') =>
   until(async () => (await double.call(service)).result, 'the clock');
 
@@ -196,7 +202,71 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await joint('a', 'live');
   });
 
+  it('Joints_NotLiveAtThePlantsGateway_AreSoAtTheOtherWithReasonAndSince', async t => {
+    const { near, far, sync } = await halls(t), stamp = sync.now(), began = Date.now() / 1000;
+
+    publish(near, '/nowpose/joint_status', jointStatus(stamp, {
+      gone: `missing ${secondsAgo(stamp, 20)} the server has no node ns=2;s=Axis1`,
+      bad: `refused ${secondsAgo(stamp, 30)} value NaN is no position`,
+      still: `rest ${secondsAgo(stamp, 40)} no change is reported`,
+      doubtful: `rest ${secondsAgo(stamp, 50)} may not be at rest: the stop itself was not observed`,
+      silent: `stale ${secondsAgo(stamp, 60)} samples stopped arriving`,
+    }));
+
+    await until(() => far.joint('silent'), () => JSON.stringify(far.state));
+    for (const [name, expected, ago, reason] of [
+      ['gone', 'missing', 20, 'the server has no node ns=2;s=Axis1'],
+      ['bad', 'refused', 30, 'value NaN is no position'],
+      ['still', 'rest', 40, 'no change is reported'],
+      ['doubtful', 'rest', 50, 'may not be at rest: the stop itself was not observed'],
+      ['silent', 'fault', 60, 'at the gateway that has the plant: samples stopped arriving'],
+    ]) {
+      const joint = far.joint(name), since = joint.since - (began - ago);
+      assert.deepEqual([name, joint.state, joint.reason], [name, expected, reason]);
+      assert.ok(since >= -0.01 && since < 30, `${name} ${since} s later than ${ago} s ago`);
+    }
+    assert.equal(far.state['uncertain/doubtful'], 'the stop itself was not observed');
+    assert.equal(far.state['uncertain/still'], undefined);
+    assert.equal(far.status.level, 2);
+  });
+
+  it('Joints_NotLiveAtThePlantsGateway_AreKeptForABridgeThatComesLater', async t => {
+    const { near, far, broker, sync } = await halls(t), stamp = sync.now();
+    publish(near, '/nowpose/joint_status', jointStatus(stamp, { gone: `missing ${secondsAgo(stamp, 1)} no such node` }));
+    await until(() => far.joint('gone'), () => JSON.stringify(far.state));
+
+    const later = await RosbridgeDouble.start(t);
+    bridge(t, 'subscribe', later, broker, clockOf(sync));
+
+    await until(() => later.joint('gone')?.state === 'missing', () => JSON.stringify(later.state));
+  });
+
+  it('PublishersGateway_GoesAndComes_SubscriberSaysSo', async t => {
+    const { near, far, sync, publisher, subscriber } = await halls(t);
+    await until(() => {
+      publish(near, '/joint_states', state(sync.now()));
+      return far.joint('a')?.state === 'live';
+    }, 'a joint');
+    const stamp = sync.now();
+    publish(near, '/nowpose/joint_status', jointStatus(stamp, { b: `rest ${secondsAgo(stamp, 1)} no change is reported` }));
+    await until(() => far.joint('b')?.state === 'rest', () => JSON.stringify(far.state));
+
+    near.stop();
+
+    await subscriber.said('waiting: the bridge has lost the gateway that has the plant');
+    await until(() => far.state?.state === 'waiting', () => JSON.stringify(far.state));
+    for (const name of ['a', 'b'])
+      assert.deepEqual([name, far.joint(name).state, far.joint(name).reason], [name, 'fault', 'the bridge has lost the gateway that has the plant']);
+    const again = await RosbridgeDouble.start(t, { port: near.port });
+    await until(() => again.heard.some(m => m.topic === '/nowpose/joint_status'), () => publisher.err);
+    publish(again, '/nowpose/joint_status', jointStatus(stamp, { b: `rest ${secondsAgo(stamp, 1)} no change is reported` }));
+    await until(() => far.state?.state === 'connected' && far.joint('b')?.state === 'rest', () => JSON.stringify(far.state));
+  });
+
   for (const [name, topic, payload, reason] of [
+    ['StatusWithoutStamp', 'joint_status', '{"status":[{"values":[]}]}', 'malformed'],
+    ['StatusOfAnotherForm', 'joint_status', JSON.stringify(jointStatus(10n, { a: 'broken 1.0 why' })), 'malformed'],
+    ['StatusOfNull', 'joint_status', '{"header":{"stamp":{"sec":1,"nanosec":0}},"status":[null]}', 'malformed'],
     ['NoJson', 'joint_states', '{"name": [', 'malformed'],
     ['AList', 'joint_states', '[]', 'malformed'],
     ['TooLong', 'joint_states', JSON.stringify({ name: ['x'.repeat(70_000)] }), 'malformed'],

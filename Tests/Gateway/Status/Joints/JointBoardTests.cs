@@ -258,12 +258,76 @@ public class JointBoardTests
     {
         Report("press", ("a", "live", ""));
         Send(2, "client joint");
+        _board.Leave(_source);
 
         _time.Advance(TimeSpan.FromDays(3));
 
         var joint = _board.Read().Single();
         Assert.That(joint.Name, Is.EqualTo("a"));
         Assert.That(joint.IsGood, Is.False);
+    }
+
+    [Test]
+    public void Read_JointOfASourceThatFellSilent_IsStaleUntilItIsPublishedAgain()
+    {
+        Send(2, "a", "b");
+        var last = _time.GetUtcNow() - TimeSpan.FromMilliseconds(50);
+
+        for (var hour = 0; hour < 100; hour++)
+        {
+            _time.Advance(TimeSpan.FromHours(1));
+            Assert.That((Joint("a").State, Joint("a").Since), Is.EqualTo((JointDataState.Stale, last)), $"after {hour + 1} hours");
+        }
+
+        Send(2, "a");
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Live));
+        Assert.That(Joint("b").State, Is.EqualTo(JointDataState.Stale), "the other one is still missed");
+    }
+
+    [Test]
+    public void Read_JointOfASourceThatEndedInOrder_IsForgottenAfterAWhile()
+    {
+        Send(2, "a");
+        _board.Leave(_source);
+
+        _time.Advance(JointBoard.ForgottenAfter - TimeSpan.FromSeconds(1));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale), "its data are missing at first");
+        _time.Advance(TimeSpan.FromSeconds(2));
+
+        Assert.That(_board.Read(), Is.Empty);
+    }
+
+    [Test]
+    public void Read_JointTakenOverByASourceThatFails_IsNotForgottenForTheGoodbyeOfTheFirst()
+    {
+        Send(2, "a");
+        var first = _source;
+        _source = _hub.OpenSource();
+        Send(2, "a");
+
+        _board.Leave(first);
+        _time.Advance(TimeSpan.FromHours(1));
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale));
+        _board.Leave(_source);
+        Send(1, "a");
+        _time.Advance(TimeSpan.FromHours(1));
+
+        Assert.That(Joint("a").State, Is.EqualTo(JointDataState.Stale), "it came back after its goodbye");
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Read_AdapterReportsWithoutAJointThatItPublished_IsForgottenUnlessTheAdapterIsAnotherRun(bool isSameRun)
+    {
+        _source.Name = "press";
+        Send(2, "a");
+        _board.Report("press", [KeyValuePair.Create("joint/a", "live 1790000000.000")], _source);
+
+        // One that finds its joints by itself has none yet when it has just been started.
+        _board.Report("press", [], isSameRun ? _source : _hub.OpenSource());
+        _time.Advance(TimeSpan.FromHours(1));
+
+        Assert.That(_board.Read().Select(joint => joint.State), Is.EqualTo(isSameRun ? [] : new[] { JointDataState.Stale }));
     }
 
     [Test]

@@ -42,6 +42,26 @@ public class JointStatusTopicTests
     }
 
     [Test]
+    public void Publish_RestThatIsNotCertain_SaysSoInItsReason()
+    {
+        _topic.Publish([Joint("b", JointDataState.Rest, "no change is reported") with { Uncertainty = "the stop itself was not observed" }]);
+
+        Assert.That(_received.Single().Values.Single().Value, Is.EqualTo("rest 4996.000 may not be at rest: the stop itself was not observed"));
+    }
+
+    [Test]
+    public void Publish_MoreJointsThanAllowed_KeepsThoseThatFailedLast()
+    {
+        var old = Enumerable.Range(0, 600).Select(i => Joint($"a{i:000}", JointDataState.Stale, secondsAgo: 90_000 + i));
+        var resting = Enumerable.Range(0, 300).Select(i => Joint($"b{i:000}", JointDataState.Rest, secondsAgo: 1));
+
+        _topic.Publish([.. old, .. resting, Joint("z", JointDataState.Fault, secondsAgo: 2)]);
+
+        var names = _received.Single().Values.Select(pair => pair.Key).ToList();
+        Assert.That(names, Has.Count.EqualTo(ProtocolLimits.Joints).And.Contain("z").And.Contain("a000").And.Not.Contain("a599").And.Ordered);
+    }
+
+    [Test]
     public void Publish_OverTime_OnEachChangeAndEverySecondWhileThereAreAny()
     {
         JointStatus[] fault = [Joint("a", JointDataState.Fault)];

@@ -1,0 +1,148 @@
+// What another gateway reports of its joints, in virtual time.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { parts } from './parts.mjs';
+
+const { AdapterStatus, Log, JointNames, Silence, ReportedJoints } =
+  await parts('gateway/status', 'log', 'ros/jointNames', 'samples/silence', 'broker/reportedJoints');
+
+/** Unix time of the start in milliseconds; the other gateway's control clock begins at zero. */
+const START = 1_790_000_000_000;
+
+/** The joints of a subscribing bridge whose clocks are at `ms` after their start. */
+function bridge() {
+  const lines = [], time = { ms: 0 };
+  const status = new AdapterStatus('broker', new Log('plant/test', [], line => lines.push(line), () => {}));
+  const silence = new Silence(status, () => 3000, () => time.ms), names = new JointNames([]);
+  silence.unconfirmedMs = null;
+  const reported = new ReportedJoints(names, status, silence, () => START + time.ms);
+  const hear = values => reported.hear({
+    header: { stamp: { sec: Math.floor(time.ms / 1000), nanosec: time.ms % 1000 * 1e6 } },
+    status: [{ values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
+  });
+  const sample = name => {
+    names.find(name);
+    status.joints.expect(name);
+    silence.heard(name);
+  };
+  const pass = ms => {
+    for (const end = time.ms + ms; time.ms < end; time.ms += 250) silence.check();
+  };
+  const stateOf = name => /^\w+/.exec(status.values()[`joint/${name}`] ?? 'none')[0];
+  status.enter('connected');
+  reported.enter();
+  return { status, reported, time, lines, hear, sample, pass, stateOf };
+}
+
+describe('reported joints', () => {
+  it('Rest_ThatIsReported_StaysWithAndWithoutSamples', () => {
+    const { hear, sample, pass, stateOf } = bridge();
+    sample('a');
+
+    hear({ a: 'rest 0.000 no change is reported' });
+    sample('a');
+    const repeated = stateOf('a');
+    pass(10_000);
+
+    assert.deepEqual([repeated, stateOf('a')], ['rest', 'rest']);
+  });
+
+  it('Fault_NoLongerReported_EndsWithASampleOnly', () => {
+    const { hear, sample, pass, stateOf } = bridge();
+    sample('a');
+    pass(5000);
+    hear({ a: 'fault 5.000 its data ended in mid-motion' });
+
+    hear({});
+    const before = stateOf('a');
+    pass(60_000);
+    const waited = stateOf('a');
+    sample('a');
+
+    assert.deepEqual([before, waited, stateOf('a')], ['fault', 'fault', 'live']);
+  });
+
+  it('Rest_NoLongerReportedAndNoSample_IsFault', () => {
+    const { hear, sample, pass, stateOf } = bridge();
+    sample('a');
+    hear({ a: 'rest 0.000 no change is reported' });
+    pass(5000);
+
+    hear({});
+    pass(500);
+
+    assert.equal(stateOf('a'), 'fault');
+  });
+
+  it('Motion_ThatBeginsBeforeTheReportOfRestEnds_IsLiveAtOnce', () => {
+    const { hear, sample, pass, stateOf } = bridge();
+    sample('a');
+    hear({ a: 'rest 0.000 no change is reported' });
+    pass(5000);
+
+    sample('a');
+    hear({});
+
+    assert.equal(stateOf('a'), 'live');
+  });
+
+  it('Joint_ThatNeverSentAnythingAndIsNotReportedAnyMore_IsNotExpected', () => {
+    const { hear, reported, status, stateOf } = bridge();
+    hear({ a: 'missing 0.000 no such node', b: 'missing 0.000 no such node' });
+
+    hear({ b: 'missing 0.000 no such node' });
+    const first = [stateOf('a'), stateOf('b')];
+    reported.leave();
+    status.enter('waiting', 'the bridge of the gateway that has the plant is away');
+    status.enter('connected');
+    reported.enter();
+    hear({});
+
+    assert.deepEqual([first, stateOf('b')], [['none', 'missing'], 'none']);
+  });
+
+  it('Report_BeforeTheOtherGatewayIsKnownToBeThere_CountsFromThenOn', () => {
+    const { hear, reported, stateOf } = bridge();
+    reported.leave();
+
+    hear({ a: 'missing 0.000 no such node' });
+    const before = stateOf('a');
+    reported.enter();
+
+    assert.deepEqual([before, stateOf('a')], ['none', 'missing']);
+  });
+
+  it('Report_SaidAgain_KeepsSinceAndIsLoggedOnce', () => {
+    const { hear, status, time, lines } = bridge();
+    time.ms = 20_000;
+    hear({ a: 'refused 8.000 value NaN is no position' });
+    const first = status.values()['joint/a'];
+
+    time.ms = 21_300;
+    hear({ a: 'refused 8.200 value NaN is no position' });
+
+    assert.equal(first, `refused ${START / 1000 + 8}.000 value NaN is no position`);
+    assert.equal(status.values()['joint/a'], first);
+    assert.equal(lines.filter(line => line.includes('a refused')).length, 1);
+  });
+
+  for (const [name, value] of [['State', 'broken 1.000 why'], ['Since', 'fault soon why'], ['Huge', `fault 1e99 why`], ['Number', 7], ['Empty', '']])
+    it(`Report_Wrong${name}_IsRefusedAsAWholeWithOneLine`, () => {
+      const { hear, status, lines, stateOf } = bridge();
+
+      hear({ a: 'missing 0.000 no such node', b: value });
+      hear({ a: 'missing 0.000 no such node', b: value });
+
+      assert.deepEqual([stateOf('a'), status.refusals('malformed')], ['none', 2]);
+      assert.equal(lines.filter(line => line.includes('joint status refused (malformed): the entry')).length, 1);
+    });
+
+  it('Report_OfTooManyJoints_IsRefused', () => {
+    const { hear, status } = bridge();
+
+    hear(Object.fromEntries([...Array(257).keys()].map(i => [`joint ${i}`, 'missing 0.000 no such node'])));
+
+    assert.equal(status.refusals('malformed'), 1);
+    assert.equal(Object.keys(status.values()).filter(key => key.startsWith('joint/')).length, 0);
+  });
+});
