@@ -35,8 +35,7 @@ static class PathsVerb
         var missed = new List<string>();
         Console.WriteLine($"| link | change | {string.Join(" | ", SizesMs.Select(size => string.Create(CultureInfo.InvariantCulture, $"{size} ms")))} |");
         Console.WriteLine($"| --- | --- | {string.Join(" | ", SizesMs.Select(_ => "---"))} |");
-        // A stall hides every change of the delays for seconds.
-        foreach (var link in LinkProfile.All.Where(link => link.StallInterval == TimeSpan.Zero))
+        foreach (var link in LinkProfile.All)
         {
             PathRun[] Play(PathChange change, double sizeMs) =>
                 [.. seeds.AsParallel().WithCancellation(stop).Select(seed => PathRun.Play(link, change, sizeMs, estimator, seed))];

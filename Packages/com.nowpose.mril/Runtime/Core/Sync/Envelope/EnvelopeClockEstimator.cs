@@ -52,7 +52,7 @@ namespace Nowpose.Sync.Envelope
         readonly OffsetMemory _memory = new OffsetMemory();
         readonly UnmetPart _unmetPart = new UnmetPart();
         OffsetCurve _curve;
-        double _expectedSkew, _steadySkew, _steadySkewError;
+        double _expectedSkew, _steadySkew, _steadySkewError, _steadyBend;
         double _skewDoubt = SkewPrior;
         HeadsetTime _start;
         int _exchanges;
@@ -85,8 +85,8 @@ namespace Nowpose.Sync.Envelope
             if (Line.Exchanges > 0)
             {
                 var resolution = ClockTicks.Seconds(exchange.Resolution);
-                // The newest bounds tilt the curve when a path has changed, which would hide the change.
-                var steady = new OffsetCurve(_steadySkew, _curve.Bend);
+                // The newest bounds tilt and bend the curve when a path has changed, which would hide the change or exaggerate it.
+                var steady = new OffsetCurve(_steadySkew, _steadyBend);
                 _up.Measure(steady);
                 _down.Measure(steady);
                 if (_up.Update(_down, _steadySkewError, resolution) | _down.Update(_up, _steadySkewError, resolution)) _memory.Explain();
@@ -95,6 +95,7 @@ namespace Nowpose.Sync.Envelope
             {
                 _start = exchange.T4;
                 _steadySkew = _expectedSkew;
+                _steadyBend = 0;
                 _steadySkewError = _skewDoubt;
             }
 
@@ -162,6 +163,7 @@ namespace Nowpose.Sync.Envelope
             // Half of the time there was, at first.
             var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewPatience, running / 2)));
             _steadySkew += (skew - _steadySkew) * share;
+            _steadyBend += (_curve.Bend - _steadyBend) * share;
             // Off by half the part at one end and by half at the other, the other way: that is no standard error, but all there can be.
             var hidden = unmet / Math.Max(1e-3, span) / 3;
             var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);

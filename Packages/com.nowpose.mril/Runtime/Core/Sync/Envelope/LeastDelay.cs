@@ -11,7 +11,8 @@ namespace Nowpose.Sync.Envelope
     /// offset by half the change and, while they replace the older ones, look like another skew. The clocks run on evenly,
     /// so the excess over the least delay known before is added to each bound, and offset and skew stay as they were proven.
     /// A delay that is shorter than any before replaces the reference, and the offset moves by half the difference.
-    /// Either way the error is at most half the difference between the changes of both directions.
+    /// Either way the error is at most half the difference between the changes of both directions. A part that is too small to be told from
+    /// a wrong skew moves the offset by half of it, and widens the error when the other direction shows that the path has changed.
     /// Allocates nothing once made.
     /// </remarks>
     sealed class LeastDelay
@@ -28,7 +29,7 @@ namespace Nowpose.Sync.Envelope
         /// Length of a window at least, and of one whose delays scatter more than before: a queue in a busy network makes every
         /// packet late too, by more unequal amounts, and is gone in less than the longer time.
         /// </summary>
-        static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(10), MinDurationScattered = TimeSpan.FromSeconds(30);
+        static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(6), MinDurationScattered = TimeSpan.FromSeconds(30);
 
         /// <summary>
         /// Share by which the median lateness of a window may exceed that of the exchanges before, times the root of the window's length. Above
@@ -53,6 +54,12 @@ namespace Nowpose.Sync.Envelope
         /// <summary>A window is late by chance with a probability of exp(−this), were the delays independent.</summary>
         const double Significance = 20;
 
+        /// <summary>The same once the other direction has changed: a change is likely then.</summary>
+        const double ExpectedSignificance = 7;
+
+        /// <summary>The same for the part of a change that may be hidden: it only widens the error.</summary>
+        const double HiddenSignificance = 3;
+
         /// <summary>
         /// Exchanges in which a shorter delay shows, and how many of them must show it. A step of a clock is found within as
         /// many, see <see cref="OffsetShiftWatch"/>.
@@ -73,8 +80,8 @@ namespace Nowpose.Sync.Envelope
         readonly double[] _tightness = new double[MaxWindow + MaxEarlier];
         readonly double[] _shorter = new double[ShorterWindow];
         readonly double[] _lateness = new double[MaxWindow + MaxEarlier];
-        double _excess, _excessError, _referenceError;
-        int _count, _sinceChange, _looks;
+        double _excess, _excessError, _referenceError, _hiddenError;
+        int _count, _sinceChange, _sinceHidden, _sinceShorter, _looks;
 
         /// <param name="sign">1 for the bounds below the offset, which requests give; −1 for those above, which replies give.</param>
         public LeastDelay(int sign, BoundsHistory history)
@@ -87,12 +94,12 @@ namespace Nowpose.Sync.Envelope
         public double Excess => _excess;
 
         /// <summary>How well the corrections are known, s.</summary>
-        public double Error => _excessError + _referenceError;
+        public double Error => _excessError + _referenceError + _hiddenError;
 
         public void Reset()
         {
-            _excess = _excessError = _referenceError = 0;
-            _sinceChange = _looks = 0;
+            _excess = _excessError = _referenceError = _hiddenError = 0;
+            _sinceChange = _sinceShorter = _looks = 0;
         }
 
         /// <summary>Measures the bounds of the history along a curve. The newest has been corrected by <see cref="Excess"/>.</summary>
@@ -111,8 +118,10 @@ namespace Nowpose.Sync.Envelope
         public bool Update(LeastDelay other, double skewError, double resolution)
         {
             _sinceChange++;
+            _sinceHidden++;
             if (_count < MinEarlier + ShorterWindow) return false;
             if (_excess > 0) FollowShorterAgain(_count);
+            if (_sinceShorter > 0) FollowShorter(_count);
             return FindLonger(other, _count, skewError, resolution) || FindShorter(_count, skewError, resolution);
         }
 
@@ -144,6 +153,10 @@ namespace Nowpose.Sync.Envelope
 
         bool FindLonger(LeastDelay other, int count, double skewError, double resolution)
         {
+            // A path that has changed in one direction has probably changed in both, by unequal amounts.
+            var isExpected = other._excess > 0 && other._sinceChange <= MaxWindow;
+            var minChange = isExpected ? MinChange / 2 : MinChange;
+            var significance = isExpected ? ExpectedSignificance : Significance;
             foreach (var least in Windows)
             {
                 var window = least;
@@ -155,57 +168,84 @@ namespace Nowpose.Sync.Envelope
                 var reference = Max(window, earlier);
                 var late = reference - Max(0, window);
                 var change = reference - Max(0, window - window / BoundaryShare);
-                if (late <= Margin(earlier, SkewErrorsLonger * skewError, resolution)) continue;
+                if (late <= Margin(earlier, minChange, SkewErrorsLonger * skewError, resolution)) continue;
                 // A wrong skew makes one direction late by as much as the other proves more. The least round trip then stays as it was.
-                if (late + Math.Min(0, other.Lateness(window, earlier)) <= MinChange + resolution) continue;
-                if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-Significance / window))) continue;
+                if (late + Math.Min(0, other.Lateness(window, earlier)) <= minChange + resolution) continue;
+                if (late <= Quantile(window, earlier, reference, 1 - Math.Exp(-significance / window))) continue;
                 var typicalSince = Quantile(0, window, reference - change, 0.5);
                 var typical = Quantile(window, earlier, reference, 0.5);
-                if (typicalSince > (1 + MaxScatterGrowth / Math.Sqrt(window)) * typical && duration < MinDurationScattered) continue;
+                if (!isExpected && typicalSince > (1 + MaxScatterGrowth / Math.Sqrt(window)) * typical && duration < MinDurationScattered) continue;
                 _excessError += typical / (earlier - window) + typicalSince / window;
                 _excess += change;
                 _sinceChange = window;
+                if (_sinceHidden < window) _hiddenError = 0;
+                other.Hide(window, earlier);
                 for (var i = 0; i < window; i++) Shift(i, i + 1, Math.Min(change, reference - _tightness[i]));
                 return true;
             }
             return false;
         }
 
+        // The other direction may have changed too, by less than can be told from a wrong skew. The offset then moves by half of that.
+        void Hide(int window, int earlier)
+        {
+            var late = Math.Abs(Lateness(window, earlier));
+            if (late <= Quantile(window, earlier, Max(window, earlier), 1 - Math.Exp(-HiddenSignificance / window))) return;
+            _hiddenError += late / 2;
+            _sinceHidden = 0;
+        }
+
+        // After a few exchanges the new least delay is known less well than the one before, and a bound that proves more shows a larger change.
+        void FollowShorter(int count)
+        {
+            if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;
+            if (_sinceShorter == 0) return;
+            var more = _tightness[0] - Max(1, _sinceShorter);
+            if (more <= 0) return;
+            Shift(_sinceShorter, _history.Count, more);
+            _referenceError += more / 2;
+        }
+
         // Until it is certain, a bound that proves more than those before is taken as if it proved as much: what follows is a change of the
         // offset, never one of the skew.
         bool FindShorter(int count, double skewError, double resolution)
         {
-            var earlier = Math.Min(count, 1 + MaxEarlier);
-            var reference = Max(1, earlier);
+            var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
+            // Without the recent ones: several that prove a little more each would hide the change.
+            var reference = Max(ShorterWindow, earlier);
             var shorter = _tightness[0] - reference;
             int times = 0, first = 0;
-            double change = 0;
             _shorter[_looks++ % ShorterWindow] = 0;
             for (var age = 1; age < Math.Min(_looks, ShorterWindow); age++)
-            {
-                var one = _shorter[(_looks - 1 - age) % ShorterWindow];
-                if (one > 0) (times, first, change) = (times + 1, age, Math.Max(change, one));
-            }
+                if (Withheld(age) > 0) (times, first) = (times + 1, age);
             // Any amount confirms a bound that has exceeded the margin.
             var margin = times > 0 ? 0 : Math.Max(
-                Margin(earlier, SkewErrorsShorter * skewError, resolution), LatenessShare * Quantile(1, earlier, reference, 0.5) / (earlier - 1));
+                Margin(earlier, MinChange, SkewErrorsShorter * skewError, resolution),
+                LatenessShare * Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow));
             if (shorter <= margin) return false;
             _shorter[(_looks - 1) % ShorterWindow] = shorter;
-            change = Math.Max(change, shorter);
             Shift(0, 1, -shorter);
             // Until then it may be a step.
             if (times + 1 < ShorterCount || first < StepWindow - 1) return false;
-            Shift(0, 1, shorter);
-            Shift(1, _history.Count, change);
+            for (var age = 0; age <= first; age++) Shift(age, age + 1, Withheld(age));
+            _sinceShorter = first + 1;
+            // Bounds that proved more by less than the margin, just before, belong to the shorter path too.
+            for (var age = first + 1; age < ShorterWindow; age++)
+                if (_tightness[age] > Max(age + 1, earlier)) _sinceShorter = age + 1;
+            var change = Max(0, _sinceShorter) - Max(_sinceShorter, earlier);
+            Shift(_sinceShorter, _history.Count, change);
             _referenceError += change / 2;
             _looks = 0;
             return true;
         }
 
+        // How much more a bound proved than was taken from it.
+        double Withheld(int age) => _shorter[(_looks - 1 - age) % ShorterWindow];
+
         TimeSpan Duration(int exchanges) => _history[0].Received - _history[exchanges - 1].Received;
 
-        double Margin(int earlier, double skewError, double resolution) =>
-            MinChange + resolution + skewError * ClockTicks.Seconds(Duration(earlier));
+        double Margin(int earlier, double minChange, double skewError, double resolution) =>
+            minChange + resolution + skewError * ClockTicks.Seconds(Duration(earlier));
 
         // Of the lateness behind the reference.
         double Quantile(int from, int to, double reference, double share)
