@@ -77,6 +77,18 @@ public class PathRunTests
         Assert.That(run.ErrorMs, Is.LessThan(0.15));
     }
 
+    /// <summary>Both bounds move in the direction of a step of the clock, but not by the same amount.</summary>
+    [Test]
+    public void Play_RepliesShorterByLittleAsRequestsBecomeLonger_IsNoStepOfTheClock([Range(7000, 7003)] int seed)
+    {
+        var change = new PathChange("requests longer, replies shorter", since => since < 0 ? (0, 0.03) : (1, 0), 0.515);
+
+        var run = PathRun.Play(LinkProfile.Clean, change, 20, ClockEstimators.Default, seed);
+
+        Assert.That(run.Within, Is.GreaterThanOrEqualTo(0.99));
+        Assert.That(run.ErrorMs, Is.LessThan(0.5));
+    }
+
     [Test]
     public void Missed_PapersEstimator_NamesTheSkew()
     {

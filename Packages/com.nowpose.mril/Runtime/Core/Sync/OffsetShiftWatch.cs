@@ -27,7 +27,10 @@ namespace Nowpose.Sync
         /// <summary>How far the other bound must have moved at least, in what it seemed to move without a step: by chance all are late.</summary>
         const double OtherShare = 2;
 
-        /// <summary>Share of the break by which the other bound must have moved too: a step moves both alike, a path does not.</summary>
+        /// <summary>
+        /// Share of the greater of both movements that the smaller one must be: a step moves both bounds alike. Paths that change move each
+        /// by its own amount.
+        /// </summary>
         const double CommonShare = 0.8;
 
         /// <summary>A line whose skew is known less well carries no bound through a minute.</summary>
@@ -88,9 +91,10 @@ namespace Nowpose.Sync
             if (ClockTicks.Span(greatest) > Suspicion) Suspicion = ClockTicks.Span(greatest);
             if (count < Recent || _sorted[Recent - Violations] <= margin) return false;
 
-            var moved = Math.Max(Math.Max(margin, OtherShare * otherByChance), CommonShare * greatest);
-            for (var i = 0; i < count; i++)
-                if (other[i] >= -moved) return false;
+            var byChance = Math.Max(margin, OtherShare * otherByChance);
+            var otherMoved = -other[0];
+            for (var i = 1; i < count; i++) otherMoved = Math.Min(otherMoved, -other[i]);
+            if (otherMoved <= Math.Max(byChance, CommonShare * greatest) || CommonShare * otherMoved > greatest + byChance) return false;
             _first = Array.FindIndex(broken, value => value > margin);
             return true;
         }

@@ -9,13 +9,13 @@ namespace Nowpose.Tests.Core.Kinematics
     {
         public static RobotModel Robot(string name) => UrdfReader.Read(Text(name + ".urdf"), name + ".urdf");
 
-        public static string Text(string file, [CallerFilePath] string here = "")
+        public static string Text(string file)
         {
-            var own = Path.Combine(Path.GetDirectoryName(here), file);
-            return File.ReadAllText(File.Exists(own)
-                ? own
-                : Path.Combine(Path.GetDirectoryName(here), "..", "..", "..", "..", "Runtime", "Robots", file));
+            var own = Path.Combine(Here(), file);
+            return File.ReadAllText(File.Exists(own) ? own : Path.Combine(Here(), "..", "..", "..", "..", "Runtime", "Robots", file));
         }
+
+        static string Here([CallerFilePath] string here = "") => Path.GetDirectoryName(here);
 
         /// <summary>A robot of one line per element: what stands first in <paramref name="body"/> is on line 2.</summary>
         public static RobotModel Read(string body) => UrdfReader.Read("<robot name='r'>\n" + body + "\n</robot>", "r.urdf");
