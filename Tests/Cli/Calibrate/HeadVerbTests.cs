@@ -30,7 +30,7 @@ public sealed class HeadVerbTests : CalibrationFolder
     [Test]
     public async Task Head_RenderedPictures_FindsLatencyAndLVisuSeparatelyAndKeepsTheStillLVisu()
     {
-        var pictures = await TakenAsync("moving", "--pictures", "120", "--head-latency-ms", "2");
+        var pictures = await TakenAsync("moving", "--pictures", "60", "--head-latency-ms", "2");
 
         var run = await CliRun.OfAsync(
             "calibrate", "head", pictures, "--profile", SavedProfile(), "--reprojection", "depth", "--out", Out, "--json");
@@ -52,8 +52,8 @@ public sealed class HeadVerbTests : CalibrationFolder
     [Test]
     public async Task Vlc_MovingPictures_AreRefusedAndHeadRefusesStillOnes()
     {
-        var moving = await TakenAsync("moving", "--pictures", "16", "--head-latency-ms", "2");
-        var still = await TakenAsync("still", "--pictures", "6", "--load-steps", "0");
+        var moving = await TakenAsync("moving", "--pictures", "8", "--head-latency-ms", "2");
+        var still = await TakenAsync("still", "--pictures", "4", "--load-steps", "0");
 
         var vlc = await CliRun.OfAsync("calibrate", "vlc", moving, "--out", Out);
         var head = await CliRun.OfAsync("calibrate", "head", still, "--out", Out);
