@@ -4,7 +4,7 @@ export const TYPE = {
 } as const;
 
 /** What a client may send here: requests that read. */
-export type Request = 'protocolVersion' | 'controllerVersion' | 'setUpOutputs' | 'start' | 'pause';
+export type Request = 'protocolVersion' | 'controllerVersion' | 'setUpOutputs' | 'start';
 
 const HEADER = 3;
 
@@ -43,8 +43,6 @@ export function setUpOutputs(frequencyHz: number, names: string[]): Buffer {
 }
 
 export const start = (): Buffer => packageOf('start');
-
-export const pause = (): Buffer => packageOf('pause');
 
 /** A text message of version 2, or of version 1, which has the level first and no source; null when it is neither. */
 export function textOf(payload: Buffer): string | null {

@@ -66,7 +66,7 @@ export class Recipe {
         + 'is this an RTDE server of protocol version 2?');
     const missing = fields.filter((_, i) => types[i] === 'NOT_FOUND'), needed = missing.find(field => field.isOptional !== true);
     if (needed !== undefined)
-      throw new RecipeError(`the controller has no field ${needed.name}; update its software, PolyScope 3.2 or newer has it`);
+      throw new RecipeError(`the controller has no field ${needed.name}; update the controller's software`);
     const wrong = fields.findIndex((field, i) => types[i] !== field.type && types[i] !== 'NOT_FOUND');
     if (wrong >= 0)
       throw new RecipeError(`the controller's field ${fields[wrong].name} is ${printable(types[wrong])}, not ${fields[wrong].type}; `

@@ -86,7 +86,7 @@ export class RtdeSession {
     const version = await this.#ask(protocolVersion(VERSION), TYPE.protocolVersion, ANSWER_MS);
     if (version === null) throw new RefusalError(`${at(settings)} takes the connection and does not answer as RTDE does; check plant.host and plant.port`);
     if (version[0] !== 1)
-      throw new RefusalError(`${at(settings)} has protocol version 1 of RTDE only, version 2 is needed; update the controller's software to 3.3 or newer`);
+      throw new RefusalError(`${at(settings)} has protocol version 1 of RTDE only, version 2 is needed; update the controller's software`);
     const controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS);
     const major = controller !== null && controller.length >= 16 ? controller.readUInt32BE(0) : null;
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));

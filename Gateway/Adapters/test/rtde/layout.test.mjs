@@ -27,7 +27,6 @@ describe('rtde layout', () => {
     // 125 Hz is 405f400000000000, the names are ASCII without an end.
     assert.equal(hex(packages.setUpOutputs(125, ['timestamp', 'actual_q'])), '001d' + '4f' + '405f400000000000' + '74696d657374616d70' + '2c' + '61637475616c5f71');
     assert.equal(hex(packages.start()), '0003' + '53');
-    assert.equal(hex(packages.pause()), '0003' + '50');
   });
 
   it('Reader_PackagesInAnyPieces_GivesThemWhole', () => {
