@@ -65,7 +65,7 @@ export class RtdeSession {
     failed.catch(() => {});
     this.#connection.onPackage = (received, arrived) => this.#hear(received, arrived);
     try {
-      const ended = this.#connection.ended.then(error => { throw this.#isReading ? error : this.#endedEarly(error); });
+      const ended = this.#connection.ended.then(error => { throw this.#because(error); });
       await Promise.race([this.#setUp(), failed, ended]);
       return await Promise.race([this.#watch(), failed, ended]);
     } finally {
@@ -77,8 +77,11 @@ export class RtdeSession {
   }
 
   // A controller has few places for clients, and test servers one.
-  #endedEarly(error: Error): Error {
-    return error instanceof RefusalError ? error : new Error(`${error.message} before it answered; if other programs read this robot over RTDE, end one of them`);
+  #because(error: Error): Error {
+    if (error instanceof RefusalError) return error;
+    const then = this.#isReading ? '; see whether the controller was switched off or restarted, reading goes on when it answers'
+      : ' before it answered; if other programs read this robot over RTDE, end one of them';
+    return new Error(error.message + then);
   }
 
   async #setUp(): Promise<void> {
