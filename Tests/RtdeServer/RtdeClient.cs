@@ -56,7 +56,8 @@ sealed class RtdeClient : IDisposable
     public void SendCycle(long cycle, RobotState state)
     {
         if (!_isStarted || _isBroken || cycle < _due) return;
-        _due = Math.Max(_due + _intervalTicks, cycle - _intervalTicks + 1);
+        // The same cycles for all clients of one frequency.
+        _due = (Math.Floor(cycle / _intervalTicks) + 1) * _intervalTicks;
         if (!_socket.Poll(0, SelectMode.SelectWrite)) return;
         var package = new PackageWriter(PackageType.Data);
         if (_version == 2) package.Add(OutputRecipe);

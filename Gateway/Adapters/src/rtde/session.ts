@@ -31,6 +31,8 @@ const E_SERIES = 5, E_SERIES_HZ = 500, CB3_HZ = 125;
 export class RtdeSession {
   #connection!: RtdeConnection;
   #recipe!: Recipe;
+  /** Payload of the answer with the controller's version; null without one. */
+  #controller: Buffer | null = null;
   #clock!: RobotClock;
   #awaited: { type: number; take: (payload: Buffer, arrived: Nanoseconds) => void } | null = null;
   /** When the request was sent whose answer has come, and no package after it. */
@@ -78,7 +80,8 @@ export class RtdeSession {
 
   // A controller has few places for clients, and test servers one.
   #because(error: Error): Error {
-    if (error instanceof RefusalError) return error;
+    if (error instanceof RefusalError)
+      return this.#isReading ? new Error(`the stream of ${at(this.settings)} is damaged; reading begins anew, check the robot's network if this goes on`) : error;
     const then = this.#isReading ? '; see whether the controller was switched off or restarted, reading goes on when it answers'
       : ' before it answered; if other programs read this robot over RTDE, end one of them';
     return new Error(error.message + then);
@@ -90,7 +93,7 @@ export class RtdeSession {
     if (version === null) throw new RefusalError(`${at(settings)} takes the connection and does not answer as RTDE does; check plant.host and plant.port`);
     if (version[0] !== 1)
       throw new RefusalError(`${at(settings)} has protocol version 1 of RTDE only, version 2 is needed; update the controller's software`);
-    const controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS);
+    const controller = this.#controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS);
     const major = controller !== null && controller.length >= 16 ? controller.readUInt32BE(0) : null;
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
     const cyclesHz = major === null || major >= E_SERIES ? E_SERIES_HZ : CB3_HZ, rateHz = Math.min(settings.rateHz, cyclesHz);
@@ -141,6 +144,8 @@ export class RtdeSession {
   /** Asks for the version again and again: what comes behind the answer bounds the controller's clock. */
   async #askAgain(): Promise<void> {
     const over = this.#over.signal;
+    // A late answer would be taken for that to a later question.
+    if (this.#controller === null) return this.#clock.expectNoAnswers(this.#roundTrip!);
     while (!over.aborted) {
       await pause(ASK_MS, over);
       await pause(this.#untilPackageMs(), over);

@@ -100,7 +100,8 @@ export class RtdeRobot {
       if (cycle === last) return;
       last = cycle;
       if (++count % this.losesEach === 0) return;
-      const bytes = packageOf('U', byte(1), ...fields.map(field => this.#value(field, cycle / this.rateHz)));
+      // Of the control cycle that lasts: an e-Series has 500 a second, and sends within one.
+      const time = Math.floor(this.now * 500) / 500, bytes = packageOf('U', byte(1), ...fields.map(field => this.#value(field, time)));
       socket.write(this.sendsHalf ? bytes.subarray(0, bytes.length >> 1) : bytes);
       if (this.sendsHalf) clearInterval(timer);
     }, 1);
