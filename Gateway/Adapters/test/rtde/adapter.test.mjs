@@ -174,6 +174,21 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(bridge.status.level, 0);
   });
 
+  for (const [what, bytes, text] of [
+    ['WithBytesThatAreNone', Buffer.alloc(64), /waiting: the stream of .* is damaged; reading begins anew/],
+    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), /sends a data package of 6 bytes where the recipe has \d+; reading begins anew/],
+  ])
+    it(`Stream_${what}_IsReadAnew`, async t => {
+      const { bridge, robot, adapter } = await cell(t);
+      await statesOf(bridge, 10);
+
+      robot.send(bytes);
+
+      await until(() => told(adapter).length === 3, () => `three lines; ${adapter.err}`);
+      assert.match(told(adapter)[1], text);
+      await statesOf(bridge, bridge.jointStates.length + 10);
+    });
+
   it('Controller_SaysSomething_IsHeard', async t => {
     const { bridge, robot, adapter } = await cell(t);
     await statesOf(bridge);
