@@ -5,12 +5,12 @@ namespace Nowpose.Gateway.Plants;
 /// <summary>Robots by the name of one that comes along, or by the path of a URDF.</summary>
 public static class RobotFiles
 {
-    static readonly string[] Included = ["youbot", "ur5"];
+    static readonly string[] Included = ["youbot", "ur5", "ur3e", "ur5e", "ur10e", "ur16e"];
 
     /// <summary>Whether it names one that comes along.</summary>
     public static bool IsIncluded(string name) => Included.Contains(name);
 
-    /// <param name="nameOrPath">"youbot", "ur5" or the path of a .urdf file.</param>
+    /// <param name="nameOrPath">"youbot", "ur5e" or another that comes along, or the path of a .urdf file.</param>
     /// <exception cref="InputException">There is no such robot, or its URDF cannot be read or computed.</exception>
     public static RobotModel Load(string nameOrPath) => Load(nameOrPath, out _);
 

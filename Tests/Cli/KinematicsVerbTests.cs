@@ -77,6 +77,7 @@ public class KinematicsVerbTests
 
     [TestCase("youbot", "tool_centre_point")]
     [TestCase("ur5", "tool0")]
+    [TestCase("ur5e", "tool0")]
     public async Task Kinematics_RobotThatComesAlong_IsFoundByName(string robot, string tool)
     {
         var run = await CliRun.OfAsync("kinematics", robot, "--json");
@@ -115,9 +116,9 @@ public class KinematicsVerbTests
         Assert.That(run.Complaints, Has.Length.EqualTo(1));
     }
 
-    [TestCase("no-such-robot", "no-such-robot: no such file; youbot, ur5 or the path of a .urdf file is needed")]
-    [TestCase(".", ".: is a folder; youbot, ur5 or the path of a .urdf file is needed")]
-    [TestCase(" ", "no robot named; youbot, ur5 or the path of a .urdf file is needed")]
+    [TestCase("no-such-robot", "no-such-robot: no such file; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
+    [TestCase(".", ".: is a folder; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
+    [TestCase(" ", "no robot named; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path of a .urdf file is needed")]
     public async Task Kinematics_NoSuchRobot_SaysWhatIsAllowed(string robot, string message)
     {
         var run = await CliRun.OfAsync("kinematics", robot);

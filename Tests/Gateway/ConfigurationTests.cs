@@ -225,7 +225,7 @@ public class ConfigurationTests
         Assert.That(errors.Single(), Does.Contain("gateway.yaml:3: recordings /proc: this user cannot write"));
     }
 
-    [TestCase("robot: yubot", "robot: ", "yubot: no such file; youbot, ur5 or the path")]
+    [TestCase("robot: yubot", "robot: ", "yubot: no such file; youbot, ur5, ur3e, ur5e, ur10e, ur16e or the path")]
     [TestCase("robot: models/press.xml", "robot: ", "models/press.xml: no such file")]
     [TestCase("certificate: .", "certificate", "")]
     [TestCase("pairing: .", "pairing", "")]

@@ -23,6 +23,23 @@ public sealed partial class ReadOnlyPlantTests
     [GeneratedRegex(@"\.(?:write(?:SingleNode|Raw\w*|Value|Symbol)?|callMethod|writeControl|startPlc|stopPlc|restartPlc|setTcSystemTo\w+|invokeRpcMethod)\(")]
     private static partial Regex WritingCall();
 
+    [GeneratedRegex(@"packageOf\('(\w+)'")]
+    private static partial Regex RtdeRequest();
+
+    [Test]
+    public void Rtde_Requests_AreThoseThatRead()
+    {
+        const string packages = Sources + "/rtde/packages.ts", connection = Sources + "/rtde/connection.ts";
+        var sources = RepositoryFiles.Under(Sources + "/rtde", ".ts").ToArray();
+
+        var requests = sources.SelectMany(file => RtdeRequest().Matches(RepositoryFiles.Read(file)).Select(call => (file, call.Groups[1].Value)));
+        var sending = sources.Where(file => RepositoryFiles.Read(file).Contains(".write("));
+
+        Assert.That(requests, Is.EquivalentTo(
+            new[] { "protocolVersion", "controllerVersion", "setUpOutputs", "start" }.Select(request => (packages, request))));
+        Assert.That(sending, Is.EqualTo(new[] { connection }));
+    }
+
     [Test]
     public void ControlSystems_AreReachedOnlyThroughWhatReads()
     {

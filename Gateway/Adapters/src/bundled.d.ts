@@ -7,5 +7,5 @@ declare module '*.urdf' {
 // The bundler puts in a function for each kind of plant that checks a configuration against plant.schema.json.
 declare module 'plant.schema.checks' {
   import type { ValidateFunction } from 'ajv';
-  export const opcua: ValidateFunction, ads: ValidateFunction, ros: ValidateFunction, broker: ValidateFunction;
+  export const opcua: ValidateFunction, ads: ValidateFunction, rtde: ValidateFunction, ros: ValidateFunction, broker: ValidateFunction;
 }

@@ -29,6 +29,14 @@ static class PackagePaths
     public const string Ur5Urdf = Runtime + "Robots/ur5.urdf";
     public const string Youbot = Runtime + "Robots/youBot.asset";
     public const string Ur5 = Runtime + "Robots/UR5.asset";
+    public const string Ur3eUrdf = Runtime + "Robots/ur3e.urdf";
+    public const string Ur5eUrdf = Runtime + "Robots/ur5e.urdf";
+    public const string Ur10eUrdf = Runtime + "Robots/ur10e.urdf";
+    public const string Ur16eUrdf = Runtime + "Robots/ur16e.urdf";
+    public const string Ur3e = Runtime + "Robots/UR3e.asset";
+    public const string Ur5e = Runtime + "Robots/UR5e.asset";
+    public const string Ur10e = Runtime + "Robots/UR10e.asset";
+    public const string Ur16e = Runtime + "Robots/UR16e.asset";
     public const string Settings = Runtime + "Settings/Default Session Settings.asset";
     public const string Gripper = Runtime + "Prefabs/Virtual Gripper.prefab";
     public const string Cell = Runtime + "Prefabs/Nowpose Robot Cell.prefab";

@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
 /// <summary>A youBot behind a real OPC UA server, or behind ADS, in a process of its own: what it publishes, and where it truly is.</summary>
-sealed class MovingPlant : IDisposable
+sealed class MovingPlant : IPlantTruth, IDisposable
 {
     static readonly string[] Arm = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
     static readonly string[] Fingers = ["gripper_finger_joint_l", "gripper_finger_joint_r"];
@@ -53,7 +53,6 @@ sealed class MovingPlant : IDisposable
         return path;
     }
 
-    /// <summary>What its clock shows at a moment on this machine's counter.</summary>
     public ControlTime TimeAt(HeadsetTime headset)
     {
         var told = _program.ValueOf("clock").Split(' ').Select(text => decimal.Parse(text, CultureInfo.InvariantCulture)).ToArray();
@@ -62,9 +61,7 @@ sealed class MovingPlant : IDisposable
         return new ControlTime(new TimeSpan((long)Math.Round((told[1] + passed * (1 + told[2] / 1_000_000)) / 100)));
     }
 
-    /// <summary>Where its joints are at a time of its clock.</summary>
-    /// <param name="positions">In the order of the robot's moving joints.</param>
-    public static void TruthAt(RobotModel robot, ControlTime time, Span<double> positions)
+    public void TruthAt(RobotModel robot, ControlTime time, Span<double> positions)
     {
         var seconds = time.SinceEpoch.Ticks % TimeSpan.TicksPerHour / (double)TimeSpan.TicksPerSecond;
         for (var i = 0; i < positions.Length; i++)

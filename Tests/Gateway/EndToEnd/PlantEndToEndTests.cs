@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Plants;
+using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Session;
@@ -20,10 +21,30 @@ public class PlantEndToEndTests
     {
         using var folder = new TemporaryFolder();
         using var plant = await MovingPlant.StartAsync(kind);
-        using var gateway = new PeerProcess(
-            "Nowpose.Gateway.dll", "serve", "--plant", plant.Configure(folder.Path), "--sync-port", "0", "--ws-port", "0");
+
+        var score = await PlayAsync(plant, plant.Configure(folder.Path), RobotFiles.Load("youbot"));
+
+        TestContext.Out.WriteLine($"{kind}: {score}");
+        Require(score);
+    }
+
+    [Test]
+    public async Task Headset_UniversalRobotOverRtde_ShowsTheRobotWhereItIs()
+    {
+        using var folder = new TemporaryFolder();
+        var robot = RobotFiles.Load("ur5e");
+        using var plant = await RtdePlant.StartAsync(robot);
+
+        var score = await PlayAsync(plant, plant.Configure(folder.Path), robot);
+
+        TestContext.Out.WriteLine($"rtde: {score}");
+        Require(score);
+    }
+
+    static async Task<PlantScore> PlayAsync(IPlantTruth plant, string configuration, RobotModel robot)
+    {
+        using var gateway = new PeerProcess("Nowpose.Gateway.dll", "serve", "--plant", configuration, "--sync-port", "0", "--ws-port", "0");
         await gateway.PrintsAsync("state serving");
-        var robot = RobotFiles.Load("youbot");
         var clock = new StopwatchHeadsetClock();
         using var session = new CompensationSession(
             new SessionSettings(ConnectionTo(gateway), new VisualisationLatency(Visualisation)), robot, clock);
@@ -33,8 +54,11 @@ public class PlantEndToEndTests
 
         await Task.Factory.StartNew(
             () => score.Play(session, clock, TimeSpan.FromSeconds(6)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        return score;
+    }
 
-        TestContext.Out.WriteLine($"{kind}: {score}");
+    static void Require(PlantScore score)
+    {
         Assert.That(score.CurrentShare, Is.GreaterThan(0), score.ToString());
         // The bound is proven by each exchange, so it holds on a busy machine too.
         Assert.That(score.BoundHolds, Is.EqualTo(1), score.ToString());

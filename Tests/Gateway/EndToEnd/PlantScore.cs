@@ -8,7 +8,7 @@ using Nowpose.Session;
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
 /// <summary>A headset's frames against where the robot truly was when their light appeared.</summary>
-sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisation)
+sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisation)
 {
     const double FramesPerSecond = 60;
 
@@ -57,7 +57,7 @@ sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisat
     void Score(DisplayFrame frame, in ClockModel clock, HeadsetTime now)
     {
         var light = plant.TimeAt(now + visualisation);
-        MovingPlant.TruthAt(robot, light, _truth);
+        plant.TruthAt(robot, light, _truth);
         var tool = _kinematics.At(_truth);
         _shown.Add(tool.DistanceMm(_kinematics.At(frame.Joints)));
         _held.Add(tool.DistanceMm(_kinematics.At(frame.HeldJoints)));

@@ -121,6 +121,10 @@ public sealed class PackageAssetsTests
 
     [TestCase("youBot.asset", "youbot.urdf")]
     [TestCase("UR5.asset", "ur5.urdf")]
+    [TestCase("UR3e.asset", "ur3e.urdf")]
+    [TestCase("UR5e.asset", "ur5e.urdf")]
+    [TestCase("UR10e.asset", "ur10e.urdf")]
+    [TestCase("UR16e.asset", "ur16e.urdf")]
     public void RobotDescription_Text_IsThatOfTheUrdf(string asset, string urdf)
     {
         var description = _library.Load<RobotDescriptionAsset>(Runtime + "Robots/" + asset);

@@ -30,7 +30,7 @@ export interface Joint {
 }
 
 /** Kinds whose sources send each joint again and again, at rest too: what silence means there unless the file says something else. */
-const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
+const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, rtde: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
 
 /** What it means when nothing comes of a joint. */
 export type SilenceEntry = 'rest' | { fault_after_s: number };

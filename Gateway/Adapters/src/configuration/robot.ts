@@ -3,13 +3,17 @@ import { besides } from './besides';
 import { nearest } from './nearest';
 import { shown } from './problem';
 import type { YamlFile } from './yamlFile';
+import ur10e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur10e.urdf';
+import ur16e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur16e.urdf';
+import ur3e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur3e.urdf';
 import ur5 from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur5.urdf';
+import ur5e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur5e.urdf';
 import youbot from '../../../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf';
 
 const DESCRIPTION_BYTES = 1024 * 1024;
 
 /** Known by name, as everywhere in the gateway. */
-const INCLUDED: Record<string, string> = { ur5, youbot };
+const INCLUDED: Record<string, string> = { ur3e, ur5, ur5e, ur10e, ur16e, youbot };
 
 /** The text of the URDF that the configuration names; null, and a report, when it cannot be had or is none. */
 export function robotOf(file: YamlFile, robot: string): string | null {
@@ -24,8 +28,8 @@ export function robotOf(file: YamlFile, robot: string): string | null {
     const text = readFileSync(path, 'utf8');
     return text.includes('<robot') ? text : report('the file has no <robot> element, name a URDF file');
   } catch (error) {
-    const others = Object.keys(INCLUDED).join(' or ');
-    return report(`the file cannot be read (${(error as NodeJS.ErrnoException).code}), name an existing URDF file, or ${others}`);
+    const others = Object.keys(INCLUDED).join(', ');
+    return report(`the file cannot be read (${(error as NodeJS.ErrnoException).code}), name an existing URDF file or one of ${others}`);
   }
 }
 

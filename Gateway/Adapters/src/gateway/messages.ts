@@ -16,9 +16,9 @@ export const TYPES: Record<string, string> = {
   [JOINT_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
 };
 
-/** Positions of one moment on the control clock. */
-export const jointState = (stamp: Nanoseconds, names: string[], positions: number[]): object =>
-  ({ header: { stamp: toRosTime(stamp), frame_id: '' }, name: names, position: positions, velocity: [], effort: [] });
+/** Positions of one moment on the control clock, and velocities of all of them or of none. */
+export const jointState = (stamp: Nanoseconds, names: string[], positions: number[], velocities: number[] = []): object =>
+  ({ header: { stamp: toRosTime(stamp), frame_id: '' }, name: names, position: positions, velocity: velocities, effort: [] });
 
 export const description = (urdf: string): object => ({ data: urdf });
 

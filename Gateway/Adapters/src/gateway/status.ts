@@ -16,6 +16,8 @@ export class AdapterStatus {
   readonly #details: Record<string, string> = {};
   /** Why the plant is not connected since the last connection, or the start; empty before the first failure. */
   #failure = '';
+  /** What a person should see although positions come; null for nothing. */
+  #notice: string | null = null;
   readonly joints: JointConditions;
 
   /** @param changed Called after each change of the plant's state or of a joint's. */
@@ -46,19 +48,20 @@ export class AdapterStatus {
   }
 
   /**
-   * Level of a DiagnosticStatus: 0 when the plant is connected and each joint is live or at rest, 1 while connecting, or when it is not certain
-   * that a joint rests, 2 otherwise.
+   * Level of a DiagnosticStatus: 0 when the plant is connected and each joint is live or at rest, 1 while connecting, with a notice, or when it is
+   * not certain that a joint rests, 2 otherwise.
    */
   get level(): 0 | 1 | 2 {
     if (this.#state === 'connecting' && this.#failure === '') return 1;
     if (this.#state !== 'connected' || this.joints.trouble !== null) return 2;
-    return this.joints.uncertainty === null ? 0 : 1;
+    return this.joints.uncertainty === null && this.#notice === null ? 0 : 1;
   }
 
   /** The plant's state or, while it is connected, the first joint with a trouble. */
   get message(): string {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
+    if (this.joints.trouble === null && this.#notice !== null) return `${this.#state}: ${this.#notice}`;
     if (this.joints.trouble === null) return this.joints.uncertainty === null ? this.#state : `${this.joints.uncertainty[0]} may not be at rest: ${this.joints.uncertainty[1]}`;
     const [joint, { state, reason }] = this.joints.trouble;
     return `${joint} ${state}: ${reason}`;
@@ -68,6 +71,18 @@ export class AdapterStatus {
   detail(key: string, value: string | number | null): void {
     if (value === null) delete this.#details[key];
     else this.#details[key] = this.log.clean(String(value));
+  }
+
+  /** A state of the plant that a person should see, although its positions are good; null: it is over. */
+  notice(text: string | null): void {
+    const clean = text === null ? null : this.log.clean(text);
+    if (clean === this.#notice) return;
+    const before = this.#notice;
+    this.#notice = clean;
+    this.detail('notice', clean);
+    if (clean === null) this.log.resume('notice', `over: ${before}`);
+    else this.log.change('notice', clean);
+    this.changed();
   }
 
   sampled(): void { this.#samples++; }

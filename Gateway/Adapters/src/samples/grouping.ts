@@ -3,6 +3,8 @@ import type { Nanoseconds } from '../times';
 export interface Sample {
   joint: number;
   position: number;
+  /** rad/s or m/s; left out where the source does not tell it. */
+  velocity?: number;
   stamp: Nanoseconds;
 }
 

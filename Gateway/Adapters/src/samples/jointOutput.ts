@@ -15,6 +15,8 @@ export interface JointValue {
   /** The joint's place in the configuration. */
   joint: number;
   value: unknown;
+  /** As the control system gave it; left out where it does not tell it. */
+  velocity?: number;
   /** Null: it came without one that could be read. */
   stamp: Nanoseconds | null;
   /** The first of a connection: it tells how things are, and its stamp may be of long ago. */
@@ -177,12 +179,13 @@ export class JointOutput {
   #send(samples: Sample[]): void {
     for (const group of grouped(samples, this.options.tolerance)) {
       const names = group.samples.map(s => this.joints[s.joint].joint), positions = group.samples.map(s => s.position);
-      this.gateway.publish(JOINT_STATES, jointState(group.stamp, names, positions));
+      const velocities = group.samples.flatMap(s => s.velocity ?? []);
+      this.gateway.publish(JOINT_STATES, jointState(group.stamp, names, positions, velocities.length === names.length ? velocities : []));
       this.status.sampled();
     }
   }
 
-  #sample({ joint, value, stamp, isFirst, refusal: unusable, isLost }: JointValue, now: Nanoseconds | null): Sample | null {
+  #sample({ joint, value, velocity, stamp, isFirst, refusal: unusable, isLost }: JointValue, now: Nanoseconds | null): Sample | null {
     if (unusable !== undefined) {
       if (isLost === true) {
         this.status.count(unusable.reason);
@@ -215,7 +218,8 @@ export class JointOutput {
       this.refuse(joint, refusal.reason, refusal.text);
       return null;
     }
-    const sample = { joint, position, stamp: stamp! };
+    const hasVelocity = velocity !== undefined && Number.isFinite(velocity * scale);
+    const sample: Sample = { joint, position, stamp: stamp!, ...(hasVelocity ? { velocity: velocity * scale } : {}) };
     this.#standing.heard(sample);
     this.#judged.delete(joint);
     this.#ended.delete(joint);

@@ -16,6 +16,9 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
+// Only this package's repository has it: its controller tells where its tool is.
+[assembly: InternalsVisibleTo("Nowpose.RtdeServer")]
+
 // Only this package's repository has it: it emulates links by the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 

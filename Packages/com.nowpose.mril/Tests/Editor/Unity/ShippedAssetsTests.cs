@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Unity
         {
             Assert.That(Prefabs.Count(), Is.EqualTo(4));
             Assert.That(Materials.Count(), Is.EqualTo(8));
-            Assert.That(Robots.Count(), Is.EqualTo(2));
+            Assert.That(Robots.Count(), Is.EqualTo(6));
         }
 
         [TestCaseSource("Prefabs")]

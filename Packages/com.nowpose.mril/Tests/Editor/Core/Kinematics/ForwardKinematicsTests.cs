@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Newtonsoft.Json.Linq;
 using Nowpose.Kinematics;
@@ -10,15 +11,14 @@ namespace Nowpose.Tests.Core.Kinematics
     {
         const double Tolerance = 1e-9;
 
-        static readonly double[][] Ur5DenavitHartenberg =
+        // Universal Robots' published parameters: d1, a2, a3, d4, d5, d6 in metres.
+        static readonly Dictionary<string, double[]> DenavitHartenbergOf = new Dictionary<string, double[]>
         {
-            // d, a, alpha
-            new[] { 0.089159, 0, Math.PI / 2 },
-            new[] { 0, -0.425, 0 },
-            new[] { 0, -0.39225, 0 },
-            new[] { 0.10915, 0, Math.PI / 2 },
-            new[] { 0.09465, 0, -Math.PI / 2 },
-            new[] { 0.0823, 0, 0 },
+            ["ur5"] = new[] { 0.089159, -0.425, -0.39225, 0.10915, 0.09465, 0.0823 },
+            ["ur3e"] = new[] { 0.15185, -0.24355, -0.2132, 0.13105, 0.08535, 0.0921 },
+            ["ur5e"] = new[] { 0.1625, -0.425, -0.3922, 0.1333, 0.0997, 0.0996 },
+            ["ur10e"] = new[] { 0.1807, -0.6127, -0.57155, 0.17415, 0.11985, 0.11655 },
+            ["ur16e"] = new[] { 0.1807, -0.4784, -0.36, 0.17415, 0.11985, 0.11655 },
         };
 
         // Poses by urdf-loader and three.js; Tests/Package/make-reference.mjs wrote them.
@@ -42,10 +42,14 @@ namespace Nowpose.Tests.Core.Kinematics
             }
         }
 
-        [Test]
-        public void Compute_Ur5_IsTheProductOfItsDenavitHartenbergMatrices()
+        [TestCase("ur5")]
+        [TestCase("ur3e")]
+        [TestCase("ur5e")]
+        [TestCase("ur10e")]
+        [TestCase("ur16e")]
+        public void Compute_UniversalRobot_IsTheProductOfItsDenavitHartenbergMatrices(string name)
         {
-            var model = UrdfFiles.Robot("ur5");
+            var model = UrdfFiles.Robot(name);
             var poses = new RigidTransform[model.Links.Count];
             var random = new Random(5);
 
@@ -55,7 +59,7 @@ namespace Nowpose.Tests.Core.Kinematics
                 new ForwardKinematics(model).Compute(q, poses);
                 Assert.That(
                     poses[model.IndexOfLink("tool0")].ToRowMajor16(),
-                    Is.EqualTo(DenavitHartenberg(q).ToRowMajor16()).Within(1e-12));
+                    Is.EqualTo(DenavitHartenberg(DenavitHartenbergOf[name], q).ToRowMajor16()).Within(1e-12));
             }
         }
 
@@ -103,14 +107,14 @@ namespace Nowpose.Tests.Core.Kinematics
             return poses;
         }
 
-        static RigidTransform DenavitHartenberg(double[] q)
+        static RigidTransform DenavitHartenberg(double[] parameters, double[] q)
         {
+            double[] d = { parameters[0], 0, 0, parameters[3], parameters[4], parameters[5] };
+            double[] a = { 0, parameters[1], parameters[2], 0, 0, 0 };
+            double[] alpha = { Math.PI / 2, 0, 0, Math.PI / 2, -Math.PI / 2, 0 };
             var product = RigidTransform.Identity;
             for (var i = 0; i < q.Length; i++)
-            {
-                var (d, a, alpha) = (Ur5DenavitHartenberg[i][0], Ur5DenavitHartenberg[i][1], Ur5DenavitHartenberg[i][2]);
-                product = product * RigidTransform.FromXyzRpy(0, 0, d, 0, 0, q[i]) * RigidTransform.FromXyzRpy(a, 0, 0, alpha, 0, 0);
-            }
+                product = product * RigidTransform.FromXyzRpy(0, 0, d[i], 0, 0, q[i]) * RigidTransform.FromXyzRpy(a[i], 0, 0, alpha[i], 0, 0);
             return product;
         }
     }

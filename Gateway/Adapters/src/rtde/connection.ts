@@ -1,0 +1,98 @@
+import { connect, type Socket } from 'node:net';
+import { monotonicTime, type Nanoseconds } from '../times';
+import { NotRtdeError, PackageReader, type RtdePackage } from './packages';
+
+const CONNECT_MS = 3000;
+
+/** What the peer did that no waiting mends, or hardly. */
+export class RefusalError extends Error {}
+
+export interface Peer {
+  host: string;
+  port: number;
+}
+
+/** A TCP connection that gives whole packages with the time at which they arrived. */
+export class RtdeConnection {
+  readonly #reader = new PackageReader();
+  readonly #socket: Socket;
+  #end: (reason: Error) => void = () => {};
+  onPackage: (received: RtdePackage, arrived: Nanoseconds) => void = () => {};
+
+  /** Resolves with the reason when the connection ends. */
+  readonly ended = new Promise<Error>(resolve => { this.#end = resolve; });
+
+  private constructor(readonly peer: Peer, socket: Socket) {
+    this.#socket = socket;
+    socket.setNoDelay(true);
+    socket.on('data', bytes => this.#hear(bytes));
+    // In one wording: which of the two comes is chance.
+    socket.on('error', () => {}).on('close', () => this.#end(new Error(`${at(peer)} ended the connection`)));
+  }
+
+  /** @throws Error Nobody answers; says what to do. */
+  static open(peer: Peer, stop: AbortSignal): Promise<RtdeConnection> {
+    return new Promise((resolve, reject) => {
+      const socket = connect({ host: peer.host, port: peer.port });
+      const late = setTimeout(() => fail(new Error(unreachable(peer, 'ETIMEDOUT'))), CONNECT_MS);
+      const stopped = (): void => fail(new Error('stopped'));
+      const leave = (): void => {
+        clearTimeout(late);
+        stop.removeEventListener('abort', stopped);
+        socket.off('error', failed);
+      };
+      const fail = (error: Error): void => {
+        leave();
+        socket.on('error', () => {});
+        socket.destroy();
+        reject(error);
+      };
+      const failed = (error: Error): void => fail(new Error(unreachable(peer, codeOf(error))));
+      stop.addEventListener('abort', stopped);
+      socket.on('error', failed);
+      socket.on('connect', () => {
+        leave();
+        resolve(new RtdeConnection(peer, socket));
+      });
+    });
+  }
+
+  /** Whether a part of a package has come and its rest has not. */
+  get hasHalfPackage(): boolean { return this.#reader.waiting > 0; }
+
+  send(bytes: Buffer): void {
+    this.#socket.write(bytes);
+  }
+
+  close(): void {
+    this.#socket.destroy();
+  }
+
+  #hear(bytes: Buffer): void {
+    const arrived = monotonicTime();
+    try {
+      for (const received of this.#reader.add(bytes)) this.onPackage(received, arrived);
+    } catch (error) {
+      this.#end(error instanceof NotRtdeError
+        ? new RefusalError(`${at(this.peer)} sends what is not RTDE; name the robot's address under host, and leave port out unless RTDE is forwarded`)
+        : error as Error);
+      this.close();
+    }
+  }
+}
+
+export const at = ({ host, port }: Peer): string => host.includes(':') ? `[${host}]:${port}` : `${host}:${port}`;
+
+const codeOf = (error: Error): string => (error as NodeJS.ErrnoException).code ?? error.message;
+
+function unreachable(peer: Peer, code: string): string {
+  switch (code) {
+    case 'ECONNREFUSED':
+      return `${at(peer)} refuses the connection; start the robot's controller, and enable RTDE in PolyScope under Settings > Security > Services`;
+    case 'ENOTFOUND':
+    case 'EAI_AGAIN':
+      return `no machine is called ${peer.host}; correct plant.host, or write the robot's IP address, which PolyScope shows under Settings > Network`;
+    default:
+      return `${at(peer)} does not answer (${code}); check plant.host, the robot's network and the firewalls on the way`;
+  }
+}

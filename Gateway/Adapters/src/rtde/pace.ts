@@ -1,0 +1,28 @@
+/** Intervals that tell which one is usual. */
+const INTERVALS = 16;
+
+/** The usual interval between two packages, and how many are missing between two. */
+export class Pace {
+  readonly #intervals: number[] = [];
+  #last: number | null = null;
+
+  /** The usual interval in seconds; null until enough packages have come. */
+  get usual(): number | null {
+    if (this.#intervals.length < INTERVALS) return null;
+    return [...this.#intervals].sort((a, b) => a - b)[INTERVALS / 2];
+  }
+
+  /**
+   * @param timestamp Of the package, in seconds.
+   * @returns Packages that are missing before this one.
+   */
+  lostBefore(timestamp: number): number {
+    const interval = this.#last === null ? null : timestamp - this.#last;
+    this.#last = timestamp;
+    if (interval === null) return 0;
+    const { usual } = this;
+    this.#intervals.push(interval);
+    if (this.#intervals.length > INTERVALS) this.#intervals.shift();
+    return usual === null ? 0 : Math.max(0, Math.round(interval / usual) - 1);
+  }
+}

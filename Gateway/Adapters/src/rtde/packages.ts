@@ -1,0 +1,84 @@
+/** Packages of RTDE by the character that UR's guide gives each of them. Packages that write to the robot (I, and U from a client) are not sent. */
+export const TYPE = {
+  protocolVersion: 86, controllerVersion: 118, textMessage: 77, data: 85, setUpOutputs: 79, setUpInputs: 73, start: 83, pause: 80,
+} as const;
+
+/** What a client may send here: requests that read. */
+export type Request = 'protocolVersion' | 'controllerVersion' | 'setUpOutputs' | 'start';
+
+const HEADER = 3;
+
+const KNOWN = new Set<number>(Object.values(TYPE));
+
+export interface RtdePackage {
+  type: number;
+  payload: Buffer;
+}
+
+/** The peer sends something that is not RTDE. */
+export class NotRtdeError extends Error {}
+
+/** uint16 size of the whole package, uint8 type, payload; big-endian as everything in RTDE. */
+function packageOf(request: Request, payload: Buffer = Buffer.alloc(0)): Buffer {
+  const bytes = Buffer.alloc(HEADER + payload.length);
+  bytes.writeUInt16BE(bytes.length, 0);
+  bytes.writeUInt8(TYPE[request], 2);
+  payload.copy(bytes, HEADER);
+  return bytes;
+}
+
+export function protocolVersion(version: number): Buffer {
+  const payload = Buffer.alloc(2);
+  payload.writeUInt16BE(version);
+  return packageOf('protocolVersion', payload);
+}
+
+export const controllerVersion = (): Buffer => packageOf('controllerVersion');
+
+/** In protocol version 2 the frequency, a double in Hz, precedes the names. */
+export function setUpOutputs(frequencyHz: number, names: string[]): Buffer {
+  const frequency = Buffer.alloc(8);
+  frequency.writeDoubleBE(frequencyHz);
+  return packageOf('setUpOutputs', Buffer.concat([frequency, Buffer.from(names.join(','), 'ascii')]));
+}
+
+export const start = (): Buffer => packageOf('start');
+
+/** A text message of version 2, or of version 1, which has the level first and no source; null when it is neither. */
+export function textOf(payload: Buffer): string | null {
+  const length = payload[0] ?? 0, source = payload[1 + length] ?? 0;
+  if (payload.length === length + source + 3) {
+    const from = payload.toString('utf8', 2 + length, 2 + length + source), text = payload.toString('utf8', 1, 1 + length);
+    return from === '' ? text : `${from}: ${text}`;
+  }
+  return payload.length > 1 && payload[0] <= 3 ? payload.toString('utf8', 1) : null;
+}
+
+/** Cuts a stream of bytes into packages. Keeps one package at most, which is 64 KiB long at most. */
+export class PackageReader {
+  #rest: Buffer = Buffer.alloc(0);
+
+  /** Bytes of a package that has not come as a whole. */
+  get waiting(): number { return this.#rest.length; }
+
+  /** Length that the package has which has not come as a whole; 0 while its header has not. */
+  get announced(): number { return this.#rest.length < HEADER ? 0 : this.#rest.readUInt16BE(0); }
+
+  /**
+   * The packages that are whole now. Their payloads are valid until the next call.
+   * @throws NotRtdeError A header that RTDE does not have. What came before it is lost too: the connection is of no use any more.
+   */
+  add(bytes: Buffer): RtdePackage[] {
+    const all = this.#rest.length === 0 ? bytes : Buffer.concat([this.#rest, bytes]), packages: RtdePackage[] = [];
+    let at = 0;
+    while (all.length - at >= HEADER) {
+      const size = all.readUInt16BE(at), type = all[at + 2];
+      if (size < HEADER || !KNOWN.has(type)) throw new NotRtdeError(`a header with size ${size} and type ${type}`);
+      if (all.length - at < size) break;
+      packages.push({ type, payload: all.subarray(at + HEADER, at + size) });
+      at += size;
+    }
+    this.#rest = at === all.length ? Buffer.alloc(0) : Buffer.from(all.subarray(at));
+    return packages;
+  }
+}

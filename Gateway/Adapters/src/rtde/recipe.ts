@@ -1,0 +1,115 @@
+/** Sizes in bytes of the data types of RTDE. */
+const SIZE: Record<string, number> = {
+  BOOL: 1, UINT8: 1, UINT32: 4, INT32: 4, UINT64: 8, DOUBLE: 8, VECTOR3D: 24, VECTOR6D: 48, VECTOR6INT32: 24, VECTOR6UINT32: 24,
+};
+
+/** A field that is read, with the type that UR's guide gives it. */
+export interface Field {
+  name: string;
+  type: 'DOUBLE' | 'VECTOR6D' | 'UINT32' | 'INT32';
+  /** Controllers that do not have it are read without it. */
+  isOptional?: boolean;
+}
+
+/** Where the positions are taken from: what the encoders measure, or what the controller commands. */
+export type PositionSource = 'actual' | 'target';
+
+/** What is read. Inputs and outputs and the tool's data join when the gateway takes signals. */
+export const fieldsOf = (source: PositionSource): Field[] => [
+  { name: 'timestamp', type: 'DOUBLE' },
+  { name: `${source}_q`, type: 'VECTOR6D' },
+  { name: `${source}_qd`, type: 'VECTOR6D', isOptional: true },
+  { name: 'runtime_state', type: 'UINT32', isOptional: true },
+  { name: 'robot_mode', type: 'INT32', isOptional: true },
+  { name: 'safety_mode', type: 'INT32', isOptional: true },
+  { name: 'safety_status_bits', type: 'UINT32', isOptional: true },
+];
+
+/** The controller cannot give what is asked for; waiting alone will not mend it. */
+export class RecipeError extends Error {}
+
+/** The controller does not have these optional fields; it is asked again without them. */
+export class MissingFieldsError extends Error {
+  constructor(readonly names: string[]) {
+    super(`the controller does not have ${names.join(', ')}`);
+  }
+}
+
+/** One data package. */
+export interface Cycle {
+  /** Seconds since the controller was started. */
+  timestamp: number;
+  positions: number[];
+  /** Null where the controller does not tell them. */
+  velocities: number[] | null;
+  runtimeState: number | null;
+  robotMode: number | null;
+  safetyMode: number | null;
+  safetyBits: number | null;
+}
+
+/** Decodes data packages as the controller confirmed the recipe. */
+export class Recipe {
+  readonly #offsets = new Map<string, { at: number; type: Field['type'] }>();
+  readonly #id: number;
+  readonly size: number;
+
+  /**
+   * @param reply Payload of the answer to the request: a recipe id and the types, in the order of the fields.
+   * @throws RecipeError A field is missing or has another type.
+   * @throws MissingFieldsError Optional fields are missing.
+   */
+  constructor(readonly fields: Field[], reply: Buffer, readonly source: PositionSource = 'actual') {
+    const types = reply.toString('latin1', 1).replace(/\0+$/, '').split(',');
+    if (reply.length < 2 || types.length !== fields.length)
+      throw new RecipeError(`the controller answered the recipe of ${fields.length} fields with ${reply.length < 2 ? 0 : types.length} types; `
+        + 'is this an RTDE server of protocol version 2?');
+    const missing = fields.filter((_, i) => types[i] === 'NOT_FOUND'), needed = missing.find(field => field.isOptional !== true);
+    if (needed !== undefined)
+      throw new RecipeError(`the controller has no field ${needed.name}; update the controller's software`);
+    const wrong = fields.findIndex((field, i) => types[i] !== field.type && types[i] !== 'NOT_FOUND');
+    if (wrong >= 0)
+      throw new RecipeError(`the controller's field ${fields[wrong].name} is ${printable(types[wrong])}, not ${fields[wrong].type}; `
+        + 'it is read as UR\'s guide describes it only, update this adapter or the controller');
+    if (missing.length > 0) throw new MissingFieldsError(missing.map(field => field.name));
+    this.#id = reply[0];
+    let at = 1;
+    for (const { name, type } of fields) {
+      this.#offsets.set(name, { at, type });
+      at += SIZE[type];
+    }
+    this.size = at;
+  }
+
+  /** What one data package says; a sentence on what is wrong with it otherwise. */
+  decode(payload: Buffer): Cycle | string {
+    if (payload.length !== this.size) return `a data package of ${payload.length} bytes where the recipe has ${this.size}`;
+    if (payload[0] !== this.#id) return `a data package of recipe ${payload[0]}, not ${this.#id}`;
+    const number = (name: string): number | null => {
+      const field = this.#offsets.get(name);
+      if (field === undefined) return null;
+      if (field.type === 'DOUBLE') return payload.readDoubleBE(field.at);
+      return field.type === 'INT32' ? payload.readInt32BE(field.at) : payload.readUInt32BE(field.at);
+    };
+    const vector = (name: string): number[] | null => {
+      const field = this.#offsets.get(name);
+      return field === undefined ? null : Array.from({ length: 6 }, (_, i) => payload.readDoubleBE(field.at + 8 * i));
+    };
+    const timestamp = number('timestamp')!;
+    if (!Number.isFinite(timestamp) || timestamp < 0 || timestamp > LONGEST_S) return `a data package with timestamp ${timestamp} s`;
+    return {
+      timestamp,
+      positions: vector(`${this.source}_q`)!,
+      velocities: vector(`${this.source}_qd`),
+      runtimeState: number('runtime_state'),
+      robotMode: number('robot_mode'),
+      safetyMode: number('safety_mode'),
+      safetyBits: number('safety_status_bits'),
+    };
+  }
+}
+
+/** No controller runs for a century; a larger number is no time. */
+const LONGEST_S = 3.2e9;
+
+const printable = (type: string): string => /^\w{1,20}$/.test(type) ? type : 'of an unknown type';

@@ -1,0 +1,252 @@
+import type { AdapterContext } from '../adapter';
+import { pause } from '../backoff';
+import { monotonicTime, type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
+import { ofFraction } from '../samples/timeUnit';
+import { at, RefusalError, RtdeConnection } from './connection';
+import { controllerVersion, protocolVersion, type RtdePackage, setUpOutputs, start, textOf, TYPE } from './packages';
+import { Pace } from './pace';
+import { type Cycle, type Field, Recipe } from './recipe';
+import { RobotClock } from './robotClock';
+import { isProgramRunning, Power, programOf, safetyStopOf } from './robotState';
+import type { RtdeSettings } from './settings';
+
+const VERSION = 2, ANSWER_MS = 2000, VERSION_ANSWER_MS = 1000;
+
+/** A stream that is silent for longer is read from its beginning. */
+const SILENT_MS = 2000, CHECK_MS = 250;
+
+/** Between two questions that bound the clock. */
+const ASK_MS = 50;
+
+/** A timestamp that goes back by more is that of a controller that was restarted. */
+const RESTART_S = 0.5;
+
+/** A package that comes earlier than the chosen interval by less is taken: timestamps are not exact to the last digit. */
+const TOLERANCE: Nanoseconds = NS_PER_MS / 2n;
+
+/** From this version on a controller is an e-Series; one that does not tell its version is taken for one. */
+const E_SERIES = 5, E_SERIES_HZ = 500, CB3_HZ = 125;
+
+/** One connection to a controller, from its first package to its end. */
+export class RtdeSession {
+  #connection!: RtdeConnection;
+  #recipe!: Recipe;
+  /** Payload of the answer with the controller's version; null without one. */
+  #controller: Buffer | null = null;
+  #clock!: RobotClock;
+  #awaited: { type: number; take: (payload: Buffer, arrived: Nanoseconds) => void } | null = null;
+  /** When the request was sent whose answer has come, and no package after it. */
+  #answered: Nanoseconds | null = null;
+  /** The shortest of the answers before the data. */
+  #roundTrip: Nanoseconds | null = null;
+  #question: { asked: Nanoseconds; sentMs: number } | null = null;
+  readonly #pace = new Pace();
+  readonly #power = new Power();
+  readonly #over = new AbortController();
+  #lastMs = 0;
+  #timestamp: number | null = null;
+  #published: Nanoseconds | null = null;
+  #isReading = false;
+  #hasClock = false;
+  #fail: (error: Error) => void = () => {};
+
+  constructor(readonly context: AdapterContext, readonly settings: RtdeSettings, readonly fields: Field[]) {}
+
+  /**
+   * Reads until the connection or the adapter ends.
+   * @returns Why it ended.
+   * @throws RefusalError, RecipeError, MissingFieldsError, Error It cannot be read.
+   */
+  async run(): Promise<string> {
+    const { stopping, output, clock } = this.context;
+    output.startAnew();
+    this.#connection = await RtdeConnection.open(this.settings, stopping);
+    const stop = (): void => this.#connection.close();
+    stopping.addEventListener('abort', stop);
+    const failed = new Promise<never>((_, reject) => { this.#fail = reject; });
+    failed.catch(() => {});
+    this.#connection.onPackage = (received, arrived) => this.#hear(received, arrived);
+    try {
+      const ended = this.#connection.ended.then(error => { throw this.#because(error); });
+      await Promise.race([this.#setUp(), failed, ended]);
+      return await Promise.race([this.#watch(), failed, ended]);
+    } finally {
+      stopping.removeEventListener('abort', stop);
+      this.#over.abort();
+      clock.detach();
+      this.#connection.close();
+    }
+  }
+
+  // A controller has few places for clients, and test servers one.
+  #because(error: Error): Error {
+    if (error instanceof RefusalError)
+      return this.#isReading ? new Error(`the stream of ${at(this.settings)} is damaged; reading begins anew, check the robot's network if this goes on`) : error;
+    const then = this.#isReading ? '; see whether the controller was switched off or restarted, reading goes on when it answers'
+      : ' before it answered; if other programs read this robot over RTDE, end one of them';
+    return new Error(error.message + then);
+  }
+
+  async #setUp(): Promise<void> {
+    const { settings, context: { status } } = this;
+    const version = await this.#ask(protocolVersion(VERSION), TYPE.protocolVersion, ANSWER_MS);
+    if (version === null) throw new RefusalError(`${at(settings)} takes the connection and does not answer as RTDE does; check plant.host and plant.port`);
+    if (version[0] !== 1)
+      throw new RefusalError(`${at(settings)} has protocol version 1 of RTDE only, version 2 is needed; update the controller's software`);
+    const controller = this.#controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS);
+    const major = controller !== null && controller.length >= 16 ? controller.readUInt32BE(0) : null;
+    if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
+    const cyclesHz = major === null || major >= E_SERIES ? E_SERIES_HZ : CB3_HZ, rateHz = Math.min(settings.rateHz, cyclesHz);
+    this.#clock = new RobotClock(settings.sendDelay ?? ofMilliseconds(1000 / cyclesHz), by => this.#tellStep(by));
+    status.detail('rate_hz', rateHz);
+    const types = await this.#ask(setUpOutputs(rateHz, this.fields.map(field => field.name)), TYPE.setUpOutputs, ANSWER_MS);
+    if (types === null) throw new Error(`${at(settings)} does not answer the output recipe; restart the controller if this goes on`);
+    this.#recipe = new Recipe(this.fields, types, settings.source);
+    const started = await this.#ask(start(), TYPE.start, ANSWER_MS, asked => { this.#answered = asked; });
+    if (started?.[0] !== 1) throw new Error(`${at(settings)} does not start to send data; restart the controller if this goes on`);
+  }
+
+  /**
+   * @param answered Called with the time of the request before anything that follows the answer is heard.
+   * @returns The answer's payload; null when none comes in time.
+   */
+  async #ask(request: Buffer, type: number, ms: number, answered: (asked: Nanoseconds) => void = () => {}): Promise<Buffer | null> {
+    const asked = monotonicTime(), answer = new Promise<Buffer | null>(resolve => {
+      const late = setTimeout(() => resolve(null), ms);
+      this.#over.signal.addEventListener('abort', () => clearTimeout(late));
+      this.#awaited = {
+        type,
+        take: (payload, arrived) => {
+          clearTimeout(late);
+          const roundTrip = arrived - asked;
+          if (this.#roundTrip === null || roundTrip < this.#roundTrip) this.#roundTrip = roundTrip;
+          answered(asked);
+          resolve(Buffer.from(payload));
+        },
+      };
+    });
+    this.#connection.send(request);
+    return answer;
+  }
+
+  /** @returns Why the stream counts as ended. */
+  async #watch(): Promise<string> {
+    this.#lastMs = performance.now();
+    void this.#askAgain();
+    while (performance.now() - this.#lastMs < SILENT_MS) {
+      await pause(CHECK_MS, this.#over.signal);
+      if (this.#over.signal.aborted) return 'stopped';
+    }
+    const half = this.#connection.hasHalfPackage ? 'half a package has come of' : 'nothing has come of';
+    return `${half} ${at(this.settings)} for ${SILENT_MS / 1000} s; check the robot's network and whether its controller runs`;
+  }
+
+  /** Asks for the version again and again: what comes behind the answer bounds the controller's clock. */
+  async #askAgain(): Promise<void> {
+    const over = this.#over.signal;
+    // A late answer would be taken for that to a later question.
+    if (this.#controller === null) return this.#clock.expectNoAnswers(this.#roundTrip!);
+    while (!over.aborted) {
+      await pause(ASK_MS, over);
+      await pause(this.#untilPackageMs(), over);
+      if (over.aborted) return;
+      if (this.#question === null) {
+        this.#question = { asked: monotonicTime(), sentMs: performance.now() };
+        this.#connection.send(controllerVersion());
+      } else if (performance.now() - this.#question.sentMs > ANSWER_MS) {
+        this.#clock.expectNoAnswers(this.#roundTrip!);
+        return;
+      }
+    }
+  }
+
+  /** The less time is between an answer and the next package, the more they tell. How long the question is under way is not known. */
+  #untilPackageMs(): number {
+    const intervalMs = 1000 * (this.#pace.usual ?? 0), passedMs = performance.now() - this.#lastMs;
+    return Math.max(0, intervalMs * (1 - Math.random() ** 2) - passedMs % intervalMs || 0);
+  }
+
+  #hear({ type, payload }: RtdePackage, arrived: Nanoseconds): void {
+    if (this.#awaited?.type === type) {
+      const { take } = this.#awaited;
+      this.#awaited = null;
+      return take(payload, arrived);
+    }
+    if (type === TYPE.data && this.#recipe !== undefined) return this.#hearData(payload, arrived);
+    if (type === TYPE.textMessage) {
+      const text = textOf(payload);
+      if (text !== null) this.context.log.change('message', text, `the controller says: ${text}`);
+    } else if (type === TYPE.controllerVersion && this.#question !== null) {
+      this.#answered = this.#question.asked;
+      this.#question = null;
+    }
+  }
+
+  #hearData(payload: Buffer, arrived: Nanoseconds): void {
+    const cycle = this.#recipe.decode(payload);
+    if (typeof cycle === 'string')
+      return this.#fail(new Error(`${at(this.settings)} sends ${cycle}; reading begins anew, update the controller if this goes on`));
+    this.#lastMs = performance.now();
+    const { context: { status } } = this, before = this.#timestamp;
+    if (before !== null && cycle.timestamp <= before) {
+      if (before - cycle.timestamp <= RESTART_S) return status.count('stamp-not-newer');
+      return this.#fail(new Error(`the controller was restarted: its time went from ${before.toFixed(1)} s back to ${cycle.timestamp.toFixed(1)} s; `
+        + 'reading begins anew'));
+    }
+    this.#timestamp = cycle.timestamp;
+    const stamp = ofFraction(cycle.timestamp, 's');
+    this.#clock.heard(stamp, arrived, this.#answered);
+    this.#answered = null;
+    this.#countLost(cycle.timestamp);
+    if (this.#tellState(cycle)) this.#publish(cycle, stamp);
+  }
+
+  /** Returns whether the positions are measured. */
+  #tellState(cycle: Cycle): boolean {
+    const { status, log } = this.context, lack = this.#power.lackIn(cycle), program = programOf(cycle), stop = safetyStopOf(cycle);
+    if (lack !== null) {
+      status.enter('waiting', lack);
+    } else if (!this.#isReading || status.state !== 'connected') {
+      status.enter('connected');
+    }
+    if (!this.#isReading) void this.#attachClock();
+    this.#isReading = true;
+    status.detail('program', program);
+    if (program !== null && !isProgramRunning(cycle)) log.change('program', program, `the robot's program is ${program}; its positions go on`);
+    else log.resume('program', 'the robot\'s program runs again');
+    status.notice(stop);
+    return lack === null;
+  }
+
+  async #attachClock(): Promise<void> {
+    try {
+      this.#hasClock = await this.context.clock.attach(async () => this.#clock.at(monotonicTime()), this.#over.signal);
+    } catch (error) {
+      this.#fail(error as Error);
+    }
+  }
+
+  #publish({ positions, velocities }: Cycle, stamp: Nanoseconds): void {
+    const { settings: { indices, rateHz }, context: { output } } = this;
+    const interval = ofMilliseconds(1000 / rateHz);
+    // Until it is measured, stamps after a restart would be judged by the clock of before.
+    if (!this.#hasClock || this.#published !== null && stamp - this.#published < interval - TOLERANCE) return;
+    this.#published = stamp;
+    output.publish(indices.map((index, joint) => ({
+      joint, value: positions[index], stamp, ...(velocities === null ? {} : { velocity: velocities[index] }),
+    })));
+  }
+
+  #countLost(timestamp: number): void {
+    const lost = this.#pace.lostBefore(timestamp), { status, log } = this.context;
+    if (lost === 0) return;
+    for (let i = 0; i < Math.min(lost, 1000); i++) status.count('package-lost');
+    log.change('packages', 'lost', 'packages are missing in the controller\'s stream (counted as refused/package-lost); '
+      + 'lower rate_hz, or take load off the controller and the network');
+  }
+
+  #tellStep(by: Nanoseconds): void {
+    this.context.log.change('controller clock', 'stepped', `the controller's clock contradicts what it showed before, by ${(Number(by) / 1e6).toFixed(1)} ms; `
+      + 'it is measured anew');
+  }
+}

@@ -1,0 +1,55 @@
+import type { Kind } from '../adapter';
+import { type Configuration, passedJoints } from '../configuration/configuration';
+import { shown } from '../configuration/problem';
+import { type Nanoseconds, ofMilliseconds } from '../times';
+import type { PositionSource } from './recipe';
+
+/** What a configuration of kind rtde says, with the defaults that the schema fills in. */
+export interface RtdeSettings {
+  host: string;
+  port: number;
+  rateHz: number;
+  source: PositionSource;
+  /** How long after its timestamp the controller sends a package; null: one control cycle of its series. */
+  sendDelay: Nanoseconds | null;
+  /** For each joint of the configuration its place in the controller's lists of six. */
+  indices: number[];
+}
+
+interface PlantSection {
+  host: string;
+  port: number;
+  rate_hz: number;
+  positions: PositionSource;
+  send_delay_ms?: number;
+}
+
+const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
+
+export function settingsOf(configuration: Configuration): RtdeSettings {
+  const { host, port, rate_hz: rateHz, positions, send_delay_ms: sendDelayMs } = sectionOf(configuration);
+  return {
+    host,
+    port,
+    rateHz,
+    source: positions,
+    sendDelay: sendDelayMs === undefined ? null : ofMilliseconds(sendDelayMs),
+    indices: configuration.joints.map((joint, i) => (joint.index as number | undefined) ?? i),
+  };
+}
+
+export const rtde: Kind = {
+  check(file, configuration) {
+    const { indices } = settingsOf(configuration);
+    indices.forEach((index, i) => {
+      const entry = ['joints', i, 'index'], first = indices.indexOf(index);
+      if (index > 5) file.report(entry, `value ${shown(index)}; the arm has six joints, allowed is a whole number from 0 to 5`);
+      else if (first < i) file.report(entry, `value ${shown(index)}; line ${file.lineOf(['joints', first])} has this joint of the arm already, give each its own`);
+    });
+  },
+  summary(configuration) {
+    const { host, port, rateHz, source } = settingsOf(configuration);
+    return `RTDE ${host}:${port}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; `
+      + passedJoints(configuration.joints, 'its clock alone');
+  },
+};

@@ -1,0 +1,290 @@
+// The adapter as a process between a controller's double and a gateway's.
+import assert from 'node:assert/strict';
+import { createServer } from 'node:net';
+import { describe, it } from 'node:test';
+import { wrongIn } from '../checking.mjs';
+import { check, start, until } from '../program.mjs';
+import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
+import { seeded } from '../seeded.mjs';
+import { temporaryFile } from '../temporary.mjs';
+import { byte, packageOf } from './bytes.mjs';
+import { angle, RtdeRobot } from './robot.mjs';
+
+const JOINTS = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint'];
+
+const configuration = ({ url, port, host = '127.0.0.1', more = '', rest = '' }) =>
+  temporaryFile('rtde.yaml', `gateway: { url: "${url}" }\nplant: { kind: rtde, name: arm, host: "${host}", port: ${port}${more} }\n${rest}`);
+
+/** A controller, a gateway and an adapter between them. */
+async function cell(t, robot = new RtdeRobot(), { more, rest } = {}) {
+  await robot.listen(t);
+  const bridge = await RosbridgeDouble.start(t);
+  return { robot, bridge, adapter: start(t, [configuration({ url: bridge.url, port: robot.port, more, rest })]) };
+}
+
+const statesOf = (bridge, count = 1) => until(() => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states; ${JSON.stringify(bridge.state)}`);
+
+const seconds = stamp => Number(nanoseconds(stamp)) / 1e9;
+
+/** Lines of the adapter about its plant. */
+const told = adapter => adapter.err.split('\n').filter(line => /\[plant\/arm\] (waiting|refused|connected)/.test(line));
+
+describe('rtde adapter', { concurrency: 4 }, () => {
+  it('Adapter_DataPackages_BringPositionsAndVelocitiesWithTheirTimestamp', async t => {
+    const { bridge, robot } = await cell(t);
+
+    const states = await statesOf(bridge, 100);
+
+    for (const { header, name, position, velocity } of states) {
+      const time = seconds(header.stamp);
+      assert.deepEqual(name, JOINTS);
+      position.forEach((value, i) => assert.ok(Math.abs(value - angle(i, time)) < 1e-9, `${name[i]} at ${time}: ${value}`));
+      velocity.forEach((value, i) => assert.ok(Math.abs(value - (0.9 + 0.1 * i) * 0.4 * Math.cos((0.9 + 0.1 * i) * time)) < 1e-6));
+    }
+    assert.deepEqual(robot.frequencies, [125]);
+    assert.deepEqual([...new Set(robot.requests)].sort(), ['O', 'S', 'V', 'v']);
+    assert.equal(bridge.state.controller, '5.11.1.108318');
+  });
+
+  it('Adapter_JointsNamed_PassAsConfigured', async t => {
+    const rest = 'joints: [{ joint: wrist, index: 5 }, { joint: base, index: 0 }]\n';
+    const { bridge } = await cell(t, undefined, { rest, more: ', positions: target' });
+
+    const { header, name, position } = (await statesOf(bridge)).at(0);
+
+    assert.deepEqual(name, ['wrist', 'base']);
+    assert.ok(Math.abs(position[0] - angle(5, seconds(header.stamp)) - 1) < 1e-9);
+  });
+
+  it('Adapter_FasterController_IsThinned', async t => {
+    const { bridge, robot } = await cell(t, new RtdeRobot({ rateHz: 500 }), { more: ', rate_hz: 50' });
+
+    const stamps = (await statesOf(bridge, 20)).map(state => seconds(state.header.stamp));
+
+    assert.ok(stamps.slice(1).every((stamp, i) => stamp - stamps[i] > 0.0194), stamps.join());
+    assert.deepEqual(robot.frequencies, [50]);
+  });
+
+  it('Adapter_Cb3_IsAskedForNoMoreThan125Hz', async t => {
+    const { bridge, robot } = await cell(t, new RtdeRobot({ version: [3, 15, 8, 1] }), { more: ', rate_hz: 500' });
+
+    await statesOf(bridge);
+
+    assert.deepEqual(robot.frequencies, [125]);
+  });
+
+  it('Clock_OfTheController_IsWithinItsBound', async t => {
+    const { bridge, robot } = await cell(t);
+    await statesOf(bridge, 20);
+
+    for (let i = 0; i < 20; i++) {
+      const before = robot.now, { values } = await bridge.call('/nowpose/plant_time/arm'), after = robot.now;
+      const bound = values.error_bound_ns / 1e9, time = seconds(values.sent);
+
+      assert.ok(time >= before - bound && time <= after + bound, `${before} ${time} ${after} ± ${bound}`);
+      assert.deepEqual([values.received, values.synchronised, values.resolution_ns], [values.sent, true, 1]);
+      assert.ok(bound > 0);
+    }
+  });
+
+  it('Clock_WithoutAnswersInTheStream_IsToldNevertheless', async t => {
+    const { bridge, robot } = await cell(t, new RtdeRobot({ isAnsweringWhileStreaming: false, version: null }));
+    await statesOf(bridge, 400);
+
+    const before = robot.now, { values } = await bridge.call('/nowpose/plant_time/arm'), after = robot.now, bound = values.error_bound_ns / 1e9;
+
+    assert.ok(seconds(values.sent) >= before - bound && seconds(values.sent) <= after + bound);
+    const asked = robot.requests.length;
+    await statesOf(bridge, bridge.jointStates.length + 100);
+    assert.equal(robot.requests.length, asked);
+  });
+
+  it('Controller_WithoutOptionalFields_IsReadWithoutThem', async t => {
+    const { bridge, robot, adapter } = await cell(t, new RtdeRobot({ missing: ['actual_qd', 'safety_mode', 'robot_mode'] }));
+
+    const [{ velocity }] = await statesOf(bridge);
+
+    assert.deepEqual(velocity, []);
+    assert.deepEqual(robot.recipes.at(-1), ['timestamp', 'actual_q', 'runtime_state', 'safety_status_bits']);
+    assert.match(adapter.err, /the controller does not have actual_qd, robot_mode, safety_mode; it is read without/);
+  });
+
+  it('Controller_Restarted_IsReadOnItsNewTime', async t => {
+    const { bridge, robot, adapter } = await cell(t);
+    await statesOf(bridge, 20);
+
+    robot.restart();
+
+    await adapter.said('the controller was restarted: its time went from 10');
+    await until(() => seconds(bridge.jointStates.at(-1).header.stamp) < 50, 'samples on the new time');
+    const { header, position } = bridge.jointStates.at(-1);
+    assert.ok(Math.abs(position[2] - angle(2, seconds(header.stamp))) < 1e-9);
+    assert.ok(seconds((await bridge.call('/nowpose/plant_time/arm')).values.sent) < 50);
+    assert.equal(told(adapter).length, 3, adapter.err);
+    assert.doesNotMatch(adapter.err, /refused \(/);
+  });
+
+  it('Robot_InProtectiveStop_IsNamedAndItsPositionsGoOn', async t => {
+    const { bridge, robot, adapter } = await cell(t);
+    await statesOf(bridge);
+
+    robot.state = { runtime: 1, mode: 7, safety: 3, bits: 1 << 2 };
+
+    await until(() => bridge.status?.level === 1, 'a warning');
+    assert.match(bridge.status.message, /protective stop; look why, and release it/);
+    assert.equal(bridge.joint('elbow_joint').state, 'live');
+    await statesOf(bridge, bridge.jointStates.length + 20);
+    robot.state = { runtime: 2, mode: 7, safety: 1, bits: 1 };
+    await until(() => bridge.status.level === 0, 'no warning');
+    const lines = adapter.err.split('\n').filter(line => /protective|program/.test(line));
+    assert.deepEqual(lines.map(line => line.slice(12)), [
+      'the robot\'s program is stopped; its positions go on', 'protective stop; look why, and release it on the teach pendant',
+      'the robot\'s program runs again', 'over: protective stop; look why, and release it on the teach pendant',
+    ]);
+  });
+
+  it('Robot_WithoutPower_HasNoPositionsUntilItIsSwitchedOn', async t => {
+    const robot = new RtdeRobot({ stands: true });
+    robot.state.mode = 3;
+    const { bridge, adapter } = await cell(t, robot);
+
+    await adapter.said('waiting: the arm has no power (robot mode power off), its joint angles are not measured; switch it on at the teach pendant');
+    assert.deepEqual(bridge.jointStates, []);
+    robot.state.mode = 7;
+
+    await statesOf(bridge);
+    assert.equal(told(adapter).length, 2, adapter.err);
+  });
+
+  it('Robot_ThatMovesInAModeWithoutPower_IsRead', async t => {
+    const robot = new RtdeRobot();
+    robot.state.mode = 0;
+
+    const { bridge } = await cell(t, robot);
+
+    await statesOf(bridge);
+  });
+
+  it('Controller_ThatLosesPackages_IsNamedOnce', async t => {
+    const { bridge, adapter } = await cell(t, new RtdeRobot({ losesEach: 5 }));
+
+    await until(() => Number(bridge.state?.['refused/package-lost']) > 5, 'lost packages');
+
+    assert.equal(adapter.err.match(/packages are missing in the controller's stream/g).length, 1);
+    assert.equal(bridge.status.level, 0);
+  });
+
+  for (const [what, bytes, text] of [
+    ['WithBytesThatAreNone', Buffer.alloc(64), /waiting: the stream of .* is damaged; reading begins anew/],
+    ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), /sends a data package of 6 bytes where the recipe has \d+; reading begins anew/],
+  ])
+    it(`Stream_${what}_IsReadAnew`, async t => {
+      const { bridge, robot, adapter } = await cell(t);
+      await statesOf(bridge, 10);
+
+      robot.send(bytes);
+
+      await until(() => told(adapter).length === 3, () => `three lines; ${adapter.err}`);
+      assert.match(told(adapter)[1], text);
+      await statesOf(bridge, bridge.jointStates.length + 10);
+    });
+
+  it('Controller_SaysSomething_IsHeard', async t => {
+    const { bridge, robot, adapter } = await cell(t);
+    await statesOf(bridge);
+
+    robot.send(packageOf('M', byte(4), 'tool', byte(2), 'UR', byte(1)));
+
+    await adapter.said('the controller says: UR: tool');
+  });
+
+  for (const [what, robot, text, state] of [
+    ['Version1Only', { accepts: 1 }, /has protocol version 1 of RTDE only, version 2 is needed; update/, 'refused'],
+    ['WithoutAField', { missing: ['actual_q'] }, /has no field actual_q; update/, 'refused'],
+    ['OfAnotherType', { types: { actual_q: 'DOUBLE' } }, /field actual_q is DOUBLE, not VECTOR6D/, 'refused'],
+    ['ThatIsMute', { isMute: true }, /takes the connection and does not answer as RTDE does; check plant.host and plant.port/, 'refused'],
+    ['WithHalfPackages', { sendsHalf: true }, /half a package has come of .* for 2 s; check/, 'waiting'],
+    ['ForOneClient', { onConnection: socket => socket.destroy() }, /before it answered; if other programs read this robot over RTDE, end one of them/, 'waiting'],
+    ['OfGarbage', { isMute: true, onConnection: pour }, /sends what is not RTDE; name the robot's address/, 'refused'],
+  ])
+    it(`Controller_${what}_IsOneLineAndIsTriedAgain`, async t => {
+      let connections = 0;
+      const double = new RtdeRobot(robot), { bridge, adapter } = await cell(t, double);
+      double.onConnection = socket => {
+        connections++;
+        robot.onConnection?.(socket);
+      };
+
+      await until(() => connections >= 3 && told(adapter).length > 0, () => `three attempts; ${adapter.err}`);
+
+      const lines = told(adapter);
+      assert.equal(lines.length, 1, adapter.err);
+      assert.match(lines[0], text);
+      assert.match(lines[0], new RegExp(`\\] ${state}: `));
+      await until(() => bridge.status?.level === 2, 'an error in the diagnostics');
+      assert.deepEqual(bridge.jointStates, []);
+    });
+
+  it('Host_ThatDoesNotExist_IsOneLine', async t => {
+    const bridge = await RosbridgeDouble.start(t), adapter = start(t, [configuration({ url: bridge.url, host: 'no-such-robot.invalid', port: 30004 })]);
+
+    await adapter.said('no machine is called no-such-robot.invalid; correct plant.host');
+
+    assert.equal(told(adapter).length, 1);
+  });
+
+  it('Port_ThatIsClosed_IsOneLineAndGoesOnWhenItOpens', async t => {
+    const free = createServer();
+    await new Promise(resolve => free.listen(0, '127.0.0.1', resolve));
+    const { port } = free.address(), bridge = await RosbridgeDouble.start(t);
+    await new Promise(resolve => free.close(resolve));
+    const adapter = start(t, [configuration({ url: bridge.url, port })]);
+
+    await adapter.said(`127.0.0.1:${port} refuses the connection; start the robot's controller, and enable RTDE`);
+    await new RtdeRobot().listen(t, port);
+
+    await statesOf(bridge);
+    assert.equal(told(adapter).length, 2, adapter.err);
+  });
+
+  it('Connection_Lost_IsMadeAgain', async t => {
+    const { bridge, robot, adapter } = await cell(t);
+    await statesOf(bridge, 10);
+
+    robot.drop();
+
+    await adapter.said('waiting: 127.0.0.1');
+    const before = bridge.jointStates.length;
+    await statesOf(bridge, before + 10);
+    assert.equal(told(adapter).length, 3, adapter.err);
+  });
+
+  it('Check_GoodFile_SaysWhatIsRead', async t => {
+    const { status, out } = await check(t, configuration({ url: 'ws://127.0.0.1:1', port: 30004, rest: 'robot: ur5e\n' }));
+
+    assert.equal(status, 0);
+    assert.match(out, /RTDE 127\.0\.0\.1:30004, NO SECURITY; t_k is the controller's timestamp; actual positions at 125 Hz; joints shoulder_pan_joint, .*, wrist_3_joint/);
+  });
+
+  for (const [what, yaml, text] of [
+    ['NoHost', 'plant: { kind: rtde }', /line 1: plant\.host: missing; add the name or the address of the robot's controller/],
+    ['HostWithPort', 'plant: { kind: rtde, host: "10.0.0.1:30004" }', /value "10\.0\.0\.1:30004"; allowed is .* without a port, which stands under port/],
+    ['HostWithScheme', 'plant: { kind: rtde, host: "tcp://10.0.0.1" }', /value "tcp:\/\/10\.0\.0\.1"; allowed is the name or the address/],
+    ['TooFast', 'plant: { kind: rtde, host: ur, rate_hz: 1000 }', /value 1000; allowed is samples per second, 1 to 500/],
+    ['SeventhJoint', 'plant: { kind: rtde, host: ur }\njoints: [{ joint: a, index: 6 }]', /value 6; allowed is a whole number from 0 to 5/],
+    ['JointTwice', 'plant: { kind: rtde, host: ur }\njoints:\n  - { joint: a, index: 1 }\n  - { joint: b, index: 1 }', /line 4: joints\[1\]\.index: value 1; line 3 has this joint of the arm already/],
+    ['AnotherRobotsJoints', 'plant: { kind: rtde, host: ur }\nrobot: youbot', /the robot has no such joint/],
+  ])
+    it(`Check_${what}_NamesTheEntry`, () => {
+      const lines = wrongIn(temporaryFile('rtde.yaml', yaml));
+
+      assert.ok(lines.length > 0);
+      assert.match(lines[0], text);
+    });
+});
+
+/** Random bytes without end. */
+function pour(socket) {
+  const random = seeded(7), timer = setInterval(() => socket.write(Buffer.from(Array.from({ length: 1024 }, () => Math.floor(256 * random())))), 1);
+  socket.on('error', () => {}).on('close', () => clearInterval(timer));
+}

@@ -1,0 +1,140 @@
+// The controller's clock by its packages and by answers among them, in virtual time with a seed.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { parts } from '../parts.mjs';
+import { seeded } from '../seeded.mjs';
+
+const { RobotClock } = await parts('rtde/robotClock');
+
+const MS = 1_000_000n, ns = ms => BigInt(Math.round(ms * 1e6));
+
+/**
+ * A controller on a clock of its own behind a network with delays of `leastMs` and up; each package leaves within `sendMs` of its
+ * timestamp. Times of `at` are of this machine's counter, in ms.
+ */
+class Link {
+  packages = [];
+  stepped = [];
+
+  constructor({ seed, aheadMs = 5_000_000, ppm = 80, periodMs = 8, leastMs = 0.2, jitterMs = 2, sendMs = 2, assumedMs = 2, answers = true }) {
+    Object.assign(this, { seed, aheadMs, ppm, periodMs, leastMs, jitterMs, sendMs, random: seeded(seed), answers });
+    this.clock = new RobotClock(ns(assumedMs), by => this.stepped.push(Number(by) / 1e6));
+    this.cycle = 1;
+    this.question = null;
+    this.arrived = 0;
+  }
+
+  /** What the controller's clock shows, ms. */
+  truth(at) { return at * (1 + this.ppm / 1e6) + this.aheadMs; }
+
+  #delay() { return this.leastMs + this.jitterMs * this.random() ** 4; }
+
+  /** Plays until a time; a question is under way about 16 times a second. */
+  play(untilMs) {
+    for (;;) {
+      const begun = this.cycle * this.periodMs;
+      if (begun > untilMs) return;
+      const sent = begun + this.sendMs * this.random();
+      this.arrived = Math.max(this.arrived, sent + this.#delay());
+      let asked = null;
+      if (this.question !== null && this.question.there <= sent) {
+        asked = this.question.asked;
+        this.question = null;
+      }
+      this.clock.heard(ns(this.truth(begun)), ns(this.arrived), asked === null ? null : ns(asked));
+      if (this.question === null && (this.answers || this.cycle === 1) && this.random() < this.periodMs / 60) {
+        const later = this.arrived + this.periodMs * this.random();
+        this.question = { asked: later, there: later + this.#delay() };
+      }
+      this.cycle++;
+    }
+  }
+
+  /** Error in ms of what is told now, and the stated bound. */
+  told() {
+    const at = this.arrived + 1, { sent, errorBound } = this.clock.at(ns(at));
+    return { error: Number(sent - ns(this.truth(at))) / 1e6, bound: Number(errorBound) / 1e6 };
+  }
+}
+
+describe('rtde clock', () => {
+  for (const [what, options, mostError, mostBound] of [
+    ['ESeries', { periodMs: 8 }, 2.2, 5], ['At500Hz', { periodMs: 2 }, 2, 4.5], ['Cb3', { sendMs: 8, assumedMs: 8 }, 3.5, 11],
+    ['PromptController', { sendMs: 0 }, 0.4, 5], ['SlowWifi', { leastMs: 3, jitterMs: 40 }, 5.5, 14], ['ThinnedTo20Hz', { periodMs: 50 }, 2.5, 9],
+    ['FastClock', { ppm: 500 }, 2.2, 5], ['SlowClock', { ppm: -500 }, 2.2, 5],
+  ])
+    it(`Clock_${what}_ErrsLessThanItsBound`, () => {
+      for (let seed = 1; seed <= 20; seed++) {
+        const link = new Link({ seed, ...options });
+        for (let second = 2; second <= 30; second++) {
+          link.play(1000 * second);
+          const { error, bound } = link.told();
+          assert.ok(Math.abs(error) <= bound, `seed ${seed}: wrong by ${error} ms, said ${bound} ms`);
+          assert.ok(Math.abs(error) < mostError, `seed ${seed}: wrong by ${error} ms`);
+          assert.ok(bound < mostBound, `seed ${seed}: bound ${bound} ms`);
+        }
+        assert.deepEqual(link.stepped, [], `seed ${seed}`);
+      }
+    });
+
+  it('Clock_AssumedDelayTooSmall_IsNotProven', () => {
+    const wrong = Array.from({ length: 20 }, (_, i) => {
+      const link = new Link({ seed: i + 1, sendMs: 0, leastMs: 0.01, jitterMs: 0.02, assumedMs: 0 });
+      // All packages leave 5 ms late, which nobody sees.
+      link.truth = at => at * (1 + link.ppm / 1e6) + link.aheadMs + 5 * (at % link.periodMs > 1e-9 ? 1 : 0);
+      link.play(5000);
+      const { error, bound } = link.told();
+      return Math.abs(error) > bound;
+    });
+
+    assert.ok(wrong.every(isWrong => isWrong));
+  });
+
+  for (const by of [-3000, -20, 20, 3000])
+    it(`Clock_SteppedBy${by}Ms_IsMeasuredAnew`, () => {
+      for (let seed = 1; seed <= 10; seed++) {
+        const link = new Link({ seed });
+        link.play(5000);
+        link.aheadMs += by;
+        link.play(6000);
+
+        const { error, bound } = link.told();
+        assert.ok(Math.abs(error) <= bound && bound < 5, `seed ${seed}: wrong by ${error} ms, said ${bound} ms`);
+        assert.ok(Math.abs(link.stepped.reduce((sum, step) => sum + step, 0) - by) < 5, `seed ${seed}: ${link.stepped}`);
+      }
+    });
+
+  it('Clock_WithoutAnswers_KeepsItsDistanceAndFollows', () => {
+    for (let seed = 1; seed <= 10; seed++) {
+      const link = new Link({ seed, answers: false, ppm: 300 });
+      link.play(2000);
+      link.clock.expectNoAnswers(ns(0.6));
+      link.play(600_000);
+
+      const { error, bound } = link.told();
+      assert.ok(Math.abs(error) <= bound && bound < 3, `seed ${seed}: wrong by ${error} ms, said ${bound} ms`);
+    }
+  });
+
+  for (const by of [-2000, 2000])
+    it(`Clock_WithoutAnswersSteppedBy${by}Ms_IsMeasuredAnew`, () => {
+      const link = new Link({ seed: 3, answers: false });
+      link.play(2000);
+      link.clock.expectNoAnswers(ns(0.6));
+      link.play(4000);
+      link.aheadMs += by;
+      link.play(6000);
+
+      const { error } = link.told();
+      assert.ok(Math.abs(error) < 3, `wrong by ${error} ms`);
+      assert.equal(link.stepped.length, 1);
+    });
+
+  it('Clock_SilentRobot_TellsNoTime', () => {
+    const link = new Link({ seed: 1 });
+    assert.throws(() => link.clock.at(0n), /sends no data/);
+    link.play(3000);
+
+    assert.throws(() => link.clock.at(4200n * MS), /sends no data/);
+  });
+});

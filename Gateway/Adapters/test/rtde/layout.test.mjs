@@ -1,0 +1,115 @@
+// The bytes on the wire against bytes written by hand from UR's RTDE guide, and streams that are no RTDE.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { parts } from '../parts.mjs';
+import { seeded } from '../seeded.mjs';
+import { byte, doubles, int, packageOf } from './bytes.mjs';
+
+const { PackageReader, NotRtdeError, Recipe, RecipeError, MissingFieldsError, fieldsOf, ...packages } = await parts('rtde/packages', 'rtde/recipe');
+
+const hex = buffer => buffer.toString('hex');
+
+const NAMES = 'timestamp,actual_q,actual_qd,runtime_state,robot_mode,safety_mode,safety_status_bits';
+const TYPES = 'DOUBLE,VECTOR6D,VECTOR6D,UINT32,INT32,INT32,UINT32';
+
+const answer = (types, id = 1) => Buffer.concat([byte(id), Buffer.from(types)]);
+
+const recipe = () => new Recipe(fieldsOf('actual'), answer(TYPES));
+
+const PAYLOAD = Buffer.concat([
+  byte(1), doubles(1234.568), doubles(0.1, -1.5, 2.25, 0, 3, -3), doubles(1, 2, 3, 4, 5, 6), int(2), int(-1), int(3), int(0x404),
+]);
+
+describe('rtde layout', () => {
+  it('Request_EachThatReads_HasTheBytesOfTheGuide', () => {
+    assert.equal(hex(packages.protocolVersion(2)), '0005' + '56' + '0002');
+    assert.equal(hex(packages.controllerVersion()), '0003' + '76');
+    // 125 Hz is 405f400000000000, the names are ASCII without an end.
+    assert.equal(hex(packages.setUpOutputs(125, ['timestamp', 'actual_q'])), '001d' + '4f' + '405f400000000000' + '74696d657374616d70' + '2c' + '61637475616c5f71');
+    assert.equal(hex(packages.start()), '0003' + '53');
+  });
+
+  it('Reader_PackagesInAnyPieces_GivesThemWhole', () => {
+    const stream = Buffer.concat([packageOf('V', byte(1)), packageOf('S', byte(1)), packageOf('U', PAYLOAD), packageOf('v', ...[5, 11, 1, 7].map(int))]);
+
+    for (let size = 1; size <= stream.length; size++) {
+      const reader = new PackageReader(), found = [];
+      for (let at = 0; at < stream.length; at += size)
+        found.push(...reader.add(stream.subarray(at, at + size)).map(({ type, payload }) => [type, hex(payload)]));
+
+      assert.deepEqual(found.map(([type]) => type), [86, 83, 85, 118]);
+      assert.equal(found[2][1], hex(PAYLOAD));
+      assert.equal(reader.waiting, 0);
+    }
+  });
+
+  for (const [what, bytes] of [
+    ['Zeros', Buffer.alloc(64)], ['SshBanner', Buffer.from('SSH-2.0-OpenSSH_9.2\r\n')], ['Http', Buffer.from('HTTP/1.1 400 Bad Request\r\n')],
+    ['SizeBelowItsHeader', Buffer.from([0, 2, 85])], ['UnknownType', Buffer.from([0, 9, 66])],
+  ])
+    it(`Reader_${what}_IsNotRtde`, () => assert.throws(() => new PackageReader().add(bytes), NotRtdeError));
+
+  it('Reader_RandomBytes_GivesPackagesOrSaysThatItIsNotRtdeAndKeepsLittle', () => {
+    let rejected = 0;
+    for (let seed = 1; seed <= 2000; seed++) {
+      const random = seeded(seed), reader = new PackageReader();
+      const stream = Buffer.concat(Array.from({ length: 20 }, () => packageOf('U', PAYLOAD)));
+      for (let i = 0; i < 3; i++) stream[Math.floor(random() * stream.length)] = Math.floor(random() * 256);
+      try {
+        for (let at = 0; at < stream.length;) {
+          const size = 1 + Math.floor(random() * 300);
+          for (const { payload } of reader.add(stream.subarray(at, at + size))) recipe().decode(payload);
+          at += size;
+          assert.ok(reader.waiting <= 65535, `seed ${seed}`);
+        }
+      } catch (error) {
+        assert.ok(error instanceof NotRtdeError, `seed ${seed}: ${error.stack}`);
+        rejected++;
+      }
+    }
+    assert.ok(rejected > 50 && rejected < 2000, `${rejected} of 2000 rejected`);
+  });
+
+  it('Recipe_DataPackage_HasEachFieldWhereTheGuidePutsIt', () => {
+    const cycle = recipe().decode(PAYLOAD);
+
+    assert.deepEqual(cycle, {
+      timestamp: 1234.568, positions: [0.1, -1.5, 2.25, 0, 3, -3], velocities: [1, 2, 3, 4, 5, 6], runtimeState: 2, robotMode: -1, safetyMode: 3,
+      safetyBits: 0x404,
+    });
+    assert.equal(fieldsOf('actual').map(field => field.name).join(','), NAMES);
+  });
+
+  for (const [what, payload, text] of [
+    ['Short', PAYLOAD.subarray(0, 40), /40 bytes where the recipe has/], ['Long', Buffer.concat([PAYLOAD, byte(0)]), /bytes where the recipe has/],
+    ['OfAnotherRecipe', Buffer.concat([byte(2), PAYLOAD.subarray(1)]), /of recipe 2, not 1/],
+    ['WithoutATime', Buffer.concat([byte(1), doubles(NaN), PAYLOAD.subarray(9)]), /timestamp NaN/],
+  ])
+    it(`Recipe_Package${what}_IsRefusedInWords`, () => assert.match(recipe().decode(payload), text));
+
+  it('Recipe_OptionalFieldsMissing_NamesThem', () =>
+    assert.throws(() => new Recipe(fieldsOf('actual'), answer(TYPES.replace('UINT32,INT32', 'NOT_FOUND,INT32').replace(/UINT32$/, 'NOT_FOUND'))),
+      error => error instanceof MissingFieldsError && error.names.join() === 'runtime_state,safety_status_bits'));
+
+  for (const [what, types, text] of [
+    ['Missing', TYPES.replace('VECTOR6D', 'NOT_FOUND'), /no field actual_q; update/], ['OfAnotherType', TYPES.replace('VECTOR6D', 'VECTOR6INT32'), /actual_q is VECTOR6INT32, not VECTOR6D/],
+    ['InAnotherNumber', 'DOUBLE', /7 fields with 1 types/],
+  ])
+    it(`Recipe_NeededField${what}_IsAnError`, () =>
+      assert.throws(() => new Recipe(fieldsOf('actual'), answer(types)), error => error instanceof RecipeError && text.test(error.message)));
+
+  it('Recipe_WithoutOptionalFields_TellsNothingOfThem', () => {
+    const fields = fieldsOf('target').filter(field => !field.isOptional);
+
+    const cycle = new Recipe(fields, answer('DOUBLE,VECTOR6D', 4), 'target').decode(Buffer.concat([byte(4), doubles(2, 1, 2, 3, 4, 5, 6)]));
+
+    assert.deepEqual([cycle.timestamp, cycle.positions, cycle.velocities, cycle.robotMode], [2, [1, 2, 3, 4, 5, 6], null, null]);
+  });
+
+  it('Text_OfEitherVersion_IsRead', () => {
+    assert.equal(packages.textOf(Buffer.concat([byte(5), Buffer.from('hello'), byte(3), Buffer.from('ur5'), byte(3)])), 'ur5: hello');
+    assert.equal(packages.textOf(Buffer.concat([byte(2), Buffer.from('robot is tired')])), 'robot is tired');
+    assert.equal(packages.textOf(Buffer.from([200, 1, 2])), null);
+    assert.equal(packages.textOf(Buffer.alloc(0)), null);
+  });
+});

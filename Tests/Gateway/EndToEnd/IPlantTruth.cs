@@ -1,0 +1,14 @@
+using Nowpose.Kinematics;
+
+namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
+
+/// <summary>Where a plant truly is, on a clock that only it has.</summary>
+interface IPlantTruth
+{
+    /// <summary>What its clock shows at a moment on this machine's counter.</summary>
+    ControlTime TimeAt(HeadsetTime headset);
+
+    /// <summary>Where its joints are at a time of its clock.</summary>
+    /// <param name="positions">In the order of the robot's moving joints.</param>
+    void TruthAt(RobotModel robot, ControlTime time, Span<double> positions);
+}

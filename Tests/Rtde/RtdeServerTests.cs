@@ -1,0 +1,104 @@
+using System.Buffers.Binary;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Rtde;
+
+/// <summary>The server of the tests against bytes written by hand from UR's guide.</summary>
+public sealed class RtdeServerTests
+{
+    PeerProcess _server;
+    TcpClient _client;
+
+    [TearDown]
+    public void TearDown()
+    {
+        _client?.Dispose();
+        _server?.Dispose();
+    }
+
+    [Test]
+    public async Task Requests_Version2_AreAnsweredAsTheGuideSays()
+    {
+        await StartAsync();
+
+        Assert.That(await AskAsync("0005 56 0002"), Is.EqualTo(Bytes("0004 56 01")));
+        Assert.That(await AskAsync("0003 76"), Is.EqualTo(Bytes("0013 76 00000005 0000000b 00000001 0001a71e")));
+        // 125 Hz, timestamp,actual_q: recipe 1, DOUBLE,VECTOR6D
+        Assert.That(
+            await AskAsync("001d 4f 405f400000000000" + Ascii("timestamp,actual_q")),
+            Is.EqualTo(Bytes("0013 4f 01" + Ascii("DOUBLE,VECTOR6D"))));
+        Assert.That(await AskAsync("0003 53"), Is.EqualTo(Bytes("0004 53 01")));
+        var (type, first) = await ReadAsync();
+        var (_, second) = await ReadAsync();
+        Assert.That((type, first.Length, first[0]), Is.EqualTo(((byte)'U', 1 + 8 + 48, (byte)1)));
+        Assert.That(Timestamp(second), Is.GreaterThan(Timestamp(first)));
+        Assert.That(Timestamp(first), Is.EqualTo(7000).Within(600));
+    }
+
+    [Test]
+    public async Task Requests_Version1_HaveNoFrequencyAndNoRecipeId()
+    {
+        await StartAsync();
+
+        Assert.That(await AskAsync("0005 56 0001"), Is.EqualTo(Bytes("0004 56 01")));
+        Assert.That(await AskAsync("000c 4f" + Ascii("timestamp")), Is.EqualTo(Bytes("0009 4f" + Ascii("DOUBLE"))));
+        Assert.That(await AskAsync("0003 53"), Is.EqualTo(Bytes("0004 53 01")));
+        Assert.That((await ReadAsync()).Payload, Has.Length.EqualTo(8));
+    }
+
+    [Test]
+    public async Task Outputs_UnknownField_IsNotFoundAndNothingStarts()
+    {
+        await StartAsync();
+        await AskAsync("0005 56 0002");
+
+        var answer = await AskAsync("001c 4f 405f400000000000" + Ascii("timestamp,no_such"));
+
+        Assert.That(answer, Is.EqualTo(Bytes("0014 4f 00" + Ascii("DOUBLE,NOT_FOUND"))));
+        Assert.That(await AskAsync("0003 53"), Is.EqualTo(Bytes("0004 53 00")));
+    }
+
+    [TestCase("version-1", "0005 56 0002", "0004 56 00")]
+    [TestCase("not-found", "000b 4f 61637475616c5f71", "000c 4f 4e4f545f464f554e44")]
+    [TestCase("wrong-type", "000b 4f 61637475616c5f71", "000f 4f 564543544f5236494e543332")]
+    public async Task Fault_AtTheStart_IsShown(string fault, string request, string answer)
+    {
+        await StartAsync("--fault", fault);
+
+        Assert.That(await AskAsync(request), Is.EqualTo(Bytes(answer)));
+    }
+
+    static string Bytes(string hex) => hex.Replace(" ", "");
+
+    static string Ascii(string text) => Convert.ToHexStringLower(Encoding.ASCII.GetBytes(text));
+
+    static double Timestamp(byte[] payload) => BinaryPrimitives.ReadDoubleBigEndian(payload.AsSpan(1));
+
+    async Task StartAsync(params string[] options)
+    {
+        _server = new PeerProcess("Nowpose.RtdeServer.dll", ["--port", "0", "--uptime", "7000", .. options]);
+        await _server.PrintsAsync("state serving");
+        _client = new TcpClient();
+        await _client.ConnectAsync(IPAddress.Loopback, int.Parse(_server.ValueOf("endpoint").Split(':')[1]));
+    }
+
+    /// <summary>Sends bytes, and gives the next package as size, type and payload.</summary>
+    async Task<string> AskAsync(string request)
+    {
+        await _client.GetStream().WriteAsync(Convert.FromHexString(Bytes(request)));
+        var (type, payload) = await ReadAsync();
+        return $"{payload.Length + 3:x4}{type:x2}{Convert.ToHexStringLower(payload)}";
+    }
+
+    async Task<(byte Type, byte[] Payload)> ReadAsync()
+    {
+        var header = new byte[3];
+        await _client.GetStream().ReadExactlyAsync(header).AsTask().Bounded();
+        var payload = new byte[BinaryPrimitives.ReadUInt16BigEndian(header) - header.Length];
+        await _client.GetStream().ReadExactlyAsync(payload).AsTask().Bounded();
+        return (header[2], payload);
+    }
+}

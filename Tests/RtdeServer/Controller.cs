@@ -1,0 +1,98 @@
+using System.Diagnostics;
+using Nowpose.Kinematics;
+using Nowpose.Motion;
+
+namespace Nowpose.RtdeServer;
+
+/// <summary>The robot behind the server: its clock, its motion and its state.</summary>
+sealed class Controller
+{
+    /// <summary>Length of the difference quotients for velocities and accelerations, s.</summary>
+    const double Step = 1e-4;
+
+    readonly RobotModel _robot;
+    readonly PickAndPlaceMotion _motion;
+    readonly ForwardKinematics _kinematics;
+    readonly RigidTransform[] _links;
+    readonly double _rate;
+    readonly double[] _before = new double[6], _after = new double[6];
+    long _started;
+    double _uptimeSeconds;
+    double? _stoppedAt;
+    double _standingSeconds;
+
+    /// <param name="ppm">How much faster than this machine's counter the controller's clock runs.</param>
+    /// <param name="uptimeSeconds">What the clock shows at the start.</param>
+    public Controller(RobotModel robot, double ppm, double uptimeSeconds)
+    {
+        _robot = robot;
+        _motion = new PickAndPlaceMotion(robot);
+        _kinematics = new ForwardKinematics(robot);
+        _links = new RigidTransform[robot.Links.Count];
+        _rate = 1 + ppm / 1e6;
+        _uptimeSeconds = uptimeSeconds;
+        _started = Stopwatch.GetTimestamp();
+    }
+
+    /// <summary>What the controller's clock shows now, s.</summary>
+    public double Now => _uptimeSeconds + Stopwatch.GetElapsedTime(_started).TotalSeconds * _rate;
+
+    /// <summary>How long this machine has to wait until the clock shows a time.</summary>
+    public TimeSpan Until(double timestamp) => TimeSpan.FromSeconds((timestamp - Now) / _rate);
+
+    /// <summary>The clock's zero and its rate by the monotonic counter of this machine, in ns.</summary>
+    public (double ZeroNs, double Rate) ClockLine =>
+        (_uptimeSeconds * 1e9 - _started * (1e9 / Stopwatch.Frequency) * _rate, _rate);
+
+    public SafetyMode Safety { get; private set; } = SafetyMode.Normal;
+
+    public RuntimeState Runtime { get; private set; } = RuntimeState.Playing;
+
+    /// <summary>Begins at zero again, as after the controller was switched off and on.</summary>
+    public void Restart()
+    {
+        _uptimeSeconds = 0;
+        _started = Stopwatch.GetTimestamp();
+        _stoppedAt = null;
+        _standingSeconds = 0;
+        (Safety, Runtime) = (SafetyMode.Normal, RuntimeState.Playing);
+    }
+
+    /// <summary>The arm stands, and its program too.</summary>
+    public void Stop(SafetyMode safety)
+    {
+        _stoppedAt ??= Now;
+        (Safety, Runtime) = (safety, RuntimeState.Stopped);
+    }
+
+    /// <summary>The motion goes on where it was stopped.</summary>
+    public void Resume()
+    {
+        if (_stoppedAt is { } since) _standingSeconds += Now - since;
+        _stoppedAt = null;
+        (Safety, Runtime) = (SafetyMode.Normal, RuntimeState.Playing);
+    }
+
+    /// <summary>Fills in the state that the robot has at a time of its clock.</summary>
+    public void Read(double timestamp, RobotState state)
+    {
+        var seconds = Math.Max((_stoppedAt ?? timestamp) - _standingSeconds, 0);
+        state.Timestamp = timestamp;
+        state.Safety = Safety;
+        state.Runtime = Runtime;
+        _motion.At(seconds, state.Positions);
+        _motion.At(seconds - Step, _before);
+        _motion.At(seconds + Step, _after);
+        for (var i = 0; i < 6; i++)
+        {
+            state.Velocities[i] = _stoppedAt == null ? (_after[i] - _before[i]) / (2 * Step) : 0;
+            state.Accelerations[i] = _stoppedAt == null ? (_after[i] - 2 * state.Positions[i] + _before[i]) / (Step * Step) : 0;
+        }
+
+        // The gripper is closed for the second half of each cycle.
+        state.DigitalOutputs = seconds % _motion.CycleSeconds > _motion.CycleSeconds / 2 ? 1UL : 0;
+        state.DigitalInputs = state.DigitalOutputs ^ 1;
+        _kinematics.Compute(state.Positions, _links);
+        RotationVector.Write(_links[_robot.IndexOfLink("tool0")], state.ToolPose);
+    }
+}

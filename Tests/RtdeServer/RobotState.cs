@@ -1,0 +1,33 @@
+namespace Nowpose.RtdeServer;
+
+/// <summary>What the controller has of one control cycle.</summary>
+sealed class RobotState
+{
+    /// <summary>Seconds since the controller was started.</summary>
+    public double Timestamp;
+
+    public readonly double[] Positions = new double[6];
+    public readonly double[] Velocities = new double[6];
+    public readonly double[] Accelerations = new double[6];
+
+    /// <summary>Position in metres and rotation vector in radians.</summary>
+    public readonly double[] ToolPose = new double[6];
+
+    public ulong DigitalInputs, DigitalOutputs;
+    public RuntimeState Runtime = RuntimeState.Playing;
+    public SafetyMode Safety = SafetyMode.Normal;
+}
+
+/// <summary>What the robot's program does.</summary>
+enum RuntimeState
+{
+    Stopped = 1,
+    Playing = 2,
+}
+
+/// <summary>Safety modes that the server can be in.</summary>
+enum SafetyMode
+{
+    Normal = 1,
+    ProtectiveStop = 3,
+}
