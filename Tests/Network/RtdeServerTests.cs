@@ -4,7 +4,7 @@ using System.Net.Sockets;
 using System.Text;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Rtde;
+namespace Nowpose.Headless.Tests.Network;
 
 /// <summary>The server of the tests against bytes written by hand from UR's guide.</summary>
 public sealed class RtdeServerTests
