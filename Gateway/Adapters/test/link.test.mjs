@@ -66,7 +66,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
     await until(() => bridge.headers.length > 2, 'more attempts');
 
-    assert.equal(run.err.match(/401/g).length, 1);
+    assert.equal(run.err.match(/401, the token/g).length, 1);
   });
 
   it('Robot_OfTheConfiguration_IsDescribedToEveryGateway', async t => {

@@ -231,7 +231,7 @@ namespace Nowpose.Session
         /// </summary>
         public void Disconnect() => _connections.Disconnect();
 
-        public void Dispose() => Disconnect();
+        public void Dispose() => _connections.Dispose();
 
         /// <summary>Computes what a frame displays. Allocates nothing once warm.</summary>
         /// <param name="start">Headset time at which the frame begins.</param>

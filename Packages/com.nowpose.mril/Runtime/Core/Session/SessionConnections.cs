@@ -7,7 +7,7 @@ namespace Nowpose.Session
 {
     /// <summary>A session's connections: one for the clock and one for the positions, or one for both with ROS's time.</summary>
     /// <remarks>Connected and disconnected by one thread; read by any.</remarks>
-    sealed class SessionConnections
+    sealed class SessionConnections : IDisposable
     {
         readonly SessionSettings _settings;
         readonly IHeadsetClock _clock;
@@ -64,5 +64,7 @@ namespace Nowpose.Session
             _rosbridgeClient = null;
             _syncClient = null;
         }
+
+        public void Dispose() => Disconnect();
     }
 }
