@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Kinematics
             new[] { 0.0823, 0, 0 },
         };
 
-        // Poses by urdf-loader and three.js; Tests/Package/make-reference.mjs wrote them.
+        // Reference poses computed by urdf-loader and three.js; Tests/Package/make-reference.mjs wrote them.
         [TestCase("youbot")]
         [TestCase("ur5")]
         [TestCase("odd_axes")]
