@@ -5,7 +5,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>A youBot behind a real OPC UA server, or behind ADS, in a process of its own: what it publishes, and where it truly is.</summary>
+/// <summary>A youBot behind a real OPC UA server or behind ADS in a process of its own, with its configuration and its true positions.</summary>
 sealed class MovingPlant : IDisposable
 {
     static readonly string[] Arm = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
@@ -24,7 +24,7 @@ sealed class MovingPlant : IDisposable
 
     public string Endpoint => _program.ValueOf("endpoint");
 
-    /// <param name="kind">opcua or ads.</param>
+    /// <param name="kind">"opcua" or "ads".</param>
     public static async Task<MovingPlant> StartAsync(string kind)
     {
         if (!Directory.Exists(Path.Combine(RepositoryFiles.Root, "Gateway", "Adapters", "node_modules")))
@@ -34,7 +34,7 @@ sealed class MovingPlant : IDisposable
         return new MovingPlant(program, kind);
     }
 
-    /// <summary>A configuration that reads it, in a folder of the test's.</summary>
+    /// <summary>Writes an adapter configuration for this plant into a folder.</summary>
     public string Configure(string folder)
     {
         var path = Path.Combine(folder, _kind + ".yaml");
@@ -53,17 +53,17 @@ sealed class MovingPlant : IDisposable
         return path;
     }
 
-    /// <summary>What its clock shows at a moment on this machine's counter.</summary>
+    /// <summary>Returns the time of the plant's clock at a headset time, which counts on this machine's counter.</summary>
     public ControlTime TimeAt(HeadsetTime headset)
     {
         var told = _program.ValueOf("clock").Split(' ').Select(text => decimal.Parse(text, CultureInfo.InvariantCulture)).ToArray();
-        // Both counters are the system's monotonic one, here in ns.
+        // Both counters are the system's monotonic counter, here in ns.
         var passed = headset.SinceEpoch.Ticks * 100m - told[0];
         return new ControlTime(new TimeSpan((long)Math.Round((told[1] + passed * (1 + told[2] / 1_000_000)) / 100)));
     }
 
-    /// <summary>Where its joints are at a time of its clock.</summary>
-    /// <param name="positions">In the order of the robot's moving joints.</param>
+    /// <summary>Writes the true joint positions at a time of the plant's clock.</summary>
+    /// <param name="positions">Positions in the order of the robot's moving joints.</param>
     public static void TruthAt(RobotModel robot, ControlTime time, Span<double> positions)
     {
         var seconds = time.SinceEpoch.Ticks % TimeSpan.TicksPerHour / (double)TimeSpan.TicksPerSecond;
@@ -76,8 +76,8 @@ sealed class MovingPlant : IDisposable
         }
     }
 
-    /// <summary>Gives the OPC UA server a command: delete, stop, bad, nan or repair with the name of a node, or rest with a time in ms.</summary>
-    /// <returns>When it had taken effect.</returns>
+    /// <summary>Sends the OPC UA server a command: delete, stop, bad, nan or repair with the name of a node, or rest with a time in ms.</summary>
+    /// <returns>The time at which it took effect.</returns>
     public async Task<DateTimeOffset> CommandAsync(string command, string argument)
     {
         var key = $"done {command} {++_commands}";

@@ -7,7 +7,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>A headset's frames against where the robot truly was when their light appeared.</summary>
+/// <summary>Compares a headset's frames with the robot's true position at the time when their light appeared.</summary>
 sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisation)
 {
     const double FramesPerSecond = 60;
@@ -21,22 +21,22 @@ sealed class PlantScore(MovingPlant plant, RobotModel robot, TimeSpan visualisat
     public double HoldRms => Root(_held);
     public double Reduction => 1 - Rms / HoldRms;
 
-    /// <summary>Of the frames that were played, those that were current.</summary>
+    /// <summary>Share of current frames among all played frames.</summary>
     public double CurrentShare => (double)_shown.Count / _played;
 
-    /// <summary>P95 of what the headset believes of the plant's clock, less the truth; ms.</summary>
+    /// <summary>P95 of the error of the headset's estimate of the plant's clock, ms.</summary>
     public double ClockErrorMs => P95(_clock);
 
-    /// <summary>P95 of how far off the headset says that it may be; ms. Grows with what the machine is busy with.</summary>
+    /// <summary>P95 of the error bound that the headset states, ms. It grows with the load of the machine.</summary>
     public double ClockBoundMs => P95(_bound);
 
     /// <summary>Share of the frames in which the clock's true error was within the stated bound.</summary>
     public double BoundHolds => _clock.Zip(_bound).Count(pair => pair.First <= pair.Second) / (double)_clock.Count;
 
-    /// <summary>P95 of the moment to which was predicted, less the true one; ms.</summary>
+    /// <summary>P95 of the error of the display time used for the prediction, ms.</summary>
     public double LightErrorMs => P95(_light);
 
-    /// <summary>Plays frames for so long, on this thread, and scores those that are current.</summary>
+    /// <summary>Plays frames for the given length on this thread and scores the current ones.</summary>
     public void Play(CompensationSession session, IHeadsetClock clock, TimeSpan length)
     {
         var start = Stopwatch.GetTimestamp();
