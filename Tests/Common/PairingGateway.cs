@@ -19,7 +19,7 @@ sealed class PairingGateway : IAsyncDisposable
     PairingGateway(bool isSecure)
     {
         _certificate = isSecure ? CertificateFiles.Generate() : null;
-#pragma warning disable CA5399, CA5400 // One fixed certificate; there is no list it could be revoked on.
+#pragma warning disable CA5399, CA5400 // One fixed certificate without a revocation list.
         _http = new HttpClient(new SocketsHttpHandler
         {
             SslOptions =

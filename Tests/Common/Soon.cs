@@ -12,7 +12,7 @@ static class Soon
     public static Task<T> Bounded<T>(this Task<T> task) => task.WaitAsync(Limit);
     public static Task Bounded(this Task task) => task.WaitAsync(Limit);
 
-    /// <summary>Polls a state or a counter of the other side, for which there is no signal.</summary>
+    /// <summary>Polls a state or a counter of the other side that has no signal.</summary>
     /// <returns>The time that it took.</returns>
     public static Task<TimeSpan> BecomesAsync(Func<bool> condition, string what) => BecomesAsync(condition, () => what);
 

@@ -49,7 +49,7 @@ public class SessionWaitsForNobodyTests
         }
     }
 
-    // Gives the connections time to wait for an answer, for which there is no signal.
+    // Gives the connections time to begin waiting for an answer, which has no signal.
     static void AMoment() => Thread.Sleep(50);
 
     [Test]

@@ -84,7 +84,7 @@ public sealed class LatencyNudgeTests
         Run(((isForward ? 1.2 : 3.2) - phase + 4) % 4);
     }
 
-    // The shift that a user would see: the displayed tool minus the true one when the light of this frame appears, with the misplacement.
+    // The shift in mm that a user would mark: true minus displayed tool position when this frame's light appears, plus the misplacement.
     float Agreeing => (float)(1000 * (TruthAt(Headset + TrueMs / 1000) - _session.Frame.ToolPose.X) + MisplacedMm);
 
     void MarkBothWays(int repeats)

@@ -61,7 +61,7 @@ public sealed class LoadSweepTests
     {
         for (var end = _cell.Now + seconds; _cell.Now < end; seen?.Invoke())
         {
-            // A much larger effect than so few vertices have, because the test is about the verdict.
+            // A much larger effect than this number of vertices has, because the test is about the verdict.
             var vertices = gpuSeesLoad ? 10.0 * _load.VerticesShown : 0;
             _cell.Player.World.Gpu.DisplayGpuTime = (float)_gpu.Next(vertices).RenderTime.TotalSeconds;
             _cell.Frame(_session);

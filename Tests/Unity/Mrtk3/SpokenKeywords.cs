@@ -3,7 +3,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Mrtk3;
 
-/// <summary>A keyword recognition subsystem that a test speaks to.</summary>
+/// <summary>A keyword recognition subsystem that receives its keywords from a test.</summary>
 sealed class SpokenKeywords : IKeywordRecognitionSubsystem
 {
     readonly Dictionary<string, UnityEvent> _events = [];

@@ -9,7 +9,7 @@ using Random = System.Random;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>Objects are enabled, destroyed or created in any frame: there is no exception, no leak, and no old pose that looks current.</summary>
+/// <summary>Objects are enabled, destroyed or created in any frame, without exceptions, leaks or an old pose that looks current.</summary>
 public class LifeCycleTests
 {
     const int Steps = 600;

@@ -89,7 +89,7 @@ describe('ads', { concurrency: 4 }, () => {
     ['TwinCAT_SystemInfoVarList._TaskInfo[1].DcTaskTime', 'dctime', 1e-6],
   ])
     it(`Adapter_TimeIn${symbol.replace(/\W/g, '')}_IsTheStamp`, async t => {
-      // The stamps of the notifications are wrong by 3 s, so a test that used them would fail.
+      // The stamps of the notifications are wrong by 3 s, so an adapter that used them would fail this test.
       const plc = youBot({ cycleMs: 5, stampOf: time => (time + 3_000_000_000n) / 100n + 116444736000000000n });
       const more = `  timestamp: variable\n  time: { symbol: "${symbol}"${unit ? `, unit: ${unit}` : ''} }\n`;
       const { bridge } = await cell(t, { plc, more });

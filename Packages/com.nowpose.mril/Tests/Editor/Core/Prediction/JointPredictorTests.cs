@@ -197,7 +197,7 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(predictor.At(2).Position, Is.EqualTo(5));
         }
 
-        // Extra requests before each sample and while it is on its way, at the same times and repeatedly.
+        // One of two predictors gets additional requests for random times after each sample, in both orders. Both must show the same.
         [TestCaseSource(nameof(Names))]
         public void At_AnyMomentsInAnyOrder_ChangesNothing(string name)
         {

@@ -147,7 +147,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
             Assert.That(predictor.At(t + 399 * Interval + 0.05).Position, Is.EqualTo(Wave(399 * Interval + 0.05)).Within(0.05), "it recovers");
         }
 
-        // The window straddles an emergency stop: a polynomial through it overshoots, the detected shock shortens the window.
+        // The window straddles an emergency stop: a polynomial through it overshoots, while the change point detector cuts the window.
         [Test]
         public void At_RightAfterAnEmergencyStop_ErrsFarLessThanAQuadratic()
         {

@@ -119,7 +119,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(joint.Add(Sample(0.9)), Is.EqualTo(SampleOutcome.Duplicate));
         }
 
-        // At rest after a move, with a noise of one encoder count.
+        // At rest after a move; the overtaken samples differ by one encoder count.
         [Test]
         public void Add_OvertakenAtRestByOneCount_NeverStartsAnew()
         {
