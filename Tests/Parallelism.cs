@@ -1,6 +1,6 @@
 using NUnit.Framework;
 
-// Fixtures run side by side: most of them wait, for a time-out, for the next attempt, for another process. What shares the process'
-// environment, counts garbage or watches a moment of real time says NonParallelizable.
+// Fixtures run in parallel, because most of them wait: for a timeout, for the next attempt, or for another process. A fixture that uses
+// the environment of the process, counts garbage or depends on real time is marked NonParallelizable.
 [assembly: Parallelizable(ParallelScope.Fixtures)]
 [assembly: LevelOfParallelism(8)]

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>As the command line does, for the tests of its parts.</summary>
+/// <summary>Sets Math.NET to a single thread, like the command line, for the tests of its parts.</summary>
 [SetUpFixture]
 public sealed class SingleThread
 {

@@ -1,15 +1,15 @@
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>One case of the Autobahn test-suite, in our words.</summary>
-/// <param name="Number">The suite's.</param>
+/// <summary>One case of the Autobahn test-suite in our notation.</summary>
+/// <param name="Number">The suite's case number.</param>
 /// <param name="Expected">
-/// What has to come of it, in any order: "taken" for each message, "refused" for a message that our protocol has no use for and the connection
-/// bears, "pong", "close:CODE" or "close". Ways that are as good are separated by "|".
+/// Expected events in any order: "taken" for each accepted message, "refused" for a message that our protocol does not use and after which
+/// the connection continues, "pong", "close:CODE" or "close". Equivalent outcomes are separated by "|".
 /// </param>
-/// <param name="Play">What is sent.</param>
+/// <param name="Play">Sends the case's frames.</param>
 public sealed record AutobahnCase(string Number, string Expected, Action<object> Play)
 {
-    /// <summary>Whether the connection is over after it.</summary>
+    /// <summary>Whether the case ends the connection.</summary>
     public bool Ends => Expected.Contains("close");
 
     public override string ToString() => Number;

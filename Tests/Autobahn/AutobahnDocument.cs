@@ -1,18 +1,18 @@
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>All cases, and the table that the document has of them.</summary>
+/// <summary>All cases, and the table of them in the document.</summary>
 static class AutobahnDocument
 {
     public static readonly AutobahnSection[] Sections = [.. FramingCases.All(), .. Utf8Cases.All(), .. CloseCases.All(), .. LimitCases.All()];
 
-    /// <summary>A row for each section.</summary>
+    /// <summary>Returns the table, with one row for each section.</summary>
     public static string Table() => string.Concat(
         Sections.Select(section => $"| {section.Number} | {section.Cases.Length} | {section.What} | {Outcomes(section)} | {section.Note} |\n")
             .Prepend("| Cases | Tests | What is sent | What comes of it | Note |\n| --- | --- | --- | --- | --- |\n"));
 
     static string Outcomes(AutobahnSection section) => string.Join("; ", section.Cases.Select(one => Outcome(one.Expected)).Distinct());
 
-    // An end of another kind is told as well; one that only lacks a part is what the document says may be lost.
+    // An alternative with an event of another kind is listed. An alternative that only lacks events is left out: the document states this.
     static string Outcome(string expected)
     {
         var ways = expected.Split('|').Select(Words).ToArray();

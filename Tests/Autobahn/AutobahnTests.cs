@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>The cases of the Autobahn test-suite, against our server and both of our clients.</summary>
+/// <summary>Runs the cases of the Autobahn test-suite against our server and both of our clients.</summary>
 public class AutobahnTests
 {
     const string Marker = "marker";
@@ -98,7 +98,7 @@ public class AutobahnTests
         CaseScript.Text => subject.EventOf(Encoding.UTF8.GetString(payload), script),
         CaseScript.Pong => script.PingPayloads.Contains(Encoding.UTF8.GetString(payload)) ? "pong" : "garbled pong",
         CaseScript.CloseFrame => payload.Length < 2 ? "close" : "close:" + BinaryPrimitives.ReadUInt16BigEndian(payload),
-        // Pings keep a quiet connection alive.
+        // The subject sends pings on its own, to keep a quiet connection alive.
         CaseScript.Ping => null,
         _ => "opcode " + opcode,
     };

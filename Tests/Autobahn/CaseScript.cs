@@ -3,26 +3,26 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>The bytes that a case sends, and what it expects to be given back.</summary>
-/// <param name="isMasked">As a client's frames are; masked with zeros, so the payload is as it is (RFC 6455, 5.3).</param>
-/// <param name="before">What stands before the inner text of a message that the other side takes.</param>
-/// <param name="after">What stands behind it.</param>
+/// <summary>The bytes that a case sends, and the payloads that it expects back.</summary>
+/// <param name="isMasked">Whether frames are masked like a client's. The mask is zero, so payloads do not change (RFC 6455, 5.3).</param>
+/// <param name="before">The part of an accepted message before the inner text.</param>
+/// <param name="after">The part of an accepted message after the inner text.</param>
 sealed class CaseScript(bool isMasked, string before, string after)
 {
     public const int Continuation = 0, Text = 1, Binary = 2, CloseFrame = 8, Ping = 9, Pong = 10;
 
-    /// <summary>What is handed to the socket at once.</summary>
+    /// <summary>Byte sequences, each of which is written to the socket in one call.</summary>
     public List<byte[]> Chunks { get; } = [];
 
-    /// <summary>Inner texts of messages.</summary>
+    /// <summary>Inner texts of the sent messages.</summary>
     public HashSet<string> Inner { get; } = [];
 
     public HashSet<string> PingPayloads { get; } = [];
 
-    /// <summary>Into pieces of how many bytes frames are cut on their way; 0 for whole ones.</summary>
+    /// <summary>Size in bytes of the pieces that frames are split into; 0 to send frames whole.</summary>
     public int Chop { get; set; }
 
-    /// <summary>A message that is taken, as UTF-8, filled up with blanks.</summary>
+    /// <summary>Returns an accepted message in UTF-8, padded with spaces.</summary>
     public byte[] Message(string inner = "hello", int length = 0) => Message(Encoding.UTF8.GetBytes(inner), length);
 
     public byte[] Message(byte[] inner, int length = 0)
@@ -34,7 +34,7 @@ sealed class CaseScript(bool isMasked, string before, string after)
 
     public void Send(string inner = "hello", int length = 0) => Frame(Text, Message(inner, length));
 
-    /// <summary>One message in so many frames, or a frame for each byte with 0.</summary>
+    /// <summary>Sends one message in the given number of frames; 0 for one frame per byte.</summary>
     public void SendFragments(byte[] message, int fragments, Action between = null)
     {
         var size = fragments == 0 ? 1 : (message.Length + fragments - 1) / fragments;

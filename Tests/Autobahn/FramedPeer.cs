@@ -3,13 +3,13 @@ using System.Threading.Channels;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>The other end of a WebSocket, byte by byte: sends a script's chunks, and reads frames until the end.</summary>
-/// <param name="goodbye">Says that nothing more is sent, once the other side has closed; null for nothing.</param>
+/// <summary>The other end of a WebSocket at the level of bytes: sends a script's chunks, and reads frames until the end.</summary>
+/// <param name="goodbye">Called after the other side has closed, to end the sending direction; null for no action.</param>
 sealed class FramedPeer(Stream stream, Action goodbye = null)
 {
     readonly Channel<(int Opcode, byte[] Payload)> _frames = Channel.CreateUnbounded<(int, byte[])>();
 
-    /// <summary>Frames as they come; completed when the connection ends.</summary>
+    /// <summary>Received frames; completed when the connection ends.</summary>
     public ChannelReader<(int Opcode, byte[] Payload)> Frames => _frames.Reader;
 
     public async Task SendAsync(CaseScript script)
@@ -25,7 +25,7 @@ sealed class FramedPeer(Stream stream, Action goodbye = null)
         }
         catch (Exception end) when (end is IOException or ObjectDisposedException)
         {
-            // Closed already, as some cases want it.
+            // The other side has already closed, which some cases expect.
         }
     }
 

@@ -68,10 +68,10 @@ static class FramingCases
 
     public static string Times(string what, int times) => string.Join(' ', Enumerable.Repeat(what, times));
 
-    /// <summary>The good message before is answered, or the end comes first.</summary>
+    /// <summary>Expects an answer to the preceding valid message, or an end before it.</summary>
     public static string AfterOne(string expected) => $"taken {expected}|{expected}";
 
-    // A size that no message of ours is so short as is still of that size, and no message.
+    // For a size below that of any valid message, the frame is longer than the size; it counts as invalid anyway. Size 0 stays empty.
     static void Sized(CaseScript s, int opcode, int size)
     {
         var message = s.Message("", size);

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Our server: a message is taken when the answer to its call comes back with its id.</summary>
+/// <summary>Our server: a message counts as taken when the response to its call returns with its id.</summary>
 sealed class GatewaySubject : IAutobahnSubject
 {
     readonly Gateway.RawWebSocket _raw;

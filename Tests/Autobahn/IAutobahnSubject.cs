@@ -1,15 +1,15 @@
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>One connection to what is tested, and what it makes of what is sent.</summary>
+/// <summary>One connection to the tested side, and the events that its behaviour is mapped to.</summary>
 interface IAutobahnSubject : IAsyncDisposable
 {
     FramedPeer Peer { get; }
 
     CaseScript NewScript();
 
-    /// <summary>"taken", "refused" … of a data frame that came back; null for one that tells nothing.</summary>
+    /// <summary>Returns the event of a received data frame ("taken", "refused" …); null for a frame without meaning here.</summary>
     string EventOf(string text, CaseScript script);
 
-    /// <summary>Hands over what is seen otherwise than by frames.</summary>
+    /// <summary>Sets the receiver of events that are not observed through frames.</summary>
     Action<string> Saw { set; }
 }

@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>A headset's link: a message is taken when it is read from it and holds to the protocol's rules.</summary>
+/// <summary>A headset's link: a message counts as taken when it is read from the link and follows the protocol's rules.</summary>
 sealed class LinkSubject : IAutobahnSubject
 {
     readonly FakeWebSocketServer _server = new();
@@ -19,7 +19,7 @@ sealed class LinkSubject : IAutobahnSubject
 
     public Action<string> Saw { get; set; }
 
-    /// <param name="certificate">For wss with a pin, by our own upgrade; null for ws by .NET's client.</param>
+    /// <param name="certificate">For wss with a pin, through our own upgrade; null for ws through .NET's client.</param>
     public static async Task<IAutobahnSubject> OpenAsync(X509Certificate2 certificate)
     {
         var subject = new LinkSubject();
@@ -28,7 +28,7 @@ sealed class LinkSubject : IAutobahnSubject
         subject._link = WebSocketLinks.Create(settings, new StopwatchHeadsetClock());
         var opening = subject._link.OpenAsync(CancellationToken.None);
         var stream = await subject._server.AcceptStreamAsync(certificate);
-        // A server hangs up first, and .NET's client waits for that.
+        // The server closes the TCP connection first; .NET's client waits for that.
         subject.Peer = new FramedPeer(stream, stream.Dispose);
         await opening.Bounded();
         return subject;
@@ -53,7 +53,7 @@ sealed class LinkSubject : IAutobahnSubject
         _stop.Dispose();
     }
 
-    // As RosbridgeClient does, which disposes of a link at its end.
+    // Disposes of the link at its end, like RosbridgeClient.
     async Task ReceiveAsync()
     {
         try
@@ -65,7 +65,7 @@ sealed class LinkSubject : IAutobahnSubject
         }
         catch (Exception)
         {
-            // Whatever it is ends a link.
+            // Every exception ends the link.
         }
         _link.Dispose();
     }

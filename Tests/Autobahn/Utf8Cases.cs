@@ -3,7 +3,7 @@ using static Nowpose.Headless.Tests.Autobahn.FramingCases;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Texts that are UTF-8 and texts that are not: part 6 of the suite.</summary>
+/// <summary>Valid and invalid UTF-8 texts: part 6 of the suite.</summary>
 static class Utf8Cases
 {
     const string Bad = "close:1007";
@@ -76,7 +76,7 @@ static class Utf8Cases
 
     static AutobahnCase Letter(string number, string bytes) => Case(number, "taken", s => s.Frame(Text, s.Message(Hex(bytes))));
 
-    // Never finished: who waits for the end would wait for ever.
+    // The message is never finished, so a receiver that checks only whole messages would wait for ever.
     static void Unfinished(CaseScript s, string bad, int chop)
     {
         s.Chop = chop;

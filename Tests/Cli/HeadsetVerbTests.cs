@@ -31,7 +31,7 @@ public class HeadsetVerbTests
         Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(36));
         Assert.That(result.GetProperty("clock").GetProperty("state").GetString(), Is.EqualTo("synchronised").Or.EqualTo("coarse"), "on a busy machine");
         Assert.That(result.GetProperty("clock").GetProperty("error_bound_us").GetDouble(), Is.InRange(1, 50_000));
-        // The cell's clock counts on the same counter as the headset's, so the true offset is known.
+        // The cell's clock uses the same counter as the headset's, so the true offset is known.
         var clock = result.GetProperty("clock");
         var at = clock.GetProperty("at_ns").GetInt64();
         var trueOffset = at - control.AtCount((long)((Int128)at * Stopwatch.Frequency / 1_000_000_000)).Nanoseconds;
@@ -52,7 +52,7 @@ public class HeadsetVerbTests
         Assert.That(within, Is.GreaterThan(0.5 * current.Count), "nearly all of them, on a machine that has time; virtual time holds the limits");
     }
 
-    // Whether the time of light that a frame was computed for is right to within its stated error, and the rounding of the record.
+    // Whether the display time that a frame was computed for is correct within its stated error and the rounding of the record.
     static bool IsWithin(JsonElement frame, double visuNs, StopwatchControlClock control)
     {
         var light = frame.GetProperty("start_ns").GetInt64() + (long)visuNs;
@@ -92,7 +92,7 @@ public class HeadsetVerbTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var cell = Simulate(gateway);
-        // The same robot, but one of its joints has a name that the cell does not publish.
+        // The same robot, but the name of one joint differs from the one that the cell publishes.
         using var urdf = new TemporaryFile(RobotFiles.LoadText("youbot").Replace("\"arm_joint_3\"", "\"arm_joint_x\""), ".urdf");
 
         var run = await RunAsync(gateway, "--seconds", "6", "--json", "--robot", urdf.Path);

@@ -10,7 +10,7 @@ public class SyncVerbTests
     const long ControlEpoch = 1_700_000_000_000_000_000;
     const string Header = "t1_ns,t2_ns,t3_ns,t4_ns\n";
 
-    /// <summary>A symmetric path of 2 ms each way, the headset 50 ppm fast; t4 ends in odd nanoseconds on purpose.</summary>
+    /// <summary>A symmetric path of 2 ms each way; the headset clock is 50 ppm fast. t4 deliberately ends in odd nanoseconds.</summary>
     static string Log(int exchanges)
     {
         var log = new StringBuilder(Header);
@@ -74,7 +74,7 @@ public class SyncVerbTests
         Assert.That(first.GetProperty("offset_ns").GetInt64(), Is.EqualTo(-ControlEpoch).Within(1000));
     }
 
-    /// <summary>Exchanges over a quiet network at uneven times; the control clock stamps whole cycles.</summary>
+    /// <summary>Exchanges over a quiet network at uneven times; the control clock stamps only whole cycles.</summary>
     static string LogOfCycles(long cycleNs)
     {
         var random = new Random(5);

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>A Unity project of a test's own: version and manifest, gone with the test.</summary>
+/// <summary>A temporary Unity project with version and manifest, deleted with the test.</summary>
 sealed class UnityProjectFolder : IDisposable
 {
     readonly TemporaryFolder _folder = new();

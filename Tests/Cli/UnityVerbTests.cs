@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Cli;
 
 public class UnityVerbTests
 {
-    /// <summary>As Unity 2022.3 writes it for an empty project, shortened.</summary>
+    /// <summary>The manifest that Unity 2022.3 writes for an empty project, shortened.</summary>
     const string Empty = """
         {
           "dependencies": {
@@ -557,7 +557,7 @@ public class UnityVerbTests
     public async Task Sample_CannotBeCopied_LeavesTheManifestUnchanged()
     {
         using var project = new UnityProjectFolder(Empty);
-        // In the way of the unfinished folder.
+        // A file with the name of the folder into which the sample is first copied.
         project.Write("Assets/Samples/Nowpose/0.1.0/.Virtual Robot Cell", "mine");
 
         var run = await project.RunAsync("--sample", "Virtual Robot Cell");

@@ -4,7 +4,7 @@ namespace Nowpose.Tests.Common;
 
 static partial class CSharpCode
 {
-    /// <summary>The source without comments and the contents of strings: what is left are the names it uses.</summary>
+    /// <summary>Returns the source without comments and contents of strings, which leaves the names that it uses.</summary>
     public static string Of(string source) => CommentsAndStrings().Replace(source, " ");
 
     [GeneratedRegex(""""

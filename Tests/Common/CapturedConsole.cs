@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>One run of a program within this process, with its exit status and what it printed. Runs may go side by side.</summary>
+/// <summary>Runs a program within this process and captures its exit status and output. Runs can be concurrent.</summary>
 static class CapturedConsole
 {
     static readonly AsyncLocal<(TextWriter Output, TextWriter Errors)> Captured = new();
@@ -16,7 +16,7 @@ static class CapturedConsole
     public static async Task<(int Status, string Output, string Errors)> OfAsync(Func<Task<int>> run)
     {
         using StringWriter output = new(), errors = new();
-        // Threads of a run write side by side.
+        // Threads of a run write concurrently.
         Captured.Value = (TextWriter.Synchronized(output), TextWriter.Synchronized(errors));
         var status = await run();
         return (status, output.ToString(), errors.ToString());
@@ -24,7 +24,7 @@ static class CapturedConsole
 
     public static string[] Lines(string text) => text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
 
-    /// <summary>Writes for the run it is called from; outside of all, to the console.</summary>
+    /// <summary>Writes to the capture of the calling run; outside any run, to the console.</summary>
     sealed class RoutedWriter(TextWriter console, Func<TextWriter> captured) : TextWriter
     {
         public override Encoding Encoding => console.Encoding;

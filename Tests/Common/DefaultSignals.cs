@@ -3,8 +3,8 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>Gives the programs that are started meanwhile the default reaction to SIGHUP and SIGINT. On Linux only.</summary>
-/// <remarks>A program that nohup or the background of a script started ignores these signals, and so does every program that it starts.</remarks>
+/// <summary>Restores the default reaction to SIGHUP and SIGINT for programs that are started in the meantime. Linux only.</summary>
+/// <remarks>A program started by nohup or in the background of a script ignores these signals, and so do all programs that it starts.</remarks>
 static class DefaultSignals
 {
     const nint Default = 0, Ignored = 1;
@@ -12,14 +12,14 @@ static class DefaultSignals
     static readonly int[] Signals = [1, 2];
     static readonly Lock Gate = new();
 
-    /// <summary>Lasts until the same thread disposes of what is returned.</summary>
+    /// <summary>Restores the reaction until the same thread disposes of the returned object.</summary>
     public static IDisposable Restore()
     {
         Gate.Enter();
         return new Restored();
     }
 
-    // A reaction other than Ignored is left alone: signal() cannot put back a handler of the runtime.
+    // Other reactions are not changed, because signal() cannot restore a handler of the runtime.
     static int[] FindIgnored()
     {
         const string Field = "SigIgn:";

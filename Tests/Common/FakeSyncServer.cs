@@ -3,12 +3,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A sync server that answers as a test wants.</summary>
+/// <summary>A sync server whose answers a test defines.</summary>
 sealed class FakeSyncServer : IDisposable
 {
     readonly FakeTcpServer _server;
 
-    /// <param name="answer">The bytes to send back for a request; null closes the connection.</param>
+    /// <param name="answer">Returns the bytes to send back for a request; null closes the connection.</param>
     public FakeSyncServer(Func<SyncFrame, byte[]> answer) => _server = new FakeTcpServer(stream => Serve(stream, answer));
 
     public int Port => _server.Port;

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A TCP server on loopback that treats each connection as a test wants, one after another.</summary>
+/// <summary>A TCP server on loopback that serves one connection after another with a test's function.</summary>
 sealed class FakeTcpServer : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -19,7 +19,7 @@ sealed class FakeTcpServer : IDisposable
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-    /// <summary>Connections accepted so far.</summary>
+    /// <summary>Number of connections accepted so far.</summary>
     public int Connections => Volatile.Read(ref _connections);
 
     public void Dispose() => _listener.Stop();
@@ -37,7 +37,7 @@ sealed class FakeTcpServer : IDisposable
         }
         catch (Exception end) when (end is SocketException or InvalidOperationException)
         {
-            // Stopped.
+            // The listener was stopped.
         }
     }
 
@@ -49,7 +49,7 @@ sealed class FakeTcpServer : IDisposable
         }
         catch (IOException)
         {
-            // The client went away; the next one may come.
+            // The client disconnected; continue with the next one.
         }
     }
 }

@@ -8,7 +8,7 @@ using System.Text;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A WebSocket server on loopback whose every byte a test controls.</summary>
+/// <summary>A WebSocket server on loopback that gives a test control of every byte.</summary>
 sealed class FakeWebSocketServer : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -25,10 +25,10 @@ sealed class FakeWebSocketServer : IDisposable
         return WebSocket.CreateFromStream(stream, new WebSocketCreationOptions { IsServer = true });
     }
 
-    /// <summary>The same, for frames that no library would send.</summary>
+    /// <summary>Accepts one client and returns the stream, for frames that no library would send.</summary>
     public async Task<NetworkStream> AcceptStreamAsync() => (NetworkStream)await AcceptStreamAsync(null);
 
-    /// <param name="certificate">For TLS; null for none.</param>
+    /// <param name="certificate">For TLS; null for a plain connection.</param>
     public async Task<Stream> AcceptStreamAsync(X509Certificate2 certificate)
     {
         var client = await _listener.AcceptTcpClientAsync().Bounded();
@@ -46,7 +46,7 @@ sealed class FakeWebSocketServer : IDisposable
         return stream;
     }
 
-    /// <summary>Answers the first request with the given bytes, whatever it asks.</summary>
+    /// <summary>Answers the first request with the given bytes, regardless of its content.</summary>
     public async Task AnswerAsync(string answer)
     {
         using var client = await _listener.AcceptTcpClientAsync().Bounded();

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>Gateways on free ports of loopback.</summary>
+/// <summary>Starts gateways on free ports of loopback.</summary>
 static class Gateways
 {
     public const string ObserverToken = "observer-token";
@@ -26,7 +26,7 @@ static class Gateways
     public static JointStateMessage State(double position, params string[] names) =>
         new(Start, names, [.. names.Select(_ => position)]);
 
-    /// <summary>A joint's position as a source publishes it.</summary>
+    /// <summary>Returns a joint state message as a source publishes it.</summary>
     public static string StateText(double position, string name = "a") =>
         RosbridgeWriter.PublishJointState(RosTopics.JointStates, State(position, name), RosTimeForm.Sec);
 

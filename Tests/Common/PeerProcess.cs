@@ -3,13 +3,13 @@ using System.Diagnostics;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A second process, as from another machine, with its lines; ended with the test whatever happens.</summary>
+/// <summary>A second process that acts as another machine, with its output lines. It is always ended with the test.</summary>
 sealed class PeerProcess : IDisposable
 {
     readonly Process _process;
     readonly ConcurrentQueue<string> _lines = [];
 
-    /// <param name="assembly">File name of the program, beside the tests.</param>
+    /// <param name="assembly">File name of the program in the folder of the tests.</param>
     public PeerProcess(string assembly, params string[] arguments)
         : this(new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, assembly), .. arguments])) { }
 
@@ -24,15 +24,15 @@ sealed class PeerProcess : IDisposable
         _process.BeginErrorReadLine();
     }
 
-    /// <summary>A program of Node.js.</summary>
-    /// <param name="script">Its path below the repository.</param>
+    /// <summary>Starts a program with Node.js.</summary>
+    /// <param name="script">Path of the script relative to the repository.</param>
     public static PeerProcess OfNode(string script, params string[] arguments) =>
         new(new ProcessStartInfo("node", [Path.Combine(RepositoryFiles.Root, script), .. arguments]));
 
-    /// <summary>A command line of the shell.</summary>
+    /// <summary>Runs a command line in the shell.</summary>
     public static PeerProcess OfShell(string command) => new(new ProcessStartInfo("sh", ["-c", command]));
 
-    /// <summary>Waits for the end.</summary>
+    /// <summary>Waits until the process ends.</summary>
     /// <returns>The exit status.</returns>
     public async Task<int> EndsAsync()
     {
@@ -42,13 +42,13 @@ sealed class PeerProcess : IDisposable
 
     public int Id => _process.Id;
 
-    /// <summary>Of the newest line "key value"; null without one.</summary>
+    /// <summary>Returns the value of the newest line "key value"; null if there is none.</summary>
     public string ValueOf(string key) => _lines.LastOrDefault(line => line.StartsWith(key + " ", StringComparison.Ordinal))?[(key.Length + 1)..];
 
-    /// <summary>Waits until it has printed this.</summary>
+    /// <summary>Waits until the process has printed the given words.</summary>
     public Task PrintsAsync(string words) => Soon.BecomesAsync(() => Printed(words) || _process.HasExited && !Printed(words) && Fail(words), words);
 
-    /// <summary>What it printed so far, on either stream.</summary>
+    /// <summary>The lines printed so far, on either stream.</summary>
     public IReadOnlyCollection<string> Lines => _lines;
 
     public string All => string.Join('\n', _lines);
@@ -57,11 +57,11 @@ sealed class PeerProcess : IDisposable
 
     public bool Printed(string words) => _lines.Any(line => line.Contains(words));
 
-    /// <summary>Sends what Ctrl-C sends, and waits for the end.</summary>
+    /// <summary>Sends the signal of Ctrl-C and waits until the process ends.</summary>
     /// <returns>The exit status.</returns>
     public Task<int> InterruptAsync() => SignalAsync("INT");
 
-    /// <summary>Sends a signal by its name without SIG, and waits for the end.</summary>
+    /// <summary>Sends a signal, named without SIG, and waits until the process ends.</summary>
     /// <returns>The exit status.</returns>
     public async Task<int> SignalAsync(string signal)
     {
@@ -72,7 +72,7 @@ sealed class PeerProcess : IDisposable
 
     public void Dispose()
     {
-        // Ends at once, as a headset that lost its power.
+        // Kills the process, as if a headset lost its power.
         _process.Kill(entireProcessTree: true);
         _process.WaitForExit();
         _process.Dispose();

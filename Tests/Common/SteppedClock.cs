@@ -1,19 +1,19 @@
 namespace Nowpose.Tests.Common;
 
-/// <summary>A headset clock that a test sets; whoever reads it finds it a little later, as after some work.</summary>
+/// <summary>A headset clock that a test sets. Each reading advances it a little, like some work.</summary>
 sealed class SteppedClock : IPerformanceCounterClock
 {
     long _ticks;
 
-    /// <summary>What one reading takes.</summary>
+    /// <summary>Duration of one reading.</summary>
     public TimeSpan Step { get; set; } = TimeSpan.FromMicroseconds(1);
 
     public HeadsetTime Now => new(new TimeSpan(Interlocked.Add(ref _ticks, Step.Ticks)));
 
-    /// <summary>What was read last.</summary>
+    /// <summary>The time of the last reading.</summary>
     public HeadsetTime Read => new(new TimeSpan(Interlocked.Read(ref _ticks)));
 
-    /// <summary>Counts in a second of the counter that it plays.</summary>
+    /// <summary>Frequency of the simulated counter in counts per second.</summary>
     public long CountsPerSecond { get; set; } = 10_000_000;
 
     public HeadsetTime At(long count) => new(new TimeSpan((long)((Int128)count * TimeSpan.TicksPerSecond / CountsPerSecond)));

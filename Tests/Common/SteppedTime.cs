@@ -1,6 +1,6 @@
 namespace Nowpose.Tests.Common;
 
-/// <summary>Time that goes on when a test says so.</summary>
+/// <summary>A time provider that a test advances.</summary>
 sealed class SteppedTime : TimeProvider
 {
     static readonly DateTimeOffset Start = new(2026, 11, 20, 12, 0, 0, TimeSpan.Zero);

@@ -1,6 +1,6 @@
 namespace Nowpose.Tests.Common;
 
-/// <summary>Time that passes only in a test's steps, with timers that fire once meanwhile.</summary>
+/// <summary>A time provider that a test advances, with timers that fire once.</summary>
 sealed class SteppedTimers : TimeProvider
 {
     readonly List<Timer> _timers = [];
@@ -10,7 +10,7 @@ sealed class SteppedTimers : TimeProvider
     public override DateTimeOffset GetUtcNow() => _time.GetUtcNow();
     public override long GetTimestamp() => _time.GetTimestamp();
 
-    /// <summary>Fires the timers that are due by then, on the calling thread.</summary>
+    /// <summary>Advances the time and fires the timers that become due, on the calling thread.</summary>
     public void Advance(TimeSpan by)
     {
         var end = GetTimestamp() + by.Ticks;

@@ -1,12 +1,12 @@
 namespace Nowpose.Tests.Common;
 
-/// <summary>Holds whoever asks for the time until it is let go: a thread that does not come to its end.</summary>
+/// <summary>A clock that blocks each reading until the test releases it, to simulate a thread that does not end.</summary>
 sealed class StuckClock : IHeadsetClock
 {
     readonly TaskCompletionSource _asked = new(TaskCreationOptions.RunContinuationsAsynchronously);
     readonly ManualResetEventSlim _goOn = new();
 
-    /// <summary>Completes when a thread is held.</summary>
+    /// <summary>Completes when a reading is blocked.</summary>
     public Task Asked => _asked.Task;
 
     public HeadsetTime Now

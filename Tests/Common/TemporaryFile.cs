@@ -2,7 +2,7 @@ using System.IO.Compression;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A file of a test's own, gone with it.</summary>
+/// <summary>A temporary file of a test, deleted when disposed.</summary>
 sealed class TemporaryFile : IDisposable
 {
     public TemporaryFile(string content, string ending = ".csv")

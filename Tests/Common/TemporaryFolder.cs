@@ -1,6 +1,6 @@
 namespace Nowpose.Tests.Common;
 
-/// <summary>A folder of a test's own, gone with it.</summary>
+/// <summary>A temporary folder of a test, deleted when disposed.</summary>
 sealed class TemporaryFolder : IDisposable
 {
     public string Path { get; } = Directory.CreateTempSubdirectory("nowpose-").FullName;

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Headless.Tests.ControlSystem;
 
-/// <summary>led-matrix/timestamp-codes.csv: codes by another program, which the package, the gateway's page and the PLC's code are held to.</summary>
+/// <summary>led-matrix/timestamp-codes.csv: reference codes from another program for the package, the gateway's page and the PLC's code.</summary>
 static class CodeVectors
 {
     public sealed record Row(int ValueMs, string Kind, byte[] Rows);

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.ControlSystem;
 
-/// <summary>The PLC's Structured Text, run as it stands, against codes that another program made.</summary>
+/// <summary>Runs the PLC's Structured Text unchanged and compares it with codes from another program.</summary>
 public class LedMatrixTests
 {
     const ulong NsPerMs = 1_000_000;

@@ -2,10 +2,10 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.ControlSystem;
 
-/// <summary>Runs the little Structured Text (IEC 61131-3) that the files of the LED matrix are written in: the text itself, nothing made of it.</summary>
+/// <summary>Interprets the subset of Structured Text (IEC 61131-3) used by the files of the LED matrix, directly from their text.</summary>
 /// <remarks>
-/// Whole numbers, BOOL, arrays from 0, assignments, IF, FOR, calls of function blocks with named inputs. Each variable holds what its
-/// type holds and no more. Anything else is an error that names it.
+/// Supports integers, BOOL, arrays from 0, assignments, IF, FOR, and calls of function blocks with named inputs. Each variable has the
+/// range of its type. Anything else is an error that names the token.
 /// </remarks>
 sealed partial class StructuredText
 {
@@ -21,8 +21,8 @@ sealed partial class StructuredText
     readonly int _body;
     int _at;
 
-    /// <param name="functions">Of libraries, without arguments.</param>
-    /// <param name="blocks">A new one of a function block's type.</param>
+    /// <param name="functions">Library functions without arguments, by name.</param>
+    /// <param name="blocks">Creates an instance of a function block from the name of its type.</param>
     public StructuredText(string source, Dictionary<string, Func<ulong>> functions = null, Func<string, StructuredText> blocks = null)
     {
         _functions = functions ?? [];
@@ -35,7 +35,7 @@ sealed partial class StructuredText
 
     string Next => _tokens[_at];
 
-    /// <summary>A variable that is no array.</summary>
+    /// <summary>Value of a variable that is not an array.</summary>
     public ulong this[string name]
     {
         get => _variables[name].Values[0];
@@ -44,7 +44,7 @@ sealed partial class StructuredText
 
     public ulong[] Array(string name) => _variables[name].Values;
 
-    /// <summary>Runs the body once, as one cycle does.</summary>
+    /// <summary>Runs the body once, like one cycle of the PLC.</summary>
     public void Run()
     {
         _at = _body;
@@ -156,7 +156,7 @@ sealed partial class StructuredText
         if (runs) block.Run();
     }
 
-    // A whole array, as an output of a block.
+    // Copies a whole array that is an output of a block.
     void Copy(Variable target, bool runs)
     {
         var block = _variables[Take()].Block;
@@ -173,7 +173,7 @@ sealed partial class StructuredText
         return index;
     }
 
-    // From weakest to strongest, as the standard has them.
+    // Operators from the weakest to the strongest, as in the standard.
     ulong Expression() => Binary(0);
 
     ulong Binary(int level)
@@ -201,7 +201,7 @@ sealed partial class StructuredText
 
     ulong Unary()
     {
-        // Of BOOL only: of other types it would need their width.
+        // NOT supports only BOOL; other types would need their width.
         if (TryTake("NOT")) return 1 - Unary();
         if (TryTake("(")) return Closed(Expression());
         var token = Take();

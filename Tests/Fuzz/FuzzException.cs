@@ -1,4 +1,4 @@
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>A property that must hold of every input did not.</summary>
+/// <summary>Thrown when a property that must hold for every input does not hold.</summary>
 sealed class FuzzException(string message) : Exception(message);

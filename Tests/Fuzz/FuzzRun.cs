@@ -3,12 +3,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Feeds seeded inputs to a reader, on all cores: nothing may be thrown, hang, or stay in memory.</summary>
+/// <summary>Feeds seeded inputs to a reader on all cores. The reader must not throw, hang or keep memory.</summary>
 sealed class FuzzRun
 {
     const long GreatestGrowthBytes = 4 * 1024 * 1024;
 
-    /// <summary>No input here takes a reader longer than milliseconds; on a machine that is busy with something else, this.</summary>
+    /// <summary>Time limit of one input. A reader needs only milliseconds; the limit allows for a busy machine.</summary>
     static readonly TimeSpan LongestInput = TimeSpan.FromSeconds(15);
 
     readonly string _name;
@@ -19,7 +19,7 @@ sealed class FuzzRun
     long _accepted;
     volatile string _failure;
 
-    /// <param name="inputs">How many to make.</param>
+    /// <param name="inputs">Number of inputs.</param>
     public FuzzRun(string name, int seed, int inputs)
     {
         _name = name;
@@ -27,12 +27,12 @@ sealed class FuzzRun
         _inputs = inputs;
     }
 
-    /// <param name="newReader">For each thread: makes an input from a random source and reads it; says whether it was accepted.</param>
-    /// <returns>How many inputs were accepted.</returns>
+    /// <param name="newReader">Creates a reader for each thread, which reads an input and returns whether it was accepted.</param>
+    /// <returns>The number of accepted inputs.</returns>
     public long Feed<T>(Func<Func<Random, T>> newMaker, Func<Func<T, bool>> newReader)
     {
         var watch = Stopwatch.StartNew();
-        // What readers keep for ever, such as compiled expressions, is there after a tenth.
+        // The first tenth creates everything that readers keep permanently, such as compiled expressions.
         var warm = _inputs / 10;
         FeedPart(newMaker, newReader, 0, warm);
         var before = GC.GetTotalMemory(forceFullCollection: true);
@@ -63,7 +63,7 @@ sealed class FuzzRun
             var input = default(T);
             try
             {
-                // A seed for each input: one that fails is made again without those before it.
+                // Each input has its own seed, so a failing input can be repeated without the ones before it.
                 input = make(new Random(HashCode(i)));
                 if (read(input)) Interlocked.Increment(ref _accepted);
             }
@@ -85,7 +85,7 @@ sealed class FuzzRun
         }
     }
 
-    // Not System.HashCode, which differs from process to process.
+    // System.HashCode is not used, because its values differ from process to process.
     int HashCode(int index) => unchecked((int)((uint)_seed * 2654435761u ^ (uint)index * 2246822519u));
 
     static string Show<T>(T input)

@@ -4,12 +4,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>What holds of every rosbridge message that the reader lets pass.</summary>
+/// <summary>Properties of every rosbridge message that the reader accepts.</summary>
 static class MessageRules
 {
     /// <summary>
-    /// Reads a text; a message that is taken must be JSON, keep every rule, and read the same when it is written again. The reader keeps
-    /// something from one message to the next: a new one must judge alike.
+    /// Reads a text. An accepted message must be JSON, follow every rule, and read the same after it is written again. The reader keeps
+    /// state from one message to the next, so a new reader must give the same result.
     /// </summary>
     public static bool IsTaken(RosbridgeReader reader, byte[] utf8)
     {
@@ -21,7 +21,7 @@ static class MessageRules
         if (!isNewTaken) return reason == DropReason.None ? throw new FuzzException("refused without a reason") : false;
         Json(utf8, message);
         var isTaken = IsTaken(message, reason);
-        // As a session does, so that the next message is read into it.
+        // Releases the message like a session, so that the next one is read into the same object.
         message.JointState?.Release();
         return isTaken;
     }
@@ -38,11 +38,11 @@ static class MessageRules
         return true;
     }
 
-    // As another reader has it, which refuses NaN and Infinity.
+    // Compares with another JSON reader, which refuses NaN and Infinity.
     static void Json(byte[] utf8, RosbridgeMessage message)
     {
         var text = new UTF8Encoding(false, true).GetString(utf8);
-        // Nor does it decode surrogates without their other half.
+        // That reader does not decode unpaired surrogates either.
         if (text.Contains("NaN") || text.Contains("Infinity") || text.Contains("\\ud", StringComparison.OrdinalIgnoreCase)) return;
         using var document = JsonDocument.Parse(utf8);
         if (message.JointState is not { } state) return;
@@ -103,7 +103,7 @@ static class MessageRules
         if (positions.Length != joints || (velocities ?? positions).Length != joints || (accelerations ?? positions).Length != joints)
             throw new FuzzException("lengths differ");
         foreach (var position in positions) Finite(position);
-        // NaN says "absent" there.
+        // Here NaN means "absent".
         foreach (var rate in (velocities ?? []).Concat(accelerations ?? []))
             if (double.IsInfinity(rate)) throw new FuzzException(rate + " passed");
     }

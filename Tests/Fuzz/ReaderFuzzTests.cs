@@ -11,8 +11,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>A million malformed inputs at the readers of all that comes from outside: each is taken as it should be, or refused in order.</summary>
-[NonParallelizable] // counts what the whole process keeps
+/// <summary>A million malformed inputs for all readers of external data: each is read correctly or refused with the proper error.</summary>
+[NonParallelizable] // measures the memory of the whole process
 public class ReaderFuzzTests
 {
     const int Messages = 400_000, Bytes = 100_000, Frames = 300_000, Exchanges = 100_000, Codes = 30_000, Robots = 20_000, Profiles = 20_000,
@@ -152,7 +152,7 @@ public class ReaderFuzzTests
         });
     }
 
-    // What is refused is refused with one line, by the exception that says so.
+    // A refusal has one line and the exception type that stands for invalid input.
     static void Refused(string name, int seed, int inputs, string[] seeds, Action<string> read, params string[] secrets)
     {
         var accepted = new FuzzRun(name, seed, inputs).Feed<string>(() => new TextMutator(seeds).Next, () => text =>

@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Inputs that are right, of every kind that comes from outside.</summary>
+/// <summary>Valid inputs of every kind of external data.</summary>
 static class Seeds
 {
     static readonly string[] Templates =

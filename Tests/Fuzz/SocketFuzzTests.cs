@@ -13,8 +13,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Tens of thousands of malformed inputs over real sockets: a gateway that runs, and a headset at a malicious server.</summary>
-[NonParallelizable] // counts what the whole process keeps
+/// <summary>Tens of thousands of malformed inputs over real sockets: to a running gateway, and to a headset from a malicious server.</summary>
+[NonParallelizable] // measures the memory of the whole process
 public class SocketFuzzTests
 {
     const int Seed = 11;
@@ -46,7 +46,7 @@ public class SocketFuzzTests
             var script = new CaseScript(true, "{\"op\":\"call_service\",\"service\":\"/rosapi/get_time\",\"id\":\"", "\"}");
             for (var n = 0; n < FramesEach; n++) Spoil(script, random);
             await new FramedPeer(raw.Stream).SendAsync(script);
-            // A frame that was left half sent ends with this, the others have ended the connection by themselves.
+            // This ends a frame that was sent only in part. The others have ended the connection themselves.
             raw.EndSending();
             await raw.ExpectEndAsync();
         }
@@ -73,7 +73,7 @@ public class SocketFuzzTests
             }
             catch (IOException)
             {
-                // Closed already, as it should be.
+                // The gateway has already closed the connection, which is correct.
             }
         }
 
@@ -124,7 +124,7 @@ public class SocketFuzzTests
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         var reading = ReadUntilAsync(client, Last);
         for (var i = 0; i < messages; i++) await client.SendAsync(mutator.Next(random));
-        // On the same connection, and in its order: all before it were read when it is answered, and none of them ended the connection.
+        // The answer on the same connection shows that all earlier messages were read and none of them ended the connection.
         await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, Last));
         await reading;
         await HonestAsync(gateway);

@@ -2,8 +2,8 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Spoils texts that have a grammar: not letters at random, but the pieces that its readers decide by.</summary>
-/// <remarks>Most of what it makes is nearly right, so readers get deep before they find out. One thread.</remarks>
+/// <summary>Damages texts that have a grammar. It changes the tokens that readers decide by, instead of random characters.</summary>
+/// <remarks>Most results are nearly valid, so readers get far before they detect the error. Not thread-safe.</remarks>
 sealed class TextMutator
 {
     static readonly string[] Numbers =
@@ -25,14 +25,14 @@ sealed class TextMutator
     readonly string[] _seeds;
     readonly string[] _pieces;
 
-    /// <param name="seeds">Texts that are right.</param>
+    /// <param name="seeds">Valid texts.</param>
     public TextMutator(params string[] seeds)
     {
         _seeds = seeds;
         _pieces = [.. seeds.SelectMany(Split).Distinct()];
     }
 
-    /// <summary>A spoilt text; now and then, one that is right.</summary>
+    /// <summary>Returns a damaged text, or sometimes a valid one.</summary>
     public string Next(Random random)
     {
         var pieces = Split(_seeds[random.Next(_seeds.Length)]);
@@ -83,7 +83,7 @@ sealed class TextMutator
     static void Nest(List<string> pieces, int at, Random random)
     {
         var (open, close) = random.Next(3) switch { 0 => ("[", "]"), 1 => ("{\"a\":", "}"), _ => ("<a>", "</a>") };
-        // Around the limit, and far beyond it now and then.
+        // Around the limit, and sometimes far beyond it.
         var depth = random.Next(50) == 0 ? 5000 : random.Next(1, 24);
         pieces[at] = new StringBuilder().Insert(0, open, depth) + pieces[at] + new StringBuilder().Insert(0, close, depth);
     }
@@ -99,7 +99,7 @@ sealed class TextMutator
         return new string(letters);
     }
 
-    // Numbers, words, and whatever stands between, letter by letter.
+    // Splits into numbers, words and single other characters.
     static List<string> Split(string text)
     {
         var pieces = new List<string>();

@@ -3,10 +3,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Answers of a sync server that is honest now and then. One thread.</summary>
+/// <summary>Answers of a sync server of which about half are honest. Not thread-safe.</summary>
 sealed class WildReplies(int seed)
 {
-    // Behind the stamps of the messages: what comes from the future is not looked at.
+    // Puts control time after the stamps of the messages, because stamps in the future are refused without further checks.
     const long AheadNs = 1_700_000_100_000_000_000;
 
     readonly Random _random = new(seed);

@@ -3,7 +3,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>A sync server that answers anything, before a headset's clock: whatever it says, the model stays a clock's. One thread.</summary>
+/// <summary>A sync server with arbitrary answers, and a headset's clock: the model must stay valid for any answer. Not thread-safe.</summary>
 sealed class WildServer
 {
     static readonly TimeSpan Farthest = TimeSpan.FromDays(365.25 * 150);
@@ -12,7 +12,7 @@ sealed class WildServer
     readonly ExchangePace _pace = new(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1));
     HeadsetTime _now = HeadsetTime.FromSeconds(100);
 
-    /// <returns>Whether the reply went into the model.</returns>
+    /// <returns>Whether the model used the reply.</returns>
     public bool Reply(int seed)
     {
         var random = new Random(seed);
@@ -20,7 +20,7 @@ sealed class WildServer
         _now += new TimeSpan(random.NextInt64(1, 2_000_000));
         var reply = FrameMutator.Reply(random, (uint)seed, t1.Nanoseconds);
         var verdict = SyncVerdict.Dropped;
-        // An honest one in between: a liar must not find a clock that knows nothing.
+        // Honest exchanges in between, so that the false ones do not meet an empty model.
         if (random.Next(3) == 0) verdict = Take(random, t1, new SyncExchange(t1, Control(t1, 0.5), Control(t1, 0.6), _now));
         else if (reply.Sequence == (uint)seed && reply.T1Ns == t1.Nanoseconds)
             verdict = Take(random, t1, new SyncExchange(

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The clock that <c>gateway simulate</c> prints at its start, against the clock that it serves.</summary>
+/// <summary>Compares the clock that <c>gateway simulate</c> prints at its start with the clock that it serves.</summary>
 [Platform("Linux")]
 public partial class AnnouncedClockTests
 {
@@ -30,7 +30,7 @@ public partial class AnnouncedClockTests
         var reply = await sync.ExchangeAsync(SyncFrame.Request(1, t1));
         var t4 = MonotonicNs();
 
-        // The request is received after t1 and the reply sent before t4; the wire counts in steps of 100 ns.
+        // The request is received after t1 and the reply is sent before t4. Times on the wire are multiples of 100 ns.
         Assert.That((decimal)reply.Value.T2Ns, Is.GreaterThanOrEqualTo(ControlNs(t1) - 200));
         Assert.That((decimal)reply.Value.T3Ns, Is.LessThanOrEqualTo(ControlNs(t4) + 200));
         Assert.That(rate, Is.EqualTo(1.0003m));

@@ -7,12 +7,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>A gateway that has the plant, a real broker, and a gateway of another hall, joined by the two bridges as processes.</summary>
+/// <summary>A gateway with the plant, a real broker, and a gateway in another hall, connected by the two bridges as processes.</summary>
 public class BrokerBridgeTests
 {
     const string Topic = "nowpose/cell-1";
 
-    /// <summary>Far from the time of this machine: nothing can agree with it by chance.</summary>
+    /// <summary>Far from the time of this machine, so that no clock can agree with it by chance.</summary>
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(70_000);
 
     [Test]
@@ -28,7 +28,7 @@ public class BrokerBridgeTests
         var subscribe = Configure(folder, "subscribe", broker, $"  clock: {{ host: 127.0.0.1, port: {near.SyncEndPoint.Port} }}\n");
         await using var nearBridge = AdapterProcesses.Start([new PlantFile(publish, "hall", "")], near);
         await using var farBridge = AdapterProcesses.Start([new PlantFile(subscribe, "hall", "")], far);
-        // When it counts as settled, scatter decides, and with it what else the machine does; how far it may be off, it says from the first.
+        // Waits for a small error bound, which is valid from the first exchange. When the clock becomes synchronised depends on the machine's load.
         await Soon.BecomesAsync(
             () => far.PlantClocks.Control is { Name: "hall", Exchanges: >= 10 } hall && hall.Model.ErrorBound < TimeSpan.FromMilliseconds(50),
             "the other hall has the plant's time");
@@ -92,7 +92,7 @@ public class BrokerBridgeTests
         return [.. JsonDocument.Parse(state).RootElement.GetProperty("joints").EnumerateArray()];
     }
 
-    /// <summary>The first joint state that gets through; one is published until then.</summary>
+    /// <summary>Publishes joint states until one arrives, and returns it.</summary>
     static async Task<JointStateMessage> FirstAsync(RawRosbridgeClient headset, Action publish)
     {
         var received = headset.ReceiveAsync();

@@ -13,7 +13,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The page with the control clock's code, and the time it asks for; what it draws is tested in a browser (Web/test).</summary>
+/// <summary>The page with the control clock's code, and the time request of the page. Web/test checks its drawing in a browser.</summary>
 public class CodePageTests
 {
     const string TimeRequest = "POST /vlc/time";
@@ -151,7 +151,7 @@ public class CodePageTests
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncRequestsPerSecond = 1 });
         using var hasty = await RawWebSocket.ConnectAsync(gateway);
 
-        // At once: whatever the machine is busy with, they are not a second apart.
+        // Both requests are sent at once, so that even on a busy machine they are less than a second apart.
         var request = $"{TimeRequest} HTTP/1.1\r\nHost: localhost\r\n{Empty}\r\n";
         await hasty.SendAsync(Encoding.ASCII.GetBytes(request + request));
 

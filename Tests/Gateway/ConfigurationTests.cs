@@ -4,7 +4,7 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The configuration file and --check, as somebody at a command line has them.</summary>
+/// <summary>The configuration file and --check as used on a command line.</summary>
 public class ConfigurationTests
 {
     string _folder;
@@ -164,7 +164,7 @@ public class ConfigurationTests
         Assert.That(status, Is.EqualTo(2));
         foreach (var part in new[] { "old.pfx", "tokens.txt, line 1", "headsets.txt, line 1", "is a file", "none.urdf" })
             Assert.That(errors, Has.Some.Contains(part), string.Join(" | ", errors));
-        // tokens.txt and headsets.txt have lines of their own.
+        // Errors in tokens.txt and headsets.txt name the lines of these files.
         foreach (var (line, part) in new[] { (3, "certificate: "), (6, "recordings "), (7, "robot: "), (8, "plants: ") })
             Assert.That(errors, Has.Some.Contains($"gateway.yaml:{line}: {part}"), string.Join(" | ", errors));
         Assert.That(output, Does.Not.Contain("state checked"));
@@ -187,7 +187,7 @@ public class ConfigurationTests
         Assert.That(started.Errors.Single(), Does.Contain("gateway.yaml:2: sync-port "));
     }
 
-    // A start may be tried again until the address is there; who has the configuration checked wants to know.
+    // A start may be repeated until the address exists, but a check must report it.
     [Test]
     public async Task Bind_OfAnotherMachine_IsBlamedInsteadOfThePorts()
     {
@@ -214,7 +214,7 @@ public class ConfigurationTests
         }
     }
 
-    // Nobody makes files there, root neither; a start serves all the same, as with a disk that fails later.
+    // No user can create files in /proc, including root. A start continues nevertheless, as with a disk that fails later.
     [Test]
     [Platform("Linux")]
     public async Task Check_RecordingsWhereNothingCanBeWritten_AreToldWithTheirLine()
@@ -277,7 +277,7 @@ public class ConfigurationTests
         foreach (var error in errors) Assert.That(error, Does.Contain("tokens.txt: cannot be read").Or.Contain("press.yaml: there is no such file"));
     }
 
-    // "# key: value" with a key of one word.
+    // Matches "# key: value" with a key of one word.
     static bool IsKey(string line) => System.Text.RegularExpressions.Regex.IsMatch(line, "^# [a-z-]+:( |$)");
 
     [Test]

@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Nothing is kept of a client that has left.</summary>
+/// <summary>The gateway keeps no data of a client that has disconnected.</summary>
 [NonParallelizable]
 public class DepartedClientTests
 {

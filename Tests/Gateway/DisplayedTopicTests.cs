@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>What headsets show, on its way to those who watch.</summary>
+/// <summary>The poses that headsets display, sent to observers.</summary>
 public class DisplayedTopicTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
@@ -35,7 +35,7 @@ public class DisplayedTopicTests
         Assert.That(shown.Displayed.FrameId, Is.EqualTo("left door"));
         Assert.That(shown.Displayed.Stamp, Is.EqualTo(Gateways.Start));
         Assert.That(shown.Displayed.Positions, Is.EqualTo(new[] { 0.5 }));
-        await page.RoundTripAsync(); // and nothing else came
+        await page.RoundTripAsync(); // no other message came
     }
 
     [Test]
@@ -74,7 +74,7 @@ public class DisplayedTopicTests
         await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the other one is gone");
 
         await headset.SendAsync(Shown("h1"));
-        await headset.RoundTripAsync(); // and no status came
+        await headset.RoundTripAsync(); // no status came
     }
 
     [Test]

@@ -63,7 +63,7 @@ public class FragmentCounterTests
         _ => random.Next(65536, 70_000),
     };
 
-    // RFC 6455, 5.2, as a client writes it: masked. The content does not matter, and is not zero.
+    // A frame as in RFC 6455, 5.2, masked like a client's. Its content does not matter, but is not zero.
     static void Frame(List<byte> into, Random random, int first, int length)
     {
         into.Add((byte)first);

@@ -50,7 +50,7 @@ public class GatewayOptionsTests
     {
         await using var gateway = await Gateways.StartAsync();
 
-        // No wrong input: it may be free the next time.
+        // This is not invalid input, because the port may be free at the next start.
         Refuse<IOException>(Gateways.Options() with { SyncPort = gateway.SyncEndPoint.Port }, $"--sync-port {gateway.SyncEndPoint.Port}");
         Refuse<IOException>(
             Gateways.Options() with { WebSocketPort = gateway.WebSocketEndPoint.Port }, $"--ws-port {gateway.WebSocketEndPoint.Port}");

@@ -28,7 +28,7 @@ public class MessageHubTests
         Assert.That(second.TryPublish(Gateways.State(2, "c", "b")), Is.EqualTo("b"));
         Assert.That(_received.Count, Is.EqualTo(1));
 
-        // Nothing of the refused message is held against others.
+        // The refused message reserves none of its joints.
         using var third = _hub.OpenSource();
         Assert.That(third.TryPublish(Gateways.State(3, "c")), Is.Null);
     }
@@ -107,7 +107,7 @@ public class MessageHubTests
         {
             var twice = new[] { _hub.Subscribe($"/topic{i}", _ => { }), _hub.Subscribe($"/topic{i}", _ => { }) };
             foreach (var subscription in twice) subscription.Dispose();
-            // A second time: nothing is there to be taken away.
+            // Disposing twice has no effect.
             twice[0].Dispose();
         }
 

@@ -27,7 +27,7 @@ public class MessageReceiverTests
         Assert.That(next, Is.EqualTo(("the next", DropReason.None, (Closure?)null, Count(seconds + 60 + 4.9))));
     }
 
-    // Copied: the next message is received into the same memory.
+    // Copies the text, because the next message is received into the same memory.
     static (string Text, DropReason Fault, Closure? End, long Count) Content(in Received received) =>
         (Encoding.UTF8.GetString(received.Utf8.Span), received.Fault, received.End, received.Count);
 

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Debian's MQTT broker on a free port of loopback, ended with the test.</summary>
+/// <summary>Debian's MQTT broker on a free port of loopback, stopped with the test.</summary>
 sealed class Mosquitto : IDisposable
 {
     readonly Process _process;
@@ -19,7 +19,7 @@ sealed class Mosquitto : IDisposable
 
     public int Port { get; }
 
-    /// <summary>Starts it, and has the test ignored where there is none.</summary>
+    /// <summary>Starts the broker; ignores the test if it is not installed.</summary>
     public static async Task<Mosquitto> StartAsync(string folder)
     {
         var file = Path.Combine(folder, "mosquitto.conf");
@@ -30,7 +30,7 @@ sealed class Mosquitto : IDisposable
             var broker = new Mosquitto(Start(file), port);
             await Soon.BecomesAsync(() => broker._process.HasExited || Listens(port), "mosquitto listens");
             if (!broker._process.HasExited) return broker;
-            // Somebody has taken the port since it was free; anything else is its fault.
+            // Another program took the port in the meantime. Any other reason is an error.
             var said = await broker._process.StandardError.ReadToEndAsync();
             broker.Dispose();
             Assert.That(said, Does.Contain("in use"), "why mosquitto ended");
@@ -47,7 +47,7 @@ sealed class Mosquitto : IDisposable
             }
             catch (Win32Exception)
             {
-                // Debian has it where only root looks.
+                // Debian installs it in a folder that is only on root's path.
             }
         }
 

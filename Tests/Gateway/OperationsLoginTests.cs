@@ -8,7 +8,7 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>How a browser, which opens pages and WebSockets without a header of ours, shows that it knows a token.</summary>
+/// <summary>The log-in of a browser, which opens pages and WebSockets without the token's header.</summary>
 public sealed class OperationsLoginTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };

@@ -17,7 +17,7 @@ public class OwnHostsTests
         Assert.That(hosts, Does.Contain(Environment.MachineName).And.None.EqualTo("0.0.0.0").And.None.EqualTo("[::]"));
         foreach (var host in hosts)
         {
-            // A name leads to any of the addresses.
+            // A host name may stand for any of the addresses.
             var local = IPAddress.TryParse(Page(host).IdnHost, out var address) ? address : IPAddress.Parse("192.0.2.1");
             Assert.That(OwnHosts.Contain(Page(host), local), Is.True, host);
         }

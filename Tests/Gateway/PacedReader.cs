@@ -18,10 +18,10 @@ sealed class PacedReader : IDisposable
 
     PacedReader(RawWebSocket socket) => _socket = socket;
 
-    /// <summary>Stamp of the newest joint state that was read.</summary>
+    /// <summary>Stamp of the newest joint state read.</summary>
     public ControlTime Newest { get; private set; }
 
-    /// <summary>Joint states that were read.</summary>
+    /// <summary>Number of joint states read.</summary>
     public int Samples { get; private set; }
 
     /// <summary>Longest time from the stamp of a joint state to the time at which it was read.</summary>
@@ -34,7 +34,7 @@ sealed class PacedReader : IDisposable
     {
         var reader = new PacedReader(await RawWebSocket.OpenAsync(gateway, receiveBytes: receiveBytes));
         await reader._socket.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes(RosbridgeWriter.Subscribe(RosTopics.JointStates)));
-        // Subscribed once the call behind it is answered.
+        // The subscription is active when the call after it is answered.
         await reader._socket.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes(RosbridgeWriter.CallService(RosTopics.GetTime, "subscribed")));
         await reader._socket.Stream.ReadExactlyAsync(reader._buffer.AsMemory(0, Header)).AsTask().Bounded();
         var rest = reader._buffer[1] == LongLength ? await reader.LongLengthAsync() : reader._buffer[1];
@@ -42,8 +42,8 @@ sealed class PacedReader : IDisposable
         return reader;
     }
 
-    /// <summary>Reads what has arrived, up to a number of bytes.</summary>
-    /// <param name="now">Time at which it is read.</param>
+    /// <summary>Reads the received bytes, up to a maximum number.</summary>
+    /// <param name="now">Time of the reading.</param>
     public async Task ReadAsync(int bytes, ControlTime now)
     {
         var count = Math.Min(Math.Min(bytes, _socket.Available), _buffer.Length - _length);

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>What starts the gateway at boot and in a container. Neither can run here: what tools can tell of the files is tested.</summary>
+/// <summary>The files that start the gateway at boot and in a container. Neither can run here, so tools check the files.</summary>
 public class PackagingTests
 {
     const string Program = "/opt/nowpose-gateway/Nowpose.Gateway";
@@ -25,7 +25,7 @@ public class PackagingTests
 
     static string Unit => File.ReadAllText(Path.Combine(Folder, "nowpose-gateway.service"));
 
-    // The program is not installed where this runs.
+    // The program is not installed on the test machine.
     string SavedUnit()
     {
         var path = Path.Combine(_folder, "nowpose-gateway.service");
@@ -87,7 +87,7 @@ public class PackagingTests
         Assert.That(Unit, Does.Not.Contain("StartLimitBurst"));
     }
 
-    // A copy would go on counting what is removed from the file; and a check before the start would be tried again and again.
+    // A copy would keep tokens that are removed from the file, and a check before the start would be repeated for ever.
     [Test]
     public void Unit_Tokens_AreTheFileItselfAndNothingRunsBefore()
     {

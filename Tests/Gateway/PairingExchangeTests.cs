@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The headset's side and the gateway's side of the exchange, over sockets of this machine.</summary>
+/// <summary>The headset's side and the gateway's side of the pairing exchange, over sockets of this machine.</summary>
 public sealed class PairingExchangeTests
 {
     static readonly CertificatePin OtherPin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));

@@ -11,7 +11,7 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Who gets to see the page and its code; what it draws is tested in a browser (Web/test).</summary>
+/// <summary>Access to the page and its code. Web/test checks its drawing in a browser.</summary>
 public sealed class PairingPageTests
 {
     [Test]
@@ -36,7 +36,7 @@ public sealed class PairingPageTests
         await using var gateway = await PairingGateway.StartAsync();
         using var body = new StringContent("{}");
 
-        // As a page would ask whose name was made to point here.
+        // A page whose host name was redirected to this machine sends such a request (DNS rebinding).
         var (status, text) = await gateway.SendAsync(new HttpMethod(method), path, method == "POST" ? body : null, ("Host", "evil.example"));
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));

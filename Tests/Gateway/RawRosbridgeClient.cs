@@ -24,7 +24,7 @@ sealed class RawRosbridgeClient : IDisposable
         return client;
     }
 
-    /// <summary>By another way than the gateway's own address.</summary>
+    /// <summary>Connects to another address than the gateway's own.</summary>
     public static async Task<RawRosbridgeClient> ConnectAsync(Uri uri, Action<ClientWebSocketOptions> set = null)
     {
         var client = new RawRosbridgeClient();
@@ -73,7 +73,7 @@ sealed class RawRosbridgeClient : IDisposable
         await RoundTripAsync();
     }
 
-    /// <summary>Expects a status error that holds the text.</summary>
+    /// <summary>Expects a status of level error that contains the text.</summary>
     public async Task ExpectErrorAsync(string part)
     {
         var message = await ReceiveAsync();

@@ -33,7 +33,7 @@ sealed class RawSyncClient : IDisposable
         return SendAsync(bytes);
     }
 
-    /// <summary>The next frame, or null when the gateway closed the connection.</summary>
+    /// <summary>Returns the next frame, or null if the gateway closed the connection.</summary>
     public async Task<SyncFrame?> ReceiveAsync()
     {
         var bytes = new byte[SyncFrame.Size];
@@ -44,7 +44,7 @@ sealed class RawSyncClient : IDisposable
         }
         catch (IOException)
         {
-            // Closed with bytes unread: a reset.
+            // The gateway closed the connection with unread bytes, which causes a reset.
             return null;
         }
     }

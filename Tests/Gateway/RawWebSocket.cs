@@ -5,7 +5,7 @@ using Nowpose.Gateway;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Bytes and frames on the WebSocket port, also those no WebSocket class would send or show.</summary>
+/// <summary>Sends and receives bytes and frames on the WebSocket port, including those that WebSocket classes do not send or show.</summary>
 sealed class RawWebSocket : IDisposable
 {
     public const int Text = 1;
@@ -16,13 +16,13 @@ sealed class RawWebSocket : IDisposable
     readonly TcpClient _tcp = new() { NoDelay = true };
     Stream _stream;
 
-    /// <summary>For bytes that come in another order than this class sends and reads them.</summary>
+    /// <summary>The stream, for bytes in another order than this class sends and reads them.</summary>
     public Stream Stream => _stream;
 
     /// <summary>Bytes that can be read without waiting.</summary>
     public int Available => _tcp.Available;
 
-    /// <summary>Nothing more is sent; what comes is still read.</summary>
+    /// <summary>Ends the sending direction; data can still be read.</summary>
     public void EndSending()
     {
         try
@@ -31,7 +31,7 @@ sealed class RawWebSocket : IDisposable
         }
         catch (SocketException)
         {
-            // Ended by the gateway already.
+            // The gateway has already closed the connection.
         }
     }
 
@@ -54,7 +54,7 @@ sealed class RawWebSocket : IDisposable
         return raw;
     }
 
-    /// <summary>Returns the head of the answer.</summary>
+    /// <summary>Sends a request and returns the head of the answer.</summary>
     public async Task<string> RequestAsync(string headers = "", string request = "GET /")
     {
         await SendAsync(Encoding.ASCII.GetBytes($"{request} HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n"));
@@ -64,11 +64,11 @@ sealed class RawWebSocket : IDisposable
         return head.ToString();
     }
 
-    /// <summary>A whole message or control frame, masked with zeros: its bytes are as they are (RFC 6455, 5.2).</summary>
+    /// <summary>Sends a whole message or control frame. The mask is zero, so the bytes do not change (RFC 6455, 5.2).</summary>
     public Task SendFrameAsync(int opcode, params byte[] payload) =>
         SendAsync([(byte)(0x80 | opcode), (byte)(0x80 | payload.Length), 0, 0, 0, 0, .. payload]);
 
-    /// <summary>A whole message of 126 to 65535 bytes, masked with zeros as well.</summary>
+    /// <summary>Sends a whole message of 126 to 65535 bytes, also with a zero mask.</summary>
     public Task SendTextAsync(string text)
     {
         var payload = Encoding.UTF8.GetBytes(text);
@@ -83,10 +83,10 @@ sealed class RawWebSocket : IDisposable
         return (header[0] & 0x0F, await ReadAsync(header[1]));
     }
 
-    /// <summary>Waits until the gateway has closed the connection, past whatever it still says.</summary>
+    /// <summary>Waits until the gateway has closed the connection and ignores data received before.</summary>
     public Task ExpectEndAsync() => CopyToEndAsync(Stream.Null);
 
-    /// <summary>What the gateway says until it closes the connection.</summary>
+    /// <summary>Returns all data that the gateway sends until it closes the connection.</summary>
     public async Task<string> ReadToEndAsync()
     {
         using var said = new MemoryStream();
@@ -102,7 +102,7 @@ sealed class RawWebSocket : IDisposable
         }
         catch (IOException)
         {
-            // Closed with bytes unread: a reset.
+            // The gateway closed the connection with unread bytes, which causes a reset.
         }
     }
 

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>What clients written for rosbridge ask it for, and say.</summary>
+/// <summary>Service calls and messages of clients that were written for rosbridge.</summary>
 public class RosapiTests
 {
     [TestCase("/rosapi/topics")]

@@ -48,7 +48,7 @@ public class RosbridgeAccessTests
         await observer.ExpectErrorAsync("role");
 
         Assert.That(gateway.Drops[DropReason.NotAllowed], Is.EqualTo(3));
-        await observer.RoundTripAsync(); // and nothing was published
+        await observer.RoundTripAsync(); // no message was published
     }
 
     [Test]

@@ -74,7 +74,7 @@ public class RosbridgeConnectionTests
         using var source = _hub.OpenSource();
         var former = Subscribe(RosTopics.JointStates);
         connection.Start(former);
-        // Never too old, however long this takes.
+        // A stamp in the future, so that no sample becomes too old.
         var receivedAt = Stopwatch.GetTimestamp() + (3600 * Stopwatch.Frequency);
         for (var i = 0; i < 5; i++) source.TryPublish(Gateways.State(i, "a"), receivedAt);
         await Soon.BecomesAsync(() => socket.Sends == 1, "the first is being sent");
@@ -105,7 +105,7 @@ public class RosbridgeConnectionTests
     [Test]
     public async Task Reader_ThatSendsAndNeverReads_IsClosed()
     {
-        // No pings: what ends it is that it reads nothing, and nothing else.
+        // Without pings, so that only the missing reads can end the connection.
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMinutes(5), PongTimeout = TimeSpan.FromMilliseconds(300) };
         await using var gateway = await Gateways.StartAsync(options);
         using var client = await RawRosbridgeClient.ConnectAsync(gateway, set => set.SetBuffer(1024, 1024));
@@ -129,7 +129,7 @@ public class RosbridgeConnectionTests
         }
         catch (Exception e) when (e is WebSocketException or OperationCanceledException)
         {
-            // Ended meanwhile.
+            // The gateway has closed the connection.
         }
     }
 }

@@ -157,7 +157,7 @@ public class RosbridgeMessageTests
         }
         catch (WebSocketException)
         {
-            // Closed while sending.
+            // The gateway closed the connection during sending.
         }
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.EndlessMessage] == 1, "counted");

@@ -18,7 +18,7 @@ public class RosbridgeReadersTests
         using var source = gateway.Hub.OpenSource();
         var names = Enumerable.Range(0, 256).Select(i => "joint" + i).ToArray();
 
-        // Until what lies between the gateway and the slow client is full, then as much again as its queue holds.
+        // Fills all buffers between the gateway and the slow client, then its queue once more.
         var sent = 0;
         while (gateway.Drops[DropReason.SlowReader] < 100)
         {
@@ -40,7 +40,7 @@ public class RosbridgeReadersTests
     public async Task Reader_ThatAnsweredAPingAndStops_IsSentNoMoreThanAWindowAndAQueue()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
-        // The system's buffers as they are, which hold thousands of samples.
+        // Uses the system's default buffers, which hold thousands of samples.
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates);
         using var source = gateway.Hub.OpenSource();
@@ -65,7 +65,7 @@ public class RosbridgeReadersTests
         Assert.That(received.Count, Is.EqualTo(Count - gateway.Drops[DropReason.SlowReader]), "each of the others is counted");
     }
 
-    // Age counts in samples of the source, and so does the pace of the readers: a busy machine slows down both.
+    // Both the age and the pace of the readers are measured in samples of the source, because a busy machine slows down both.
     [Test]
     public async Task Reader_Of4KilobytesASecond_GetsNoSampleOlderThanASecond()
     {
@@ -100,7 +100,7 @@ public class RosbridgeReadersTests
     {
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);
-        using var client = await RawRosbridgeClient.ConnectAsync(gateway); // which answers only while it receives
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway); // answers pings only while it receives
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Silence] == 1, "closed for silence");
     }
@@ -115,7 +115,7 @@ public class RosbridgeReadersTests
         await using var gateway = await Gateways.StartAsync(options);
         using var raw = await RawWebSocket.OpenAsync(gateway);
 
-        // Longer than a connection without pongs lives.
+        // Longer than a connection without pongs lasts.
         for (var i = 0; i < 35; i++)
         {
             var (opcode, payload) = await raw.ReceiveFrameAsync();
@@ -133,7 +133,7 @@ public class RosbridgeReadersTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
-        // Far longer than it takes to publish them all.
+        // The throttle interval is much longer than publishing all samples takes.
         await client.SubscribeAsync(RosTopics.JointStates, null, 2000);
         using var source = gateway.Hub.OpenSource();
         var since = System.Diagnostics.Stopwatch.GetTimestamp();
@@ -155,7 +155,7 @@ public class RosbridgeReadersTests
         return reader.Newest == newest;
     }
 
-    // About 450 bytes as JSON, as of an arm that is moving.
+    // About 450 bytes as JSON, like the state of a moving arm.
     static JointStateMessage SevenJoints(ControlTime stamp)
     {
         var seconds = (stamp - Gateways.Start).TotalSeconds;

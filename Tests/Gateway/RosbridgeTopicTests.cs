@@ -33,7 +33,7 @@ public class RosbridgeTopicTests
         using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
         using var page = await RawRosbridgeClient.ConnectAsync(gateway);
 
-        // As roslib.js writes them, field for field.
+        // The messages of roslib.js, field for field.
         await page.SendAsync("""{"op":"subscribe","id":"subscribe:/joint_states:1","type":"sensor_msgs/JointState","""
             + """ "topic":"/joint_states","compression":"none","throttle_rate":0,"queue_length":0}""");
         await page.RoundTripAsync();
@@ -79,7 +79,7 @@ public class RosbridgeTopicTests
         source.TryPublish(Gateways.State(0.5, "a"));
 
         Assert.That((await client.ReceiveAsync()).JointState, Is.Not.Null);
-        await client.RoundTripAsync(); // and not a second time
+        await client.RoundTripAsync(); // the sample is not sent a second time
     }
 
     [Test]
@@ -108,7 +108,7 @@ public class RosbridgeTopicTests
 
         await client.SendAsync(RosbridgeWriter.Advertise(RosTopics.JointStates, null));
         await client.ExpectErrorAsync("32");
-        await SubscribeToUnknownAsync(client, "/topic0"); // not a further one
+        await SubscribeToUnknownAsync(client, "/topic0"); // no further topic is created
         await client.SendAsync(RosbridgeWriter.Unsubscribe("/topic0"));
         await SubscribeToUnknownAsync(client, "/one_more");
         Assert.That(gateway.Drops[DropReason.TooManyTopics], Is.EqualTo(2));

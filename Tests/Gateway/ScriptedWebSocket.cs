@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Receives the given pieces of text messages, each as soon as it is asked for; before it, what happens meanwhile.</summary>
+/// <summary>Returns the given pieces of text messages, one for each receive call. Runs the piece's action first.</summary>
 sealed class ScriptedWebSocket(params (string Text, bool IsEnd, Action Meanwhile)[] pieces) : WebSocket
 {
     int _next;

@@ -8,7 +8,7 @@ public class SendWindowTests
 {
     static readonly TimeSpan Step = TimeSpan.FromMilliseconds(1);
 
-    /// <summary>Without the queue and the acquisition, which take 0.25 s of the second that a sample may be old.</summary>
+    /// <summary>Maximum age: one second minus the 0.25 s that queue and acquisition take.</summary>
     const double MaxAgeSeconds = 0.75;
 
     [Test]
@@ -101,12 +101,12 @@ public class SendWindowTests
         Assert.That(window.IsPingDueBefore(SendWindow.FirstBytes + 1), Is.False);
     }
 
-    /// <summary>A reader behind buffers of any size, on a path with a delay, in steps of a millisecond.</summary>
+    /// <summary>Simulates a reader behind buffers of any size on a path with a delay, in steps of a millisecond.</summary>
     sealed class Run(double bytesPerSecond, int messageBytes, int intervalMs, int roundTripMs)
     {
         const int PingBytes = 10;
 
-        // What is on its way: bytes left, when it was made, and the number of a ping (0 for a message).
+        // Messages on their way: remaining bytes, time of creation, and the number of a ping (0 for a message).
         readonly Queue<(TimeSpan Arrives, double Bytes, TimeSpan Made, long Ping)> _way = [];
         readonly Queue<(TimeSpan Arrives, long Ping)> _pongs = [];
         TimeSpan _now;
@@ -139,7 +139,7 @@ public class SendWindowTests
             }
         }
 
-        /// <summary>Sends messages with this many bytes together as soon as the window is open.</summary>
+        /// <summary>Sends messages with a total of this many bytes as soon as the window is open.</summary>
         public void SendBurst(int bytes) => _burst = bytes;
 
         void SendWhenOpen()

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Takes what is sent, and is done with none of it until it is told to go on; nothing comes from it.</summary>
+/// <summary>Accepts sent messages but completes no send until the test continues it. It receives no messages.</summary>
 sealed class StuckWebSocket : WebSocket
 {
     readonly TaskCompletionSource _goOn = new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -12,7 +12,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 
 public class SyncServerTests
 {
-    /// <summary>A limit that a busy machine keeps with what is to be answered, and that a test can wait for.</summary>
+    /// <summary>A limit long enough for answers on a busy machine and short enough for a test to wait for.</summary>
     static readonly TimeSpan LongToAnswer = TimeSpan.FromSeconds(1.5);
 
     [Test]
@@ -119,7 +119,7 @@ public class SyncServerTests
         var frame = new byte[SyncFrame.Size];
         SyncFrame.Request(2, 2).Write(frame);
 
-        // Good frames, each of which takes some five times as long as it may, and is never silent.
+        // Valid frames, never silent, but each takes about five times as long as allowed.
         for (var i = 0; i < 10 * SyncFrame.Size && gateway.SyncConnections[Closure.Silence] == 0; i++)
         {
             await TrySendAsync(client, [frame[i % SyncFrame.Size]]);
@@ -137,7 +137,7 @@ public class SyncServerTests
         }
         catch (IOException)
         {
-            // Ended meanwhile.
+            // The gateway has closed the connection.
         }
     }
 

@@ -1,6 +1,6 @@
 namespace Nowpose.Headless.Tests;
 
-/// <summary>A frame's synchronisation context that no frame ever pumps: what is posted there waits for ever.</summary>
+/// <summary>A frame's synchronisation context that is never pumped: work posted to it never runs.</summary>
 sealed class FrameContext : SynchronizationContext
 {
     int _posts;
@@ -9,7 +9,7 @@ sealed class FrameContext : SynchronizationContext
 
     public override void Post(SendOrPostCallback d, object state) => Interlocked.Increment(ref _posts);
 
-    /// <summary>Runs on a thread that has this context, as Unity's main thread has its own.</summary>
+    /// <summary>Runs a function on a thread that has this context, like Unity's main thread.</summary>
     public T Run<T>(Func<T> make)
     {
         T made = default;

@@ -29,7 +29,7 @@ public class NativeWebSocketLinkTests
 
     sealed record Message(string Text, DropReason Dropped, HeadsetTime Arrival);
 
-    /// <summary>The next message; null at the end.</summary>
+    /// <summary>Returns the next message; null at the end.</summary>
     static async Task<Message> NextAsync(NativeWebSocketLink link, CancellationToken cancel = default)
     {
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
@@ -45,7 +45,7 @@ public class NativeWebSocketLinkTests
         }
         catch (OperationCanceledException) when (next != null)
         {
-            // One is enough.
+            // Only the first message is needed.
         }
         return next;
     }

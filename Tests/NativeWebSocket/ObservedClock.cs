@@ -1,6 +1,6 @@
 namespace Nowpose.Headless.Tests;
 
-/// <summary>Stands still until it is set, and tells that somebody has read it.</summary>
+/// <summary>A clock that a test sets and that signals each reading.</summary>
 sealed class ObservedClock : IHeadsetClock
 {
     readonly SemaphoreSlim _reads = new(0);

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>Accepts and says nothing.</summary>
+/// <summary>A server that accepts one connection and never answers.</summary>
 sealed class SilentServer : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -14,14 +14,14 @@ sealed class SilentServer : IDisposable
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
     public bool HasCaller => _listener.Pending();
 
-    /// <summary>Until somebody has asked for something.</summary>
+    /// <summary>Waits until a client has connected and sent data.</summary>
     public async Task AskedAsync()
     {
         _client = await _listener.AcceptTcpClientAsync().Bounded();
         await _client.GetStream().ReadAsync(new byte[1]).AsTask().Bounded();
     }
 
-    /// <summary>Until the caller has hung up.</summary>
+    /// <summary>Waits until the client has closed the connection.</summary>
     public async Task EndAsync()
     {
         var said = new byte[1000];
@@ -31,7 +31,7 @@ sealed class SilentServer : IDisposable
         }
         catch (IOException)
         {
-            // Hung up without a word.
+            // The connection was reset.
         }
     }
 

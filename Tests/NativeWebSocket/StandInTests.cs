@@ -5,7 +5,7 @@ using Socket = NativeWebSocket.WebSocket;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>The stand-in has the manners of the package it stands for, the awkward ones too: the link is tested against them.</summary>
+/// <summary>The stand-in behaves like the package that it replaces, including its defects, because the link's tests depend on them.</summary>
 public class StandInTests
 {
     [Test]

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>Session files with known errors, scored against a truth as a gateway announces it.</summary>
+/// <summary>Scores session files with known errors against a truth in the format that a gateway prints.</summary>
 public class LinkScoreTests
 {
     const int FramesPerSecond = 50;
@@ -46,7 +46,7 @@ public class LinkScoreTests
 
         Assert.That(result.ClockErrorUsP50, Is.EqualTo(20_000).Within(0.2));
         Assert.That(result.WithinStatedShare, Is.EqualTo(0.25));
-        // 20 ms late where the held pose is 100 ms late: by the triangle inequality no more than this.
+        // 20 ms late while the held pose is 100 ms late. The triangle inequality limits the reduction to this range.
         Assert.That(result.Reduction, Is.InRange(0.77, 0.8));
     }
 
@@ -83,7 +83,7 @@ public class LinkScoreTests
     [Test]
     public void Result_Stalls_AreScoredByTheWorst()
     {
-        // The link starts with the frames; it stalls from 8 to 9.5 s and from 16 to 17.5 s.
+        // The link starts with the frames. It stalls from 8 to 9.5 s and from 16 to 17.5 s.
         var result = Score(
             20, i => (i / (double)FramesPerSecond) is >= 8.2 and < 9.6 or >= 16.1 and < 17.9 ? "held" : "current", LinkProfile.Roaming);
 

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>What the load tool reads and counts is what came.</summary>
+/// <summary>The load tool reads and counts exactly the received messages.</summary>
 public class LoadMeasureTests
 {
     static readonly ControlTime Stamp = ControlTime.FromNanoseconds(5_000_000_123_400);
@@ -18,7 +18,7 @@ public class LoadMeasureTests
     [TestCase(1000)]
     public void Frames_InPiecesOfAnyLength_AreRead(int pieceLength)
     {
-        // As servers send them: without a mask.
+        // Frames as a server sends them, without a mask.
         byte[] frame = [0x81, (byte)126, (byte)(Message.Length >> 8), (byte)Message.Length, .. Message];
         byte[] stream = [.. frame, 0x89, 2, 1, 2, .. frame];
         var reader = new FrameReader();
@@ -60,7 +60,7 @@ public class LoadMeasureTests
         var (flat, growing) = (new MemoryWatch(), new MemoryWatch());
         for (var second = 0; second < 300; second++)
         {
-            // A collection of garbage every few seconds.
+            // The sawtooth of a garbage collection every few seconds.
             flat.Add(100_000_000 + (second % 7 * 3_000_000));
             growing.Add(100_000_000 + (second * 60_000));
         }

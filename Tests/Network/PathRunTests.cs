@@ -11,7 +11,7 @@ public class PathRunTests
     const double SizeMs = 4;
     const int FirstSeed = 7000, Seeds = 2;
 
-    /// <summary>On a quiet link exchanges are rare when the path changes, and frequent as soon as the clock is known less well.</summary>
+    /// <summary>On a quiet link exchanges are rare when the path changes, and become frequent once the error bound of the clock has grown.</summary>
     [Test]
     public void Play_ChangeWhileExchangesAreRare_ErrorAndSkewStayAsBefore(
         [Range(7000, 7005)] int seed, [Values("requests longer", "replies longer", "both longer")] string change)
@@ -28,7 +28,7 @@ public class PathRunTests
         from change in PathChange.All
         select new TestCaseData(link.Name, change.Name);
 
-    /// <summary>The limits of the verb `paths`, which plays more seeds and sizes, and 5 ppm where it allows more.</summary>
+    /// <summary>The limits of the verb `paths`, which runs more seeds and sizes. For the skew, 5 ppm apply where it allows more.</summary>
     [TestCaseSource(nameof(Changes))]
     public void Missed_ChangeOnALink_IsEmpty(string link, string change)
     {
@@ -38,7 +38,7 @@ public class PathRunTests
         Assert.That(cell.SkewPpm, Is.LessThan(5), $"seeds {FirstSeed} and up");
     }
 
-    /// <summary>Few exchanges after a change tell the new least delays only roughly; what later ones correct must not look like another skew.</summary>
+    /// <summary>The first exchanges give the new minimum delays only roughly. Their later correction must not look like another skew.</summary>
     [TestCase("bad", "shorter than ever", 4, 7000)]
     [TestCase("bad", "shorter than ever", 20, 7000)]
     [TestCase("bad", "both longer", 2, 7000)]
@@ -53,7 +53,7 @@ public class PathRunTests
         }
     }
 
-    /// <summary>Half a millisecond is recognised by the round trips, where the margin for a wrong skew alone would hide it.</summary>
+    /// <summary>The round trips show a change of half a millisecond, although the margin for a wrong skew alone would hide it.</summary>
     [TestCase("wifi", "requests longer")]
     [TestCase("wifi", "longer and back")]
     [TestCase("clean", "both longer")]
@@ -63,7 +63,7 @@ public class PathRunTests
     public void Missed_SmallChange_IsEmpty(string link, string change) =>
         Assert.That(Cell(link, change, 0.5, ClockEstimators.Default).Missed, Is.Empty, $"seeds {FirstSeed} and up");
 
-    /// <summary>The smaller change is hidden by what a wrong skew may be: half of it is an error that the stated ± has to include.</summary>
+    /// <summary>The margin for a wrong skew hides the smaller change. Half of it is an error that the stated ± must include.</summary>
     [Test]
     public void Within_SmallChangeBesideALargeOne_HoldsOnACleanLink([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
     {
@@ -77,7 +77,7 @@ public class PathRunTests
         Assert.That(run.ErrorMs, Is.LessThan(0.15));
     }
 
-    /// <summary>Both bounds move in the direction of a step of the clock, but not by the same amount.</summary>
+    /// <summary>Both bounds move in the direction of a step of the clock, but by different amounts.</summary>
     [Test]
     public void Play_RepliesShorterByLittleAsRequestsBecomeLonger_IsNoStepOfTheClock([Range(7000, 7003)] int seed)
     {
@@ -114,7 +114,7 @@ public class PathRunTests
         return new PathCell(LinkProfile.Named(link), Named(change), sizeMs, Play(link, Named(change), sizeMs, estimator), unchanged.Value);
     }
 
-    // The same for all changes.
+    // The run without a change, shared by all changes.
     static readonly ConcurrentDictionary<(string Link, string Estimator), Lazy<PathRun[]>> Unchanged = new();
 
     static PathRun[] Play(string link, PathChange change, double sizeMs, string estimator) =>

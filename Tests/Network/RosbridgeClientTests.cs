@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>What the headset makes of whatever a server sends.</summary>
+/// <summary>How the headset handles valid and invalid messages of a server.</summary>
 public class RosbridgeClientTests
 {
     const string Good = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":5,"nsecs":0}},"name":["a"],"position":[1.5]}}""";

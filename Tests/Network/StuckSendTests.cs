@@ -6,16 +6,16 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>A link whose sends no longer come back, as with a full buffer and nobody at the other end.</summary>
+/// <summary>A link whose sends never complete, as with a full buffer and a lost peer.</summary>
 [Parallelizable(ParallelScope.All)]
 public class StuckSendTests
 {
     const string Text = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":5,"nsecs":0}},"name":["a"],"position":[1]}}""";
 
-    /// <summary>More than are sent within two seconds.</summary>
+    /// <summary>More messages than are sent within two seconds.</summary>
     const int ForTwoSeconds = 45;
 
-    /// <summary>What is subscribed to and advertised.</summary>
+    /// <summary>Number of subscriptions and advertisements.</summary>
     const int AtTheBeginning = 6;
 
     [TestCase(0, false, false, "nothing could be sent for 6 s")]
@@ -27,7 +27,7 @@ public class StuckSendTests
         var clock = new StopwatchHeadsetClock();
         var exchanges = asksTime ? Exchanges(clock) : null;
         var links = 0;
-        // What the second one told would hide why the first ended.
+        // The second link fails at once, because a status of its own would hide the reason why the first one ended.
         IWebSocketLink Next() => Interlocked.Increment(ref links) == 1 ? new StuckLink(clock, taken, hears) : new ClosedDoor();
 
         using var client = new RosbridgeClient(Next, clock, new Listener(), true, exchanges);

@@ -1,7 +1,7 @@
-// Writes the poses that ForwardKinematicsTests compares with, computed by urdf-loader 0.13 and three.js in double precision:
+// Writes the reference poses of ForwardKinematicsTests, computed by urdf-loader 0.13 and three.js in double precision:
 //   npm install urdf-loader three jsdom        (in a folder of its own, with this file copied into it)
 //   node make-reference.mjs OUT.json FILE.urdf …
-// Joint values go beyond the limits; every second case gives one mimic joint a value of its own.
+// Joint values exceed the limits; every second case gives one mimic joint a value of its own.
 import fs from 'node:fs';
 import path from 'node:path';
 import { JSDOM } from 'jsdom';

@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Peer;
 
-/// <summary>A bare rosbridge client: sends each line of its input as a message, prints each message it gets.</summary>
+/// <summary>A simple rosbridge client that sends each line of its input as a message and prints each message that it receives.</summary>
 static class ClientPeer
 {
     public static async Task RunAsync(Uri uri, string pin, string token, string origin)
@@ -26,7 +26,7 @@ static class ClientPeer
             return;
         }
         Console.WriteLine("connected");
-        // On a thread of its own: the console reads synchronously even when asked not to.
+        // Runs on its own thread, because asynchronous reads of the console block.
         await Task.WhenAny(Task.Run(() => SendAsync(socket)), PrintAsync(socket));
     }
 

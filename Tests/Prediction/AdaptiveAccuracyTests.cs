@@ -5,8 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Prediction;
 
 /// <summary>
-/// What <c>adaptive</c> leaves of the error, on motions it was not tuned on: its constants were chosen on seeds 1000 to 1006
-/// and on recordings of real machines, these are seeds 9001 to 9003. Limits are those that the default stands for.
+/// Remaining error of <c>adaptive</c> on motions that were not used for tuning: its constants were chosen on seeds 1000 to 1006
+/// and on recordings of real machines; the tests use seeds 9001 to 9003. The limits are those promised for the default predictor.
 /// </summary>
 public class AdaptiveAccuracyTests
 {
@@ -52,7 +52,7 @@ public class AdaptiveAccuracyTests
         }
     }
 
-    // Fast moves leave .26 of what the quadratic makes of ± 10 ms with clean stamps, too: there is nothing left to put right.
+    // For fast moves and ± 10 ms, 0.26 of the quadratic's error is also the result with clean stamps, so no stamp error remains.
     [TestCase(5, 0.46, 0.45)]
     [TestCase(10, 0.28, 0.25)]
     public void StampsInError_AreTakenBackToTheBeat(double errorMs, double limit, double limitOfSwing)
@@ -75,7 +75,7 @@ public class AdaptiveAccuracyTests
     public void WirelessNetwork_WithLossAndReordering_IsBorne() => Assert.That(
         OverQuadratic(s => Motions.FastMoves(s), Usual with { Latency = 0.06, DelayMedian = 0.012, Loss = 0.01 }), Is.LessThan(0.70), Message);
 
-    // A cycle takes three and a half to five seconds: from the fourth on at the latest.
+    // A cycle takes three and a half to five seconds. The prediction uses it from the fourth cycle on at the latest.
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     public void RepeatingCycles_AreKnown(double samplingMs, double latencyMs)

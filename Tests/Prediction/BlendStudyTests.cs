@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-/// <summary>What the blend costs and what it takes off the jumps. It was tuned on seed 1; these are others.</summary>
+/// <summary>The error that the blend adds and its reduction of the jumps. It was tuned on seed 1; the tests use other seeds.</summary>
 public class BlendStudyTests
 {
     const double Blend = PredictionSettings.DefaultBlendMs / 1000;
@@ -42,12 +42,12 @@ public class BlendStudyTests
         TestContext.Out.WriteLine($"{predictor} {samplingMs}/{latencyMs}: RMS × {rms:0.000}, jump P95 × {p95:0.00}, greatest × {greatest:0.00}");
 
         Assert.That(rms, Is.LessThan(1.04));
-        // At 20 ms nearly every frame has a section of its own, and there is little to tell a jump from motion.
+        // At 20 ms nearly every frame has its own section, so jumps can hardly be distinguished from motion.
         Assert.That(p95, Is.LessThan(samplingMs > 20 ? 0.92 : 1.005));
         Assert.That(greatest, Is.LessThan(samplingMs > 20 ? 0.88 : 1.005));
     }
 
-    /// <summary>Errors of what was displayed, and how far the displayed joint moved in a frame beyond what the true one did.</summary>
+    /// <summary>Errors of the displayed joint, and the part of its motion per frame that exceeds the true motion.</summary>
     sealed record Displayed(ErrorFigures Error, ErrorFigures Jump)
     {
         public static Displayed Of(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor)

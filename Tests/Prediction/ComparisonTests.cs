@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-/// <summary>The default errs less than all that it is compared with, on a seed that nothing was tuned on.</summary>
+/// <summary>The default predictor has a smaller error than all candidates, on a seed that was not used for tuning.</summary>
 public class ComparisonTests
 {
     static readonly int[] Seeds = [Conditions.CheckingSeeds[0]];

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-/// <summary>What others do is what their authors meant: a comparison with a broken filter would flatter us.</summary>
+/// <summary>The competing predictors work as their authors intended: a broken filter would make the comparison unfair.</summary>
 public class CompetitorTests
 {
     const double Interval = 0.05;
@@ -30,7 +30,7 @@ public class CompetitorTests
     [Test]
     public void Parabola_DoubleExponential_IsBehind()
     {
-        // Two samples' straight line, 100 ms ahead: a (h² + h T) / 2.
+        // A straight line through two samples, 100 ms ahead: a (h² + h T) / 2.
         Assert.That(ErrorOf("double-exponential", t => 900 * t * t), Is.EqualTo(900 * (Ahead * Ahead + Ahead * Interval)).Within(0.5));
     }
 
@@ -54,7 +54,7 @@ public class CompetitorTests
     [Test]
     public void OneEuro_NoiseAtRest_IsSmoothed()
     {
-        // A low pass of 1 Hz takes in a = 0.24 of each sample and keeps √(a / (2 − a)) = 0.37 of white noise.
+        // A low-pass filter of 1 Hz weights each sample with a = 0.24 and keeps √(a / (2 − a)) = 0.37 of white noise.
         Assert.That(NoiseLeft(Candidates.OneEuro(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));
     }
 
@@ -76,7 +76,7 @@ public class CompetitorTests
         return Math.Abs(predictor.At(time).Position - motion(time));
     }
 
-    // RMS of what is shown of noise with standard deviation 1.
+    // RMS of the output for noise with standard deviation 1.
     static double NoiseLeft(JointPredictor predictor, double ahead)
     {
         const int count = 4000;

@@ -5,8 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Prediction;
 
 /// <summary>
-/// Whether the errors of <c>gp</c> are as large as its standard deviation says, on motions it was not tuned on: the time constant was
-/// chosen on seeds 101 to 103, these are 9001 to 9003. Of a normal distribution 68 % and 95 % would lie inside one and two.
+/// Whether the errors of <c>gp</c> agree with its standard deviation on motions that were not used for tuning: the time constant was
+/// chosen on seeds 101 to 103; the tests use 9001 to 9003. In a normal distribution 68 % and 95 % lie within one and two deviations.
 /// </summary>
 public class DeviationCalibrationTests
 {
@@ -46,7 +46,7 @@ public class DeviationCalibrationTests
         TestContext.Out.WriteLine(message);
         Assert.That(stated, Is.InRange(0.85, 1.15), message);
         Assert.That(insideTwo / frames, Is.InRange(0.89, 0.98), message);
-        // Errors of moves and rests are not normal: more of them are small, and more are large.
+        // Errors of moves and rests are not normally distributed: more of them are small, and more are large.
         Assert.That(insideOne / frames, Is.InRange(0.50, 0.82), message);
     }
 }

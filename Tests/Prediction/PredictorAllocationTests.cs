@@ -21,7 +21,7 @@ public class PredictorAllocationTests
         Assert.That(sum, Is.Not.EqualTo(0));
     }
 
-    // A method of its own: the compiler may otherwise move the boxes of the asserted numbers into what is measured.
+    // In a separate method, because the compiler may otherwise move the boxing of the asserted numbers into the measurement.
     [MethodImpl(MethodImplOptions.NoInlining)]
     static long AllocatedByRun(JointPredictor predictor, out double sum)
     {

@@ -5,8 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Protocol;
 
 /// <summary>
-/// Messages, most of them malformed, with the verdict of the reader that decoded each message and read it with Newtonsoft.Json:
-/// <c>message-verdicts.tsv</c>, reason and text per line.
+/// Messages, most of them malformed, with the verdict of the earlier reader, which decoded each message and parsed it with Newtonsoft.Json:
+/// <c>message-verdicts.tsv</c>, with reason and text per line.
 /// </summary>
 public class MessageVerdictsTests
 {
@@ -16,7 +16,7 @@ public class MessageVerdictsTests
     [Test]
     public void TryRead_ReferenceMessages_AreTakenAndRefusedAsBefore()
     {
-        // One reader for all, as on a connection: what it keeps from a message must not change the verdict on the next.
+        // One reader for all messages, as on a connection: state kept from one message must not change the verdict on the next.
         var reader = new RosbridgeReader();
         var wrong = new List<string>();
         foreach (var line in Lines)

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Protocol;
 
-/// <summary>Numbers of messages are the nearest doubles, as exact arithmetic and .NET's parser say.</summary>
+/// <summary>Numbers in messages are read as the nearest doubles, compared with exact arithmetic and .NET's parser.</summary>
 public class NumberAccuracyTests
 {
     const int Seed = 41;
@@ -41,14 +41,14 @@ public class NumberAccuracyTests
         }
     }
 
-    // Between two neighbours, where the even one is right, and a digit above and below.
+    // Halfway between two neighbours the even one is correct. One digit more or less is tested as well.
     [Test]
     public void ToDouble_HalfwayBetweenTwoDoubles_IsTheEvenOne()
     {
         var random = new Random(Seed);
         for (var i = 0; i < 50_000; i++)
         {
-            // 54 bits, the last of which is dropped: below 10^17, so that 19 digits hold ten times as much.
+            // 54 bits, the last of which is dropped. The value is below 10^17, so that ten times the value fits in 19 digits.
             var halfway = new BigInteger((1L << 53) + random.NextInt64(1L << 53) | 1);
             var shift = random.Next(0, 9);
             var text = (halfway << shift).ToString(CultureInfo.InvariantCulture);

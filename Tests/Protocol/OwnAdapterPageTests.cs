@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Protocol;
 
-/// <summary>The messages of the page about adapters of one's own are those that the gateway reads.</summary>
+/// <summary>The gateway reads the messages shown on the manual's page about custom adapters.</summary>
 public class OwnAdapterPageTests
 {
     static IEnumerable<string> Messages() => Regex

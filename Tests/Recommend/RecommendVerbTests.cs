@@ -54,7 +54,7 @@ public class RecommendVerbTests
     [Test]
     public async Task Json_OfAHalf_IsWhatReplaySaysOfThatHalf()
     {
-        // The swing is the same in both halves, so half of its way is half of its time.
+        // The swing is the same in both halves, so half of its travel takes half of its time.
         static double Swing(double t) => Math.Cos(Math.PI * t / 5);
         using var file = new TemporaryFile(Motion(Swing));
         using var half = new TemporaryFile(Motion(Swing, 10));

@@ -7,7 +7,7 @@ public class RecordingTraitsTests
 {
     const int Seed = 11;
 
-    // 12 s of a swing at 100 Hz.
+    // Traits of 12 s of a swing at 100 Hz.
     static RecordingTraits Traits(Func<double, double> position, Func<int, double> time = null, int count = 1201)
     {
         var times = Enumerable.Range(0, count).Select(i => time?.Invoke(i) ?? i * 0.01).ToArray();
@@ -51,7 +51,7 @@ public class RecordingTraitsTests
     [Test]
     public void Repeats_OfAMachineSlowerThanItsRecording_AreCounted()
     {
-        // Each fifth sample is the one before once more.
+        // Every fifth sample repeats the one before.
         var traits = Traits(t => Math.Sin(Math.Round(t * 100) % 5 == 4 ? Math.Round(t * 100 - 1) / 100 : Math.Round(t * 100) / 100));
 
         Assert.That(traits.Repeats, Is.EqualTo(0.2).Within(0.01));

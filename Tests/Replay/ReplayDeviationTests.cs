@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Replay;
 
-/// <summary>The standard deviation that a predictor states, beside its errors.</summary>
+/// <summary>Compares the standard deviation that a predictor reports with its errors.</summary>
 public class ReplayDeviationTests
 {
     string _folder;

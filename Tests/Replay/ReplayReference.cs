@@ -2,8 +2,8 @@ using MathNet.Numerics;
 
 namespace Nowpose.Headless.Tests.Replay;
 
-/// <summary>The verb's definition written down once more, slowly: decimal times, another library's fit, no virtual machinery.</summary>
-/// <remarks>Without loss, jitter and stamp errors, whose random numbers are nobody else's business.</remarks>
+/// <summary>A second, slow implementation of the verb's definition: decimal times, another library's fit, no virtual time.</summary>
+/// <remarks>Leaves out loss, jitter and stamp errors, which depend on the verb's own random numbers.</remarks>
 sealed class ReplayReference
 {
     const int Tick = 7;
@@ -37,7 +37,7 @@ sealed class ReplayReference
 
     public double Max(int joint) => _predicted[joint].Max(Math.Abs);
 
-    /// <summary>As numpy's percentile: 95 % of the way through the sorted values, counted in intervals.</summary>
+    /// <summary>The 95th percentile as numpy defines it: linear interpolation between the sorted values.</summary>
     public double P95(int joint)
     {
         var sorted = _predicted[joint].Select(Math.Abs).Order().ToArray();

@@ -60,7 +60,7 @@ public class ReplayRunTests
         AssertAgrees(motion, samplingMs, latencyMs, fps, predictor, degree, history, latencyErrorMs);
     }
 
-    // Ends on a frame and on a sample; between frames; a rounding error before a frame; half a tick's worth apart.
+    // The end is on a frame and on a sample; between frames; a rounding error before a frame; half a tick apart.
     [TestCase("5")]
     [TestCase("4.99")]
     [TestCase("4.9999999")]
@@ -79,7 +79,7 @@ public class ReplayRunTests
     [Test]
     public void Run_DateStamps_LosesNoPrecision()
     {
-        // Binary fractions, which a double holds exactly even at 1.7e9 s.
+        // Binary fractions, which a double represents exactly even at 1.7e9 s.
         var motion = new RecordedMotion(1700000000.25m, RecordedMotion.EvenTimes(5, 0.0078125m), Joints);
 
         AssertAgrees(motion, 50, 100, 60, "cubic", 3, 3, 0);
@@ -116,7 +116,7 @@ public class ReplayRunTests
 
     static void AssertSame(double value, double expected, string what)
     {
-        // The file's times are doubles: 2e-13 s at 1235 s, which a cubic magnifies.
+        // The file's times are doubles with an error of 2e-13 s at 1235 s, which a cubic amplifies.
         Assert.That(value, Is.EqualTo(expected).Within(1e-8 * Math.Abs(expected) + 1e-14), what);
     }
 
@@ -150,7 +150,7 @@ public class ReplayRunTests
 
         var result = Replay(Ramp(300), new ReplaySettings { Loss = p });
 
-        // Frames see a sample 0, 1/60 and 2/60 s after its arrival; G lost in a row: E G = p/(1-p), E G² = p (1+p)/(1-p)².
+        // Frames see a sample 0, 1/60 and 2/60 s after its arrival. For G consecutive losses: E G = p/(1-p), E G² = p (1+p)/(1-p)².
         var square = Enumerable.Range(0, 3).Select(n => 0.1 + n / 60.0).Average(age =>
             age * age + 2 * age * interval * p / (1 - p) + interval * interval * p * (1 + p) / ((1 - p) * (1 - p)));
         Assert.That(result.RmsHold, Is.EqualTo(Math.Sqrt(square)).Within(0.02 * Math.Sqrt(square)));

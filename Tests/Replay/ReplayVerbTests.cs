@@ -54,7 +54,7 @@ public class ReplayVerbTests
         Assert.That((await RunJson()).GetProperty("reduction").ValueKind, Is.EqualTo(JsonValueKind.Null));
     }
 
-    // Each option of its own must change a result, in the way the option says.
+    // Each option alone must change a result in the direction that the option implies.
     [TestCase("--sampling-ms=100", "rms", 1)]
     [TestCase("--latency-ms=200", "rms_hold", 1)]
     [TestCase("--latency-ms=50", "rms_hold", -1)]

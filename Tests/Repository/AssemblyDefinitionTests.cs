@@ -31,7 +31,7 @@ public sealed class AssemblyDefinitionTests
         Assert.That(unresolved.Where(name => !IsOptional(path, definition, name)), Is.Empty);
     }
 
-    // One that is there only with its package: Unity ignores the name without it, and the sources use it under a version define.
+    // An assembly that exists only with its package: Unity ignores the name without it, and the sources use it under a version define.
     static bool IsOptional(string path, JsonElement definition, string assembly)
     {
         if (assembly != "Unity.InputSystem") return false;

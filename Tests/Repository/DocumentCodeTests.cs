@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Code in the package's documents compiles: each of its lines stands in a file of examples among the package's tests.</summary>
+/// <summary>Code in the package's documents compiles: each of its lines is in a file of examples among the package's tests.</summary>
 public sealed class DocumentCodeTests
 {
     const string Tests = RepositoryFiles.Package + "/Tests/Editor";

@@ -19,7 +19,7 @@ public sealed partial class LinkTests
         const string Package = RepositoryFiles.Package + "/";
         if (!path.StartsWith(Package, StringComparison.Ordinal)) return;
 
-        // Who installs the package has nothing of the repository around it.
+        // A user who installs the package has no other files of the repository.
         Assert.That(Targets(path).Where(t => !FileOf(path, t).StartsWith(Package, StringComparison.Ordinal)), Is.Empty);
     }
 
@@ -30,7 +30,7 @@ public sealed partial class LinkTests
         Assert.That(AnchorsOf(heading), Is.EqualTo(new[] { anchor }));
     }
 
-    /// <summary>Links and pictures without a scheme, outside code.</summary>
+    /// <summary>Returns links and pictures without a scheme, outside code.</summary>
     static IEnumerable<string> Targets(string path)
     {
         return Links().Matches(Code().Replace(RepositoryFiles.Read(path), ""))

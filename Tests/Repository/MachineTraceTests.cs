@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Nothing in the repository may hold only on the machine that it was written on.</summary>
+/// <summary>No file of the repository depends on the machine that it was written on.</summary>
 public sealed partial class MachineTraceTests
 {
     static readonly string[] Registries =

@@ -3,10 +3,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Calls that do something else under Unity's Mono than under .NET, where no test of what they do would show it.</summary>
+/// <summary>Finds calls that behave differently under Unity's Mono, where tests under .NET cannot detect the difference.</summary>
 /// <remarks>
-/// Mono rounds what TimeSpan.FromSeconds and FromMilliseconds are given to whole milliseconds; and a TcpClient that is made
-/// for no family of addresses is for IPv4 only.
+/// Mono rounds the arguments of TimeSpan.FromSeconds and FromMilliseconds to whole milliseconds. A TcpClient created without an address
+/// family supports only IPv4 there.
 /// </remarks>
 public sealed partial class MonoTests
 {

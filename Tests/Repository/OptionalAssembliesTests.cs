@@ -6,12 +6,12 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Repository;
 
 /// <summary>
-/// Whichever optional packages a project has: each assembly that Unity compiles then finds the assemblies it names. That each of them
-/// compiles against those, and only those, is what the projects of Headless do.
+/// With any set of optional packages, each assembly that Unity compiles finds the assemblies that it references. The projects of Headless
+/// check that each of them compiles with exactly those references.
 /// </summary>
 public sealed class OptionalAssembliesTests
 {
-    /// <summary>The assemblies of each package that some assembly of ours names.</summary>
+    /// <summary>The assemblies of each package that an assembly of ours references.</summary>
     static readonly Dictionary<string, string[]> Packages = new()
     {
         ["com.endel.nativewebsocket"] = ["colyseus.nativewebsocket"],
@@ -25,7 +25,7 @@ public sealed class OptionalAssembliesTests
         ["org.mixedrealitytoolkit.spatialmanipulation"] = ["MixedReality.Toolkit.SpatialManipulation"],
     };
 
-    /// <summary>What brings what along, as their package.json say; beyond, any may be there without any other.</summary>
+    /// <summary>Dependencies of the packages according to their package.json. Apart from these, any package may exist without any other.</summary>
     static readonly (string Package, string Dependency)[] Dependencies =
     [
         ("com.unity.xr.arfoundation", "com.unity.xr.core-utils"),
@@ -68,7 +68,7 @@ public sealed class OptionalAssembliesTests
             Assert.That(definition.IsCompiledWith(definition.Packages.Where(p => p != package).ToHashSet()), Is.False, package);
     }
 
-    // Else nothing would ever define it, and the assembly be compiled nowhere.
+    // Otherwise the constraint would never be defined, and the assembly would not be compiled anywhere.
     [TestCaseSource(nameof(OptionalNames))]
     public void OptionalAssembly_EveryConstraint_IsAVersionDefine(string name)
     {
@@ -85,7 +85,7 @@ public sealed class OptionalAssembliesTests
         Assert.That(different.Select(g => g.Key), Is.Empty);
     }
 
-    // The plugin's own assembly exists on these alone, wherever its package is installed.
+    // The plugin's own assembly exists only on these platforms, even if its package is installed.
     [Test]
     public void Platforms_OfAssembliesOnMicrosoftsPlugin_AreThePlugins()
     {
@@ -95,7 +95,7 @@ public sealed class OptionalAssembliesTests
         Assert.That(onIt.Select(d => d.Platforms), Is.All.EqualTo(OfThePlugin));
     }
 
-    // So what compiles here compiles in the Editor, on UWP and everywhere else: it is the same code.
+    // Without conditional code, sources that compile here also compile in the Editor, on UWP and on all other platforms.
     [TestCase("ArFoundation")]
     [TestCase("OpenXR")]
     [TestCase("OpenXRAnchoring")]
@@ -153,14 +153,14 @@ public sealed class OptionalAssembliesTests
         public string[] Constraints { get; }
         public (string Define, string Package, string Expression)[] VersionDefines { get; }
 
-        /// <summary>Those it is compiled only with.</summary>
+        /// <summary>The packages that are required to compile the assembly.</summary>
         public HashSet<string> Packages => VersionDefines.Where(v => Constraints.Contains(v.Define)).Select(v => v.Package).ToHashSet();
 
         public bool IsOptional => Packages.Count > 0;
 
         public bool IsCompiledWith(HashSet<string> installed) => Packages.IsSubsetOf(installed);
 
-        /// <summary>An assembly of ours whose use stands between #if and #endif of a define that this one has, too.</summary>
+        /// <summary>Whether this assembly uses another assembly of ours only between #if and #endif of a define that this one has too.</summary>
         public bool MayDoWithout(string reference)
         {
             var other = Definitions.SingleOrDefault(d => d.Name == reference);

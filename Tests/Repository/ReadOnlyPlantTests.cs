@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Control systems are read by construction: what could write stands in two files, which let only reading requests through.</summary>
+/// <summary>Control systems can only be read: code that could write is in two files, which allow only reading requests.</summary>
 public sealed partial class ReadOnlyPlantTests
 {
     const string Sources = "Gateway/Adapters/src";
@@ -16,7 +16,7 @@ public sealed partial class ReadOnlyPlantTests
     [GeneratedRegex(@"import\s+(?:\{[^}]*\}|[^;{]*)\s+from '(?:node-opcua-client|ads-client)'")]
     private static partial Regex LibraryImport();
 
-    // As a value; a type can do nothing.
+    // Matches a use as a value; a use as a type cannot send requests.
     [GeneratedRegex(@"(?<!type )\b(?:OPCUAClient|Client|ClientSession)\b")]
     private static partial Regex ClientAsValue();
 

@@ -4,21 +4,21 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>A namespace is the root namespace of its assembly and the folders below that assembly's own; no folder holds a file or two.</summary>
+/// <summary>A namespace is the assembly's root namespace plus the folder path below it; each folder holds at least three files.</summary>
 public sealed partial class RoomTests
 {
     const int MinFiles = 3;
 
-    /// <summary>Its namespaces are those of what they stand for.</summary>
+    /// <summary>The stand-ins have the namespaces of the packages that they replace.</summary>
     const string StandIn = "Headless/StandIn/";
 
-    /// <summary>Compiled from all test projects.</summary>
+    /// <summary>A folder that all test projects compile.</summary>
     const string Common = "Tests/Common";
 
-    /// <summary>Unity's samples name theirs as users do.</summary>
+    /// <summary>Unity's samples have namespaces like those of users.</summary>
     const string Samples = "/Samples~/";
 
-    /// <summary>The usual name of an editor assembly, which hides UnityEditor.Editor inside of it only.</summary>
+    /// <summary>The usual name of an editor assembly, which hides UnityEditor.Editor only inside that assembly.</summary>
     const string EditorAssembly = "Editor";
 
     static readonly Dictionary<string, string> Roots = RepositoryFiles.All

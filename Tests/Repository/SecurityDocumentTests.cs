@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>The table of threats is worth what its tests are: each must exist.</summary>
+/// <summary>Each test that the table of threats names must exist.</summary>
 public sealed partial class SecurityDocumentTests
 {
     const string Page = "SECURITY.md";
@@ -14,7 +14,7 @@ public sealed partial class SecurityDocumentTests
     [GeneratedRegex(@"public (?:async )?(?:void|Task) ([A-Z]\w*_\w+)\(")]
     private static partial Regex TestMethod();
 
-    // Of the adapters, which are TypeScript.
+    // Matches the names of the adapters' tests, which are JavaScript.
     [GeneratedRegex(@"(?m)^\s*it\('([A-Z]\w*_\w+)'")]
     private static partial Regex AdapterTest();
 

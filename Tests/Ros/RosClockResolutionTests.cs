@@ -9,7 +9,7 @@ public class RosClockResolutionTests
 
     static TimeSpan Floored(TimeSpan at, double stepMs) => new(at.Ticks / Ms(stepMs).Ticks * Ms(stepMs).Ticks);
 
-    // Asked as the exchanges do: 3 ms after an answer while it is measured, else after a pause; an answer takes 2 ms.
+    // Requests like the exchanges: 3 ms after an answer during the measurement, otherwise after a pause. An answer takes 2 ms.
     static void Ask(RosClockResolution resolution, double fromSeconds, double toSeconds, Func<TimeSpan, TimeSpan> shown, double pauseMs = 1000)
     {
         for (var at = TimeSpan.FromSeconds(fromSeconds); at < TimeSpan.FromSeconds(toSeconds);)
@@ -52,7 +52,7 @@ public class RosClockResolutionTests
     [TestCase(250)]
     public void Value_NewestMessageOfASeldomClock_IsThePauseBetweenMessages(double everyMs)
     {
-        // Times of whole milliseconds.
+        // The clock shows times of whole milliseconds.
         var resolution = Asked(5, at => Floored(at, everyMs) + Ms(3));
 
         Assert.That(resolution.Value, Is.EqualTo(Ms(everyMs)));

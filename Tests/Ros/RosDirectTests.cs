@@ -14,7 +14,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Ros;
 
-/// <summary>A headset at a rosbridge server, without a gateway: clock by /rosapi/get_time.</summary>
+/// <summary>A headset at a rosbridge server without a gateway, with the clock of /rosapi/get_time.</summary>
 public class RosDirectTests
 {
     static readonly TimeSpan Bracket = TimeSpan.FromMicroseconds(50);
@@ -73,7 +73,7 @@ public class RosDirectTests
             var before = _headsetClock.Now;
             var truth = _control.Now;
             var between = _headsetClock.Now - before;
-            // A thread that is held up between its looks at the clocks would take that for their difference.
+            // Repeats if the thread was interrupted between its readings of the clocks, because the pause would count as their difference.
             if (between < Bracket) return model.ToControl(before + between / 2) - truth;
         }
     }
@@ -93,7 +93,7 @@ public class RosDirectTests
 
         await Soon.BecomesAsync(() => Tick() == PoseState.Current, "current");
         _session.RestartErrorRun();
-        // Samples that a busy machine brings late are predicted for longer: another run, until one had what it needs.
+        // On a busy machine late samples need a longer horizon. Starts another run until one meets the limit.
         await Soon.BecomesAsync(
             () =>
             {
@@ -154,7 +154,7 @@ public class RosDirectTests
 
         await Soon.BecomesAsync(() => _session.Clock.Exchanges > 30, "exchanges");
 
-        // The model means the time between the steps; what the clock shows is up to one behind.
+        // The model estimates the time between the steps; the displayed time of the clock is up to one step behind.
         var error = ClockError(out var model);
         Assert.That(_session.Clock.Resolution, Is.EqualTo(step));
         Assert.That(error, Is.InRange(-model.ErrorBound, model.ErrorBound + step));

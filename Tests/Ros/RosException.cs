@@ -1,4 +1,4 @@
 namespace Nowpose.Headless.Tests.Ros;
 
-/// <summary>What rosbridge writes into its log instead of doing what it was asked.</summary>
+/// <summary>A message that rosbridge writes to its log instead of executing a request.</summary>
 sealed class RosException(string message) : Exception(message);

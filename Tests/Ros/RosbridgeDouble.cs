@@ -3,11 +3,11 @@ using Nowpose.Headless.Tests.Network;
 
 namespace Nowpose.Headless.Tests.Ros;
 
-/// <summary>Stands in for the rosbridge server, which Debian does not have, as its protocol's document and its source say it behaves.</summary>
+/// <summary>A double of the rosbridge server, which Debian does not package, written from its protocol document and its source.</summary>
 /// <remarks>
-/// After rosbridge_suite's branches ros1 and ros2: operations, type names, the shape and order of answers, which threads serve calls,
-/// and that mistakes are told to the log only. Without what no headset uses: throttling and queues of subscriptions, PNG and CBOR,
-/// services and actions of clients, parameters.
+/// Follows rosbridge_suite's branches ros1 and ros2: operations, type names, the format and order of answers, the threads that serve
+/// calls, and errors that are only logged. Leaves out features that headsets do not use: throttling and queues of subscriptions, PNG and
+/// CBOR, services and actions of clients, parameters.
 /// </remarks>
 sealed class RosbridgeDouble : IDisposable
 {
@@ -26,21 +26,21 @@ sealed class RosbridgeDouble : IDisposable
     public RosGraph Graph { get; }
     public int Port => _server.Port;
 
-    /// <summary>What a service call takes before the time is read: ROS 2 looks for the service each time first.</summary>
+    /// <summary>Duration of a service call before the time is read: ROS 2 first looks up the service each time.</summary>
     public TimeSpan BeforeReading { get; set; }
 
-    /// <summary>What it takes afterwards.</summary>
+    /// <summary>Duration of a service call after the time is read.</summary>
     public TimeSpan AfterReading { get; set; }
 
-    /// <summary>Takes calls and never answers, as when a glob of allowed services leaves this one out.</summary>
+    /// <summary>Whether calls are accepted and never answered, as when the glob of allowed services excludes the service.</summary>
     public bool IsMute { get; set; }
 
-    /// <summary>The most calls of one moment.</summary>
+    /// <summary>Maximum number of concurrent calls.</summary>
     public int MostInFlight => Volatile.Read(ref _mostInFlight);
 
     public int Connections { get { lock (_clients) return _clients.Count; } }
 
-    /// <summary>Sends what is not asked for to every client.</summary>
+    /// <summary>Sends an unsolicited message to every client.</summary>
     public void Send(string text)
     {
         lock (_clients)
@@ -74,7 +74,7 @@ sealed class RosbridgeDouble : IDisposable
             }
             catch (Exception end) when (end is SocketException or ObjectDisposedException or TimeoutException or IOException or InvalidOperationException)
             {
-                // Stopped, or nobody came for a while, or somebody left before its upgrade.
+                // The server was stopped, no client connected for a while, or a client left before its upgrade.
             }
         }
     }

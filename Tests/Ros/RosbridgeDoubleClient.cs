@@ -30,7 +30,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
         }
         catch (Exception end) when (end is WebSocketException or IOException or OperationCanceledException or ObjectDisposedException)
         {
-            // Gone, or stopped.
+            // The client disconnected, or the server was stopped.
         }
         Graph.Forget(send);
         _outgoing.Writer.Complete();
@@ -47,7 +47,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
         }
         catch (Exception end) when (end is WebSocketException or IOException or OperationCanceledException or ObjectDisposedException)
         {
-            // As in receiving.
+            // The client disconnected, or the server was stopped.
         }
     }
 
@@ -78,7 +78,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
         }
     }
 
-    // What is no JSON is kept in a buffer in the hope of a rest; a headset sends none.
+    // The real server buffers invalid JSON and waits for the rest; headsets send only whole messages.
     JsonObject Parse(string text)
     {
         try
@@ -108,7 +108,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
                 break;
             case "unadvertise": _advertised.Remove(topic); break;
             case "publish":
-                // Unregistered, it is registered with the type it names, or the one that is known.
+                // An unregistered publisher is registered with the type in the message, or with the known one.
                 if (_advertised.Add(topic)) Graph.Establish(topic, type);
                 Graph.Receive(topic, (JsonObject)message["msg"]);
                 break;
@@ -120,7 +120,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
 
     Task CallAsync(JsonObject call)
     {
-        // A thread for each in ROS 1; in ROS 2 whatever the client sends next waits for the answer.
+        // ROS 1 uses a thread per call. In ROS 2 the client's next message waits for the answer.
         var answering = AnswerAsync((string)call["service"], (string)call["id"]);
         return Graph.Flavour == RosFlavour.Ros2 ? answering : Task.CompletedTask;
     }
@@ -140,7 +140,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
         if (!server.IsMute) Send(response.ToJsonString());
     }
 
-    // A delay by itself may end some milliseconds early.
+    // A single delay may end some milliseconds early.
     async Task PassAsync(TimeSpan time)
     {
         for (var since = Stopwatch.StartNew(); since.Elapsed < time;) await Task.Delay(1, stop);

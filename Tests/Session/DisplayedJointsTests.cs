@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>What a headset tells of what it shows.</summary>
+/// <summary>The displayed joints that a headset reports.</summary>
 public class DisplayedJointsTests
 {
     static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
@@ -60,12 +60,12 @@ public class DisplayedJointsTests
             while (!stop.IsCancellationRequested)
             {
                 if (_session.Displayed() != null) Interlocked.Increment(ref told);
-                // Who takes the session's lock without a pause leaves the frames waiting for it.
+                // Pauses, because taking the session's lock without a pause would block the frames.
                 Thread.Sleep(1);
             }
         });
         var allocated = 0L;
-        // The other thread may begin late on a loaded machine.
+        // On a loaded machine the other thread may start late.
         for (var i = 0; i < 2000 || Volatile.Read(ref told) == 0 && !background.IsCompleted; i++)
         {
             Feed(now += TimeSpan.FromMilliseconds(16));
@@ -81,7 +81,7 @@ public class DisplayedJointsTests
         Assert.That(told, Is.GreaterThan(0));
     }
 
-    // The runtime makes what a thread waits with when it first finds a lock taken: that is no cost of a frame.
+    // The runtime allocates a wait object when a thread first meets a held lock. This allocation must not count as a cost of a frame.
     void WaitOnceForTheSession(HeadsetTime now)
     {
         var (waiting, isHeld) = (Thread.CurrentThread, new ManualResetEventSlim());

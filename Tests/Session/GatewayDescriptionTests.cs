@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>The robot description on its way from a gateway to a session, over loopback.</summary>
+/// <summary>The robot description that a gateway sends to a session, over loopback.</summary>
 public class GatewayDescriptionTests
 {
     readonly StopwatchHeadsetClock _clock = new();

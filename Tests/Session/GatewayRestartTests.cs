@@ -10,10 +10,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>The gateway goes away in the middle of a session and comes back, as after an update or a power cut.</summary>
+/// <summary>The gateway stops during a session and starts again, as after an update or a power failure.</summary>
 public class GatewayRestartTests
 {
-    // The longest pause between two attempts, and what dialling takes a loaded machine.
+    // The longest pause between two attempts, plus the time that a loaded machine needs to connect.
     static readonly TimeSpan ReconnectLimit = ProtocolLimits.BackoffLongest * (1 + ProtocolLimits.BackoffJitter) + TimeSpan.FromSeconds(15);
 
     [TestCase(0)]
@@ -53,7 +53,7 @@ public class GatewayRestartTests
         Assert.That(session.Clock.Steps, clockStepSeconds == 0 ? Is.Zero : Is.GreaterThan(0));
     }
 
-    // A thread that is held up between its looks at the two would step the clock by as much.
+    // Repeats if the thread was interrupted between the two readings, because the pause would add to the step of the clock.
     static StopwatchControlClock Stepped(StopwatchControlClock clock, TimeSpan by)
     {
         while (true)

@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Garbage of a sample on the whole way: from what the socket hands over through reader, queue and frame to the predictors.</summary>
+/// <summary>Allocations of a sample on the whole path: from the socket through reader, queue and frame to the predictors.</summary>
 [NonParallelizable] // counts garbage
 public class ReceiveAllocationTests
 {
@@ -37,7 +37,7 @@ public class ReceiveAllocationTests
         var (before, after) = (0L, 0L);
         var socket = new MemoryWebSocket(texts, i =>
         {
-            // The frame comes on the thread that receives: its allocations are counted with the others.
+            // The frame runs on the receiving thread, so its allocations are counted as well.
             clock.Now = At(i);
             if (i % 20 == 0) Synchronise(session, clock.Now);
             if (i > 0) session.Tick(clock.Now);
@@ -111,7 +111,7 @@ public class ReceiveAllocationTests
         protected override Task<WebSocket> OpenSocketAsync(CancellationToken cancel) => Task.FromResult(socket);
     }
 
-    /// <summary>Has received the given messages already, and hands them over as they are asked for; nothing after them.</summary>
+    /// <summary>A socket that returns the given messages from memory, one per receive call, and nothing after them.</summary>
     sealed class MemoryWebSocket(byte[][] messages, Action<int> beforeMessage) : WebSocket
     {
         readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>As from another machine: headset and clients are processes of their own, over TLS, with tokens.</summary>
+/// <summary>Headset and clients run in their own processes, as on other machines, over TLS and with tokens.</summary>
 public class SecondProcessTests
 {
     const string ObserverToken = "observer-3f9d2c";

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>A frame's thread ends a session and goes on, whatever the network is at.</summary>
+/// <summary>A frame's thread ends a session and continues at once, in any state of the network.</summary>
 public class SessionEndTests
 {
     [Test]

@@ -9,8 +9,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Each pause of the application ends a session, and none may leave anything behind.</summary>
-[NonParallelizable] // counts what the whole process keeps
+/// <summary>Each pause of the application ends a session, which must not leave any resources behind.</summary>
+[NonParallelizable] // measures the memory of the whole process
 public class SessionLeakTests
 {
     readonly StopwatchHeadsetClock _clock = new();
@@ -35,7 +35,7 @@ public class SessionLeakTests
         {
             using var session = new CompensationSession(settings, RobotFiles.Load("youbot"), _clock);
             session.Connect();
-            // Every other one is left before it is connected.
+            // Every second session ends before it is connected.
             if (i % 2 == 0)
                 await Soon.BecomesAsync(() => session.Statistics(_clock.Now).SyncLink.State == LinkState.Connected, "connected");
         }

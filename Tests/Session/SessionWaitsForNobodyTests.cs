@@ -12,10 +12,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>The frame's thread connects and disconnects, so neither may take longer than a frame can bear, whatever the other side does.</summary>
+/// <summary>The frame's thread connects and disconnects, so neither may block a frame for long, in any state of the other side.</summary>
 public class SessionWaitsForNobodyTests
 {
-    /// <summary>Below any timeout of the protocol, which whoever waits for the other side waits for; far above what a busy machine adds.</summary>
+    /// <summary>Below every timeout of the protocol, so waiting for the other side exceeds it; far above the delays of a busy machine.</summary>
     static readonly TimeSpan Bearable = TimeSpan.FromSeconds(1.5);
 
     [SetUp]
@@ -49,7 +49,7 @@ public class SessionWaitsForNobodyTests
         }
     }
 
-    // Until the connections are in the middle of waiting for an answer, of which there is no sign.
+    // Gives the connections time to begin waiting for an answer, which has no signal.
     static void AMoment() => Thread.Sleep(50);
 
     [Test]
@@ -134,7 +134,7 @@ public class SessionWaitsForNobodyTests
         await rosbridge.Ended.WaitAsync(ProtocolLimits.DialTimeout / 2);
     }
 
-    /// <summary>A host whose queue of connections is full: what is sent to it is not answered.</summary>
+    /// <summary>A host with a full queue of connections: it does not answer connection requests.</summary>
     sealed class DeafHost : IDisposable
     {
         readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
@@ -163,7 +163,7 @@ public class SessionWaitsForNobodyTests
         }
     }
 
-    /// <summary>Blocks the thread it is called on, whatever it is asked.</summary>
+    /// <summary>A link that blocks the calling thread when it is opened or disposed.</summary>
     sealed class StubbornLink(ManualResetEventSlim release) : IWebSocketLink
     {
         public Task OpenAsync(CancellationToken cancel)

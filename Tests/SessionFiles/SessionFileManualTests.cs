@@ -42,7 +42,7 @@ public class SessionFileManualTests
         foreach (var property in element.EnumerateObject())
         {
             if (property.Name != "kind") fields.Add(property.Name);
-            // Below these stand reasons, which are counted by name.
+            // Below these are counts by reason; the names of the reasons are not fields.
             if (property.Name is not ("messages" or "exchanges")) Collect(property.Value, fields);
         }
     }

@@ -26,7 +26,7 @@ public class SessionReplayTests
 
     static Task<CliRun> Run(params string[] arguments) => CliRun.OfAsync(arguments);
 
-    // What replay says of each joint in each frame, less what the frame displayed.
+    // Differences between the replayed and the displayed position, for each joint in each frame.
     List<double> Differences(string predictor, bool followPlan = true, List<PredictionKind> seen = null)
     {
         var session = RecordedSession.Read(_path);
@@ -58,7 +58,7 @@ public class SessionReplayTests
         Assert.That(differences.Max(), Is.EqualTo(0).Within(1e-12));
     }
 
-    // The step ends the plan, and the next one comes within a quarter of a second.
+    // The step ends the plan, and the next plan comes within a quarter of a second.
     [TestCase("adaptive", 0)]
     [TestCase("quadratic", 60)]
     public void Replay_OfASessionThatFollowedAPlan_SaysWhatWasDisplayed(string predictor, double lagMs)

@@ -11,13 +11,13 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.SessionFiles;
 
-/// <summary>A session of a virtual cell in virtual time, recorded to a file, and what only the simulation knows of it.</summary>
+/// <summary>A session of a virtual cell in virtual time, recorded to a file, with the errors that only the simulation can compute.</summary>
 sealed class VirtualRecording
 {
     static readonly HeadsetTime Start = HeadsetTime.FromSeconds(500);
     static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
 
-    /// <summary>Squared errors of each joint in the frames after six seconds that were current: displayed, and held.</summary>
+    /// <summary>Sum of the squared errors of all joints in the current frames after six seconds: of the displayed and of the held position.</summary>
     public double DisplayedSquares { get; private set; }
 
     /// <inheritdoc cref="DisplayedSquares"/>
@@ -26,11 +26,11 @@ sealed class VirtualRecording
     /// <summary>Every exchange as a line of a log: t1_ns,t2_ns,t3_ns,t4_ns.</summary>
     public List<string> Exchanges { get; } = [];
 
-    /// <summary>Records; the control clock steps by 300 ms at <paramref name="stepAfter"/>.</summary>
-    /// <param name="predictor">With <paramref name="blendMs"/> what is predicted by, where <paramref name="prediction"/> is null.</param>
-    /// <param name="planLagMs">How much later than its published set-points the robot is; null where it publishes none.</param>
-    /// <param name="planUntil">s; no set-points are published later.</param>
-    /// <param name="jitterMs">Lets samples overtake each other where it exceeds the sampling interval.</param>
+    /// <summary>Records a session. The control clock steps by 300 ms at <paramref name="stepAfter"/>, in s.</summary>
+    /// <param name="predictor">The predictor, used with <paramref name="blendMs"/> if <paramref name="prediction"/> is null.</param>
+    /// <param name="planLagMs">Delay of the robot against its published set-points; null to publish none.</param>
+    /// <param name="planUntil">Time in s after which no set-points are published.</param>
+    /// <param name="jitterMs">Samples overtake each other if it exceeds the sampling interval.</param>
     public static VirtualRecording To(
         string path, double seconds = 20, string predictor = "quadratic", double jitterMs = 0, double loss = 0, double? stepAfter = null,
         double blendMs = 0, int seed = 5, double samplingMs = 50, double? planLagMs = null,
@@ -58,7 +58,7 @@ sealed class VirtualRecording
                 if (i / 60.0 >= planUntil) cell.PlanLag = null;
                 cell.Run(now, session);
                 result.Score(session.Tick(now), cell, i > 360);
-                // The ring holds ten seconds.
+                // The ring buffer holds ten seconds.
                 if (i % 240 == 0) recorder.FlushAsync().Wait();
             }
             recorder.Dispose();

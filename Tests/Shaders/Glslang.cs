@@ -8,7 +8,7 @@ static class Glslang
 {
     const string Tool = "glslangValidator";
 
-    /// <summary>Ignores the test where the compiler is not installed; in CI the test fails.</summary>
+    /// <summary>Ignores the test if the compiler is not installed; in CI the test fails instead.</summary>
     public static void Require()
     {
         var folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
@@ -19,7 +19,7 @@ static class Glslang
     }
 
     /// <summary>Compiles every variant of a program for both stages.</summary>
-    /// <returns>What is wrong, each line with shader, pipeline, pass, variant, stage and line; empty if all compile.</returns>
+    /// <returns>The errors, each with shader, pipeline, pass, variant, stage and line; empty if all compile.</returns>
     public static IReadOnlyList<string> Compile(PassProgram program)
     {
         using var folder = new TemporaryFolder();

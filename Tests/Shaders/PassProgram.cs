@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>The program of one pass: what it includes, and the variants that Unity compiles of it.</summary>
+/// <summary>The program of one pass, with its includes and the variants that Unity compiles from it.</summary>
 public sealed class PassProgram
 {
     /// <summary>Folder of the stand-ins for Unity's includes.</summary>
@@ -22,7 +22,7 @@ public sealed class PassProgram
 
     public ShaderPass Pass { get; }
 
-    /// <summary>Folders that includes are found in, in this order.</summary>
+    /// <summary>Folders that are searched for includes, in this order.</summary>
     public IEnumerable<string> Folders =>
         new[] { Path.GetDirectoryName(Shader.Path), StandIns, "" }.Select(folder => Path.Combine(RepositoryFiles.Root, folder ?? ""));
 
@@ -30,7 +30,7 @@ public sealed class PassProgram
 
     public string FragmentFunction => Single("fragment");
 
-    /// <summary>Sets of keywords, each of which is a program of its own on the device.</summary>
+    /// <summary>Sets of keywords, each of which is a separate program on the device.</summary>
     public IReadOnlyList<string[]> Variants
     {
         get
@@ -46,7 +46,7 @@ public sealed class PassProgram
         }
     }
 
-    /// <summary>The program with the package's own includes in place, but without Unity's.</summary>
+    /// <summary>The program with the package's own includes inserted, but without Unity's.</summary>
     public string OwnText => Inlined(Pass.Program.Text, new HashSet<string>());
 
     /// <summary>Unity's includes that the program names.</summary>

@@ -56,7 +56,7 @@ public sealed class ShaderCompileTests
 
         var errors = Glslang.Compile(ShaderFiles.Of(shader).Single());
 
-        // The stages are compiled from one text: both see the error.
+        // Both stages are compiled from the same text, so both report the error.
         Assert.That(errors, Is.Not.Empty);
         const string where = "Broken.shader, built-in, pass Only, STEREO_MULTIVIEW_ON INSTANCING_ON, ";
         Assert.That(errors.Where(e => !e.StartsWith(where, StringComparison.Ordinal)), Is.Empty);

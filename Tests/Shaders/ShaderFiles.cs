@@ -1,12 +1,12 @@
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>The shaders that the package ships, and those that its manual shows as examples.</summary>
+/// <summary>The shaders of the package, and the example shaders of its manual.</summary>
 static class ShaderFiles
 {
     const string Fence = "```shaderlab\n";
 
-    /// <summary>Those of the package.</summary>
+    /// <summary>The shaders of the package.</summary>
     public static IEnumerable<ShaderSource> Shipped =>
         RepositoryFiles.Under(RepositoryFiles.Package, ".shader").Select(path => ShaderLabReader.Read(RepositoryFiles.Read(path), path));
 

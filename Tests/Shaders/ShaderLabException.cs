@@ -1,6 +1,6 @@
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>A shader file has a structure that Unity would refuse, or that this check does not know.</summary>
+/// <summary>Thrown for a shader file whose structure Unity would refuse or this check does not support.</summary>
 public sealed class ShaderLabException : Exception
 {
     public ShaderLabException(string file, int line, string problem)

@@ -3,8 +3,8 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>Reads ShaderLab: what Unity makes of a .shader file before a compiler sees the programs in it.</summary>
-/// <remarks>Knows only the commands that the package uses; anything else is an error that names its line.</remarks>
+/// <summary>Reads ShaderLab: the part of a .shader file that Unity interprets before it compiles the programs in it.</summary>
+/// <remarks>Supports only the commands that the package uses; anything else is an error with its line number.</remarks>
 public sealed class ShaderLabReader
 {
     static readonly Regex Tokens = new(
@@ -31,7 +31,7 @@ public sealed class ShaderLabReader
         }
     }
 
-    /// <param name="firstLine">The line of the file that the text begins in.</param>
+    /// <param name="firstLine">Line number in the file of the first line of the text.</param>
     public static ShaderSource Read(string text, string path, int firstLine = 1) => new ShaderLabReader(text, path, firstLine).Shader();
 
     ShaderSource Shader()
@@ -106,7 +106,7 @@ public sealed class ShaderLabReader
         Take("SubShader");
         Take("{");
         IReadOnlyList<string> requirements = [];
-        // Unity demands that it comes before everything else.
+        // Unity requires this block before everything else.
         if (TryTake("PackageRequirements")) requirements = Requirements();
         var tags = new Dictionary<string, string>();
         var passes = new List<ShaderPass>();
@@ -164,7 +164,7 @@ public sealed class ShaderLabReader
         return new ShaderPass(name, tags, states, program, line);
     }
 
-    // A state ends with its line.
+    // A render state ends at the end of its line.
     void State(Dictionary<string, string> states)
     {
         var line = Line;

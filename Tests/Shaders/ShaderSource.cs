@@ -1,13 +1,13 @@
 namespace Nowpose.Headless.Tests.Shaders;
 
 /// <summary>A shader as its ShaderLab text declares it.</summary>
-/// <param name="Path">The file that the text stands in, relative to the repository.</param>
+/// <param name="Path">Path of the file that contains the text, relative to the repository.</param>
 public sealed record ShaderSource(string Path, string Name, IReadOnlyList<ShaderProperty> Properties, IReadOnlyList<SubShader> SubShaders)
 {
     public override string ToString() => System.IO.Path.GetFileName(Path);
 }
 
-/// <summary>A property that materials of the shader have, with ShaderLab's type: Color, Range, 2D and so on.</summary>
+/// <summary>A material property of the shader, with ShaderLab's type: Color, Range, 2D and so on.</summary>
 public sealed record ShaderProperty(string Name, string Type, int Line);
 
 /// <param name="Requirements">Packages without which Unity skips it; empty for none.</param>
@@ -25,5 +25,5 @@ public sealed record ShaderPass(
     string Name, IReadOnlyDictionary<string, string> Tags, IReadOnlyDictionary<string, string> States, ShaderProgram Program, int Line);
 
 /// <summary>The text between CGPROGRAM and ENDCG, or HLSLPROGRAM and ENDHLSL.</summary>
-/// <param name="Line">The line of the file that the text begins in.</param>
+/// <param name="Line">Line number in the file of the first line of the text.</param>
 public sealed record ShaderProgram(string Text, int Line, bool IsCg);

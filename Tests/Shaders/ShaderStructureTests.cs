@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>Checks what Unity, URP's SRP batcher and single-pass instanced stereo require of a shader's structure.</summary>
+/// <summary>Checks the requirements of Unity, URP's SRP batcher and single-pass instanced stereo on a shader's structure.</summary>
 public sealed class ShaderStructureTests
 {
     const string Shaders = RepositoryFiles.Package + "/Runtime/Shaders/";
@@ -67,7 +67,7 @@ public sealed class ShaderStructureTests
         Assert.That(shader.SubShaders[0].Passes[0].States, Is.EquivalentTo(shader.SubShaders[1].Passes[0].States));
     }
 
-    /// <summary>The SRP batcher wants every property in this buffer, and the same buffer in every pass; textures stand outside.</summary>
+    /// <summary>The SRP batcher requires every property in this buffer, and the same buffer in every pass; textures are outside it.</summary>
     [TestCaseSource(nameof(Programs))]
     public void Program_MaterialBuffer_HasTheProperties(PassProgram program)
     {
@@ -111,7 +111,7 @@ public sealed class ShaderStructureTests
         }
     }
 
-    /// <summary>The font's own shader has ZTest Always and ZWrite Off: words through hands and arm, and no depth for the reprojection.</summary>
+    /// <summary>The font's own shader has ZTest Always and ZWrite Off: text shows through hands and arm, without depth for reprojection.</summary>
     [Test]
     public void Text_Passes_AreHiddenByWhatIsBeforeAndWriteDepth()
     {

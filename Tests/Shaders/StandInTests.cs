@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>The stand-ins declare, and the shaders use, only names that Unity's own includes have.</summary>
+/// <summary>The stand-ins declare, and the shaders use, only names that exist in Unity's own includes.</summary>
 public sealed class StandInTests
 {
     static readonly IReadOnlyDictionary<string, IReadOnlySet<string>> Known = UnityNames.Read();
@@ -40,7 +40,7 @@ public sealed class StandInTests
         Assert.That(UnityNames.DeclaredBy(text), Is.EqualTo(new[] { name }));
     }
 
-    /// <summary>A pattern in the screen's space differs between the eyes and slides over the part.</summary>
+    /// <summary>A pattern in screen space differs between the eyes and slides over the part.</summary>
     [TestCase("float4 screen = ComputeScreenPos(position);", "ComputeScreenPos")]
     [TestCase("place.x *= _ScreenParams.x;", "_ScreenParams")]
     public void UsedBy_ScreenSpace_IsNotAmongTheNames(string text, string name)

@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>The names that Unity's includes declare, as far as they are listed: one list for each include that a shader names.</summary>
+/// <summary>The listed names that Unity's includes declare: one list for each include that a shader uses.</summary>
 static class UnityNames
 {
     public const string List = "Tests/Shaders/unity-shader-names.txt";

@@ -179,7 +179,7 @@ public sealed class CellActionsTests
         Assert.That(_actions.Opacity, Is.EqualTo(1));
     }
 
-    // The control clock stands still against the headset's here.
+    // The offset of the two clocks is constant here, so differences between these values are meaningful.
     TimeSpan Light() => _session.Frame.DisplayTime.Value.SinceEpoch - _session.Frame.Start.SinceEpoch;
 
     [Test]

@@ -8,7 +8,7 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>The shipped cells with all that they show: once warm, a frame allocates nothing. The messages are made outside it.</summary>
+/// <summary>The package's cells with all their components: after a warm-up a frame allocates nothing. Messages are created outside it.</summary>
 public class FrameAllocationTests
 {
     const double WarmSeconds = 20;
@@ -97,7 +97,7 @@ public class FrameAllocationTests
 
     void Run(double seconds, Means means) => _cell.Run(seconds, _session, () => Next(means));
 
-    /// <summary>Before each frame: other render times, and a head that turns.</summary>
+    /// <summary>Prepares the next frame: another render time, and a turned head.</summary>
     void Next(Means means)
     {
         var ms = 6 + _frames++ % 37 * 0.2;

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>A user's script.</summary>
+/// <summary>A script as a user would write it.</summary>
 sealed class FrameProbe : MonoBehaviour
 {
     public Action Updated { get; set; }

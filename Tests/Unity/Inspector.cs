@@ -3,7 +3,7 @@ using UnityEngine.Serialization;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>Fills in what a user sets in the Inspector.</summary>
+/// <summary>Sets fields like a user in the Inspector.</summary>
 static class Inspector
 {
     public static T With<T>(this T target, string field, object value) where T : UnityEngine.Object

@@ -47,7 +47,7 @@ public sealed class PackageManifestTests
     public void Package_ModuleDependencies_AreTheModulesItsSourcesUse()
     {
         var declared = Dependencies(Manifest).Where(d => d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
-        // Colliders and canvases: XR Interaction Toolkit, without which that sample is nothing, brings their modules.
+        // The modules for colliders and canvases come with XR Interaction Toolkit, which that sample requires.
         var used = UnityModules.UsedUnder(RepositoryFiles.Package, RepositoryFiles.Package + "/Samples~/HoloLens 2 (MRTK3)")
             .Select(m => ModulePrefix + m + " 1.0.0");
 

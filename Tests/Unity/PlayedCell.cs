@@ -11,7 +11,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>A session component in a played scene, and a control system that hands it exchanges and samples in virtual time.</summary>
+/// <summary>A session component in a running scene, and a control system that sends it exchanges and samples in virtual time.</summary>
 sealed class PlayedCell : IDisposable
 {
     const double FrameSeconds = 1 / 60.0;
@@ -25,7 +25,7 @@ sealed class PlayedCell : IDisposable
     string[] _names = [];
     AssetLibrary _assets;
 
-    /// <summary>What runs when no test says otherwise: nobody listens where it would connect to.</summary>
+    /// <summary>Default settings; the ports that they name are closed.</summary>
     public static SessionSettings Offline { get; } =
         new(new ConnectionSettings("127.0.0.1", 1, 1), VisualisationLatency.FromMilliseconds(40), new PredictionSettings());
 
@@ -34,7 +34,7 @@ sealed class PlayedCell : IDisposable
     {
     }
 
-    /// <param name="assets">Where scenes come from; null for an empty one.</param>
+    /// <param name="assets">Source of the scenes; null for an empty scene.</param>
     public PlayedCell(AssetLibrary assets)
     {
         _assets = assets;
@@ -47,19 +47,19 @@ sealed class PlayedCell : IDisposable
     /// <summary>Seconds since the start.</summary>
     public double Now { get; private set; }
 
-    /// <summary>Whether exchanges come.</summary>
+    /// <summary>Whether exchanges succeed.</summary>
     public bool IsSyncUp { get; set; } = true;
 
-    /// <summary>Whether samples come.</summary>
+    /// <summary>Whether samples arrive.</summary>
     public bool IsPlantUp { get; set; } = true;
 
-    /// <summary>What the console says.</summary>
+    /// <summary>Messages in the console.</summary>
     public IEnumerable<string> Messages => Player.Logs.Select(log => log.Message);
 
-    /// <summary>What positions are multiplied by before they are sent: a source in another unit.</summary>
+    /// <summary>Factor of all positions before they are sent, to simulate a source with another unit.</summary>
     public double Scale { get; set; } = 1;
 
-    /// <summary>An object with a session that is fed by this cell instead of a gateway; inactive, to be filled in and switched on.</summary>
+    /// <summary>Creates an inactive object with a session that gets its data from this cell instead of a gateway.</summary>
     public MrilSession NewSession(string robot = "youbot", SessionSettings settings = null)
     {
         var cell = new GameObject("Cell");
@@ -71,13 +71,13 @@ sealed class PlayedCell : IDisposable
         return session;
     }
 
-    /// <summary>A cell of the package, fed in the same way; inactive too. One that names no robot is given the UR5.</summary>
+    /// <summary>Creates an inactive cell of the package that gets its data from this cell. If its prefab has no robot, it gets the UR5.</summary>
     /// <param name="prefab">Name of the prefab.</param>
     public MrilSession NewSessionOf(string prefab)
     {
         _assets ??= new AssetLibrary(RepositoryFiles.Root);
         var asset = _assets.Load<GameObject>($"Packages/com.nowpose.mril/Runtime/Prefabs/{prefab}.prefab");
-        // What is copied of it is asleep, too.
+        // A copy of an inactive object is inactive too.
         asset.SetActive(false);
         var session = UnityEngine.Object.Instantiate(asset).GetComponent<MrilSession>().With("_connectOnEnable", false);
         session.Settings = Offline;
@@ -86,7 +86,7 @@ sealed class PlayedCell : IDisposable
         return session;
     }
 
-    /// <summary>One that is switched on.</summary>
+    /// <summary>Creates an active session.</summary>
     public MrilSession Play(string robot = "youbot", SessionSettings settings = null)
     {
         var session = NewSession(robot, settings);
@@ -94,13 +94,13 @@ sealed class PlayedCell : IDisposable
         return session;
     }
 
-    /// <summary>Frames at 60 Hz; what the control system has sent by then is there before each.</summary>
+    /// <summary>Runs frames at 60 Hz. The data that the control system has sent is received before each frame.</summary>
     public void Run(double seconds, MrilSession session, Action seen = null)
     {
         for (var end = Now + seconds; Now < end; seen?.Invoke()) Frame(session);
     }
 
-    /// <summary>One frame, for a session that may be null or destroyed.</summary>
+    /// <summary>Runs one frame; the session may be null or destroyed.</summary>
     public void Frame(MrilSession session)
     {
         Now += FrameSeconds;
@@ -111,16 +111,16 @@ sealed class PlayedCell : IDisposable
         _allocated += GC.GetAllocatedBytesForCurrentThread() - before;
     }
 
-    /// <summary>Bytes that such frames allocate, the player's own part included.</summary>
-    /// <param name="run">Runs them; again if need be.</param>
+    /// <summary>Returns the bytes that frames allocate, including the player's own part.</summary>
+    /// <param name="run">Runs the frames; called a second time if the first run allocates.</param>
     public long AllocatedIn(Action run)
     {
         var once = MeasureIn(run);
-        // On a loaded machine one frame in some ten thousand is booked bytes that do not come again; those of a script would.
+        // On a loaded machine about one frame in ten thousand shows bytes that do not recur; the allocations of a script do recur.
         return once == 0 ? 0 : Math.Min(once, MeasureIn(run));
     }
 
-    /// <summary>Of a moving joint at a time of the headset clock, rad or m: swings by 0.004 about 0.005, or as near as its limits allow.</summary>
+    /// <summary>Position of a moving joint at a headset time, rad or m: swings by 0.004 about 0.005, or as near as its limits allow.</summary>
     public static double PositionAt(RobotModel robot, HeadsetTime at, int joint)
     {
         var limits = robot.MovingJoints[joint].Limits;

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>Rig, gripper and ghost below a session that plays.</summary>
+/// <summary>Rig, gripper and ghost below a running session.</summary>
 public class PlayedRobotTests
 {
     PlayedCell _cell;
@@ -147,7 +147,7 @@ public class PlayedRobotTests
     [Test]
     public void Rig_LinkMissing_IsSaidOnceAndTheRestGoesOn()
     {
-        // The root alone makes it a hierarchy.
+        // The root link alone counts as a hierarchy.
         Below<FrameProbe>("arm_link_0", _rig.transform);
         var ghost = NewGhost();
 

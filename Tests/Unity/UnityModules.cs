@@ -3,12 +3,12 @@ using System.Text.RegularExpressions;
 namespace Nowpose.Unity.Tests;
 
 /// <summary>
-/// Which of Unity's built-in module packages (<c>com.unity.modules.NAME</c>) a text needs. Unity compiles no type of a module
-/// that neither the project nor a package names; what lies in Unity's core modules needs none.
+/// Finds the built-in module packages of Unity (<c>com.unity.modules.NAME</c>) that a text requires. Unity compiles types of a module only
+/// if the project or a package names the module. Types in Unity's core modules need none.
 /// </summary>
 static partial class UnityModules
 {
-    /// <summary>Names of types and namespaces, as regular expressions without their word boundaries.</summary>
+    /// <summary>Names of types and namespaces, as regular expressions without word boundaries.</summary>
     static readonly (string Module, string Names)[] ByName =
     {
         ("ai", @"UnityEngine\.AI|NavMesh\w*"),
@@ -65,7 +65,7 @@ static partial class UnityModules
         ("wind", new[] { 182 }),
     };
 
-    /// <param name="source">C#; a file that does not mention Unity uses none of its types, whatever its own are called.</param>
+    /// <param name="source">C# source. A file that does not mention Unity uses none of its types, even if its own types have the same names.</param>
     public static IEnumerable<string> UsedByCode(string source)
     {
         var code = CSharpCode.Of(source);
@@ -80,8 +80,8 @@ static partial class UnityModules
         return ByClass.Where(m => m.Classes.Any(classes.Contains)).Select(m => m.Module);
     }
 
-    /// <summary>Of all sources, scenes and prefabs under a folder of the repository, without repetition.</summary>
-    /// <param name="except">Folders below it that are not looked at.</param>
+    /// <summary>Returns the modules of all sources, scenes and prefabs under a folder of the repository, without repetition.</summary>
+    /// <param name="except">Subfolders to leave out.</param>
     public static IEnumerable<string> UsedUnder(string folder, params string[] except)
     {
         bool IsLookedAt(string file) => !except.Any(e => file.StartsWith(e + "/", StringComparison.Ordinal));

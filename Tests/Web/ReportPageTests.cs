@@ -52,7 +52,7 @@ public sealed class ReportPageTests
         var page = ReportPage.Render("{}");
 
         Assert.That(page, Does.Contain("default-src 'none'"));
-        // Of styles only: scripts call new URL(…) and the like, and the policy keeps them from going anywhere.
+        // Checks the styles only: scripts call new URL(…) and similar, and the policy prevents requests from them.
         var outside = Regex.Match(page, @"(?i)<script[^>]+src|<link[^>]+stylesheet|@import|(?-i:\burl\((?!data:))");
         Assert.That(outside.Value, Is.Empty);
     }

@@ -1,4 +1,4 @@
-// The bundled worker as the command line uses it: a pattern, then pictures that it makes and looks at.
+// The bundled worker as the command line uses it: a pattern, then pictures that it renders and reads.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { dirname, join } from 'node:path';
@@ -34,7 +34,7 @@ function shot(codes) {
 const control = { corners: square(400, 360, 90, 0.2), lit: lit('Control'), light: 0.6, dot: 0.7, panel: 0.03 };
 const headset = { corners: square(800, 360, 150, 3.3), lit: lit('Headset'), light: 0.4, dot: 0, panel: null };
 
-/** Answers of one worker to all requests. */
+/** Returns the answers of one worker to all requests. */
 async function ask(...requests) {
   const process = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
   let text = '';

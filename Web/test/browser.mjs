@@ -1,18 +1,18 @@
-// The page in Chromium, served from a file, with everything that went wrong written down.
+// The page in Chromium, loaded from a file, with a record of all errors.
 import { accessSync, constants, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
-// Without a graphics card the processor draws what WebGL asks for.
-// Plots it draws worse and more slowly that way.
+// Without a graphics card, WebGL is rendered by the processor.
+// Plots are drawn worse and more slowly with these flags.
 export const WEBGL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-accelerated-2d-canvas'];
 export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync'];
-// The shell first: the whole browser starts processes for its windows with each page, though none is seen.
+// The headless shell comes first: the full browser starts window processes for each page, although no window is visible.
 const NAMES = ['chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'chrome'];
 const read = name => readFileSync(new URL(`../dist/${name}.html`, import.meta.url), 'utf8');
 
@@ -31,15 +31,15 @@ function executable() {
   return found;
 }
 
-/** The same insertion that ReportPage.Render and FiguresPage.Render do. */
+/** Inserts the data like ReportPage.Render and FiguresPage.Render. */
 export function render(data, name = 'report') {
   return read(name).replace('__REPORT_DATA__', () => JSON.stringify(data).replaceAll('<', '\\u003c'));
 }
 
 export class Browser {
   /**
-   * @param name Of the page: report or figures.
-   * @param graphics WEBGL, NO_WEBGL, or those of a page that draws plots only.
+   * @param name Name of the page: report or figures.
+   * @param graphics WEBGL, NO_WEBGL, or the default for a page that draws only plots.
    */
   static async start(name = 'report', graphics = ['--disable-gpu']) {
     const self = new Browser();
@@ -54,7 +54,7 @@ export class Browser {
     rmSync(this.folder, { recursive: true, force: true });
   }
 
-  /** A page with `complaints`: console errors, exceptions and each request but the one for the page itself. */
+  /** Opens a page with `complaints`: console errors, exceptions and each request except the one for the page itself. */
   async open(data, { fragment = '', ...options } = {}) {
     const file = join(this.folder, `${Math.random().toString(36).slice(2)}.html`);
     writeFileSync(file, render(data, this.name));

@@ -12,7 +12,7 @@ after(() => browser.stop());
 
 const texts = (page, selector) => page.locator(selector).allInnerTexts();
 
-/** Share of a plot's pixels that have its trace's colour, in a column of the canvas: a bar is tall, a line is not. */
+/** Share of a plot's pixels, in one column of the canvas, that have the colour of its trace: large for a bar, small for a line. */
 const inked = (page, plot, ink) => page.locator('.plot canvas').nth(plot).evaluate((canvas, name) => {
   const probe = document.createElement('canvas').getContext('2d');
   probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(name).trim();

@@ -1,6 +1,6 @@
 const LIMIT_MS = 20_000;
 
-/** Looks at pictures of a page until one shows what is expected: a slow machine draws it late. Returns the last look if none does. */
+/** Takes pictures of a page until one is as expected, because a slow machine draws late. Returns the last picture if none is. */
 export async function drawn(look, isExpected) {
   for (const end = performance.now() + LIMIT_MS; ;) {
     const seen = await look();

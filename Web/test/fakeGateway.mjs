@@ -1,4 +1,4 @@
-// A gateway with a robot that swings and two headsets: what the page of operations asks for, and nothing else.
+// A gateway with a swinging robot and two headsets. It provides only the data that the page of operations requests.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -10,17 +10,17 @@ export const JOINTS = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 
 const REST = [2.9, 2, -1.5, 1.7, 2.9];
 
-/** All of the arm above its base. */
+/** Joint positions at which the whole arm is above its base. */
 export const UPRIGHT = [2.95, 1.13, -2.55, 1.79, 2.9];
 
-/** Where the joints are at a control time. */
+/** Joint positions at a control time. */
 export const swing = (t, rest = REST) => rest.map((position, i) => position + (i === 0 ? 0.5 * Math.sin(t) : 0));
 
 const stamp = t => ({ sec: Math.floor(t), nanosec: Math.floor((t % 1) * 1e9) });
 const jointState = (topic, t, positions, frame = '', names = JOINTS) => JSON.stringify(
   { op: 'publish', topic, msg: { header: { stamp: stamp(t), frame_id: frame }, name: names, position: positions, velocity: [], effort: [] } });
 
-/** A text frame of a server, which masks nothing. */
+/** Returns a text frame of a server, which is not masked. */
 function frame(text) {
   const payload = Buffer.from(text);
   const head = payload.length < 126 ? Buffer.from([0x81, payload.length])
@@ -29,7 +29,7 @@ function frame(text) {
   return Buffer.concat([head, payload]);
 }
 
-/** The texts of the masked frames in what a browser sent; it sends whole small ones. */
+/** Returns the texts of the masked frames sent by a browser; each frame is small and complete. */
 function* textsOf(data) {
   for (let at = 0; at + 6 <= data.length;) {
     const opcode = data[at] & 15;
@@ -57,17 +57,17 @@ export class FakeGateway {
   posts = [];
   recordings = [{ name: 'press-1.jsonl', bytes: 2_500_000, changed_utc: '2026-11-20T12:00:00.000Z' }];
   connects = 0;
-  /** How fast the joints swing; 0 for a robot that rests. */
+  /** Speed factor of the joints' swing; 0 for a robot at rest. */
   pace = 1;
-  /** What the joints swing about. */
+  /** Positions about which the joints swing. */
   rest = REST;
   /** The sets of joints that are published in turn. */
   sets = [JOINTS];
-  /** How far what "left door" shows is turned from the truth, rad; null where it does not tell. */
+  /** Angle between the pose displayed by "left door" and the truth, rad; null if it does not report. */
   turned = 0.1;
   token = null;
   isSilent = false;
-  /** What the code waits for that pairs a headset. */
+  /** A promise that delays the pairing code. */
   codeIsLate = null;
   began = Date.now();
   ticks = 0;
@@ -108,7 +108,7 @@ export class FakeGateway {
     await new Promise(done => this.server.close(done));
   }
 
-  /** Ends every WebSocket, as a gateway does that is started again. */
+  /** Closes every WebSocket, like a gateway that is restarted. */
   hangUp() {
     for (const socket of this.sockets.keys()) socket.destroy();
   }
@@ -117,7 +117,7 @@ export class FakeGateway {
     for (const [socket, topics] of this.sockets) if (topics.has(topic)) socket.write(frame(text));
   }
 
-  /** Another description of the robot, to all that asked for one. */
+  /** Sends another robot description to all subscribers. */
   describe(urdf) {
     this.send('/robot_description', JSON.stringify({ op: 'publish', topic: '/robot_description', msg: { data: urdf } }));
   }

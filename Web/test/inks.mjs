@@ -1,4 +1,4 @@
-// What is on the canvases of a page's plots.
+// Reads the canvases of a page's plots.
 
 /** Whether the plot's canvas has a pixel near the colour of a style sheet variable. */
 export const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
@@ -17,7 +17,7 @@ export const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
 
 export const settled = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/** Relative luminance of style sheet colours, and the contrast of two. */
+/** Relative luminance of style sheet colours, and the contrast of two colours. */
 export const luminance = (page, inks) => page.evaluate(inks => inks.map(ink => {
   const [r, g, b] = getComputedStyle(document.documentElement).getPropertyValue(ink).trim().match(/\w\w/g)
     .map(h => parseInt(h, 16) / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));

@@ -1,4 +1,4 @@
-// The page of pairing and the gateway's verbs, with the gateway that was built last; every drawn code is read by another library.
+// The pairing page and the gateway's verbs with the most recently built gateway. Another library reads every drawn code.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, readFileSync, statSync } from 'node:fs';
@@ -45,7 +45,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
   });
 
   after(async () => {
-    // It still writes to the folder, which goes with the browser.
+    // The gateway still writes to the folder, which is deleted with the browser.
     process?.kill('SIGINT');
     await ended;
     await browser?.stop();

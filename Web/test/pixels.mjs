@@ -1,9 +1,9 @@
-// What a 3D view shows: a screenshot of it, read back in the page, since a WebGL canvas forgets what it drew.
+// Reads a 3D view from a screenshot, because a WebGL canvas does not keep its picture.
 import { drawn } from './drawn.mjs';
 
 /**
- * How many pixels of an element are blue, orange and grey, as the robots are, and how many coloured ones stand at its edge.
- * @param holds What the counts must fulfil in one of the next pictures.
+ * Counts the blue, orange and grey pixels of an element, which are the robots' colours, and the coloured pixels at its edge.
+ * @param holds Condition on the counts that one of the next pictures must meet.
  */
 export const picture = (page, locator, holds = () => true) => drawn(() => counted(page, locator), holds);
 

@@ -1,4 +1,4 @@
-// The session's playback in the report: robot, controls and plots at one moment.
+// The session's playback in the report: robot, controls and plots show the same moment.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, describe, it } from 'node:test';
@@ -11,7 +11,7 @@ const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robot
 const names = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 const SECONDS = 8;
 
-/** Swings about its base; drawn 0.01 rad beside it, without compensation 0.1 rad. */
+/** The robot swings about its base. It is displayed 0.01 rad off, and without compensation 0.1 rad off. */
 function withPlayback(change = {}) {
   const t = Array.from({ length: SECONDS * 30 + 1 }, (_, i) => i / 30);
   const at = beside => t.map(time => [2.9 + 0.8 * Math.sin(time) + beside, 2, -1.5, 1.7, 2.9]);
@@ -30,7 +30,7 @@ describe('the playback of a report', () => {
   it('says how far the tool was drawn from where it was', async () => {
     const page = await browser.open(withPlayback());
 
-    // The tool is 0.4809 m from the axis that it is turned about: so says the command line's kinematics.
+    // The tool is 0.4809 m from the rotation axis (from the command line's kinematics).
     const [compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
     assert.ok(Math.abs(compensated - 4.809) < 0.02, `${compensated} mm`);
     assert.ok(Math.abs(held - 48.07) < 1, `${held} mm`);

@@ -1,15 +1,15 @@
-// Reads drawn codes with another library than the ones that draw them.
+// Reads drawn codes with another library than those that draw them.
 import jsQR from 'jsqr';
 import { drawn } from './drawn.mjs';
 
-/** Of a picture of 8-bit greys, row by row; null where none is found. */
+/** Reads the code in a picture of 8-bit greys, row by row; null if none is found. */
 export function readGreys(greys, width, height) {
   const pixels = new Uint8ClampedArray(width * height * 4);
   greys.forEach((grey, i) => pixels.set([grey, grey, grey, 255], 4 * i));
   return jsQR(pixels, width, height, { inversionAttempts: 'dontInvert' })?.data ?? null;
 }
 
-/** Of what a terminal shows: two rows of squares a line, light where there is ink. */
+/** Reads the code in a terminal's output: each line has two rows of squares, and printed characters are light. */
 export function readBlocks(text) {
   const lines = text.split('\n').filter(line => /^[ █▀▄]+$/.test(line));
   const isLight = (line, x, isUpper) => '█'.includes(line[x]) || line[x] === (isUpper ? '▀' : '▄');
@@ -20,7 +20,7 @@ export function readBlocks(text) {
   return readGreys(greys, width, rows.length * scale);
 }
 
-/** The code of an element of a page in Chromium, as it is on the screen, as soon as it is drawn. */
+/** Reads the code of a page's element from a screenshot in Chromium, as soon as it is drawn. */
 export const readElement = locator => drawn(() => readScreenshot(locator), text => text !== null);
 
 async function readScreenshot(locator) {

@@ -14,7 +14,7 @@ after(() => browser.stop());
 const text = (page, selector) => page.locator(selector).allInnerTexts();
 const plain = words => words.map(w => w.replaceAll('\u00ad', '').replaceAll('\u00a0', ' '));
 
-/** For each plot, how many of its canvas's pixels are painted, and in how many colours. */
+/** Number of painted pixels and of colours in the canvas of each plot. */
 const painted = page => page.evaluate(() => [...document.querySelectorAll('.plot canvas')].map(canvas => {
   const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
   const colours = new Set();
@@ -27,7 +27,7 @@ const painted = page => page.evaluate(() => [...document.querySelectorAll('.plot
   return { pixels, colours: colours.size };
 }));
 
-/** Median height of a plot's signal, from 0 at the bottom of what is plotted to 1 at its top. */
+/** Median height of a plot's signal, from 0 at the bottom of the plot area to 1 at its top. */
 const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   const plot = document.querySelectorAll('.plot')[index], canvas = plot.querySelector('canvas');
   const over = plot.querySelector('.u-over').getBoundingClientRect(), top = over.top - canvas.getBoundingClientRect().top;
@@ -41,7 +41,7 @@ const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   return 1 - rows[rows.length >> 1] / over.height;
 }, [index, ink]);
 
-/** How much of the render time plot's column at a time in seconds, of the 10 it shows, has the alarm's shade. */
+/** Share of the render time plot's column, at a time in s within the 10 s shown, that has the alarm's shade. */
 const shadedShare = (page, time) => page.evaluate(time => {
   const plot = document.querySelector('#range .plot'), canvas = plot.querySelector('canvas');
   const over = plot.querySelector('.u-over').getBoundingClientRect(), left = over.left - canvas.getBoundingClientRect().left;
@@ -314,7 +314,7 @@ describe('using a plot', () => {
         return drawn;
       }, section);
       assert.ok(steps > width / 4 + stepped, `${section}: ${steps} steps of ${width} pixels`);
-      // Drawn twice; a step goes right, then up or down.
+      // Each signal is drawn twice; a step goes right, then up or down.
       assert.ok(steps < 20 * width + 4 * stepped, `${section}: ${steps} steps of ${width} pixels`);
     }
     assert.deepEqual(page.complaints, []);
@@ -333,7 +333,7 @@ describe('using a plot', () => {
     });
 
     assert.ok(squares.places > 100, `${squares.places} places`);
-    // Each of the two paths has its own.
+    // Each of the two paths draws its own squares.
     assert.ok(squares.count <= 2 * squares.places, `${squares.count} squares at ${squares.places} places`);
   });
 });

@@ -1,4 +1,4 @@
-// Where the joints of the page's robot are, from messages that carry now these and now those of them.
+// Joint positions of the page's robot, from messages that contain different subsets of the joints.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -35,7 +35,7 @@ describe('joints that are published in sets that overlap', () => {
 
   it('are known in whatever order and company they come', () => {
     const tracks = new JointTracks(5), joints = ['a', 'b', 'c', 'd', 'e'];
-    // More sets than were ever told apart: each of the 120 orders.
+    // More sets than the tracks distinguish: all 120 orders.
     const orders = rest => (rest.length === 0 ? [[]]
       : rest.flatMap(one => orders(rest.filter(other => other !== one)).map(order => [one, ...order])));
     orders(joints).forEach((names, i) => tracks.add(i, names, names.map(name => i + joints.indexOf(name) / 10)));

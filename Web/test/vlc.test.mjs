@@ -1,4 +1,4 @@
-// The page with the control clock's code, served by the real gateway where it was built, and by a stand-in whose clock is known.
+// The page with the control clock's code, served by the real gateway if it was built, and by a stand-in with a known clock.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -25,7 +25,7 @@ const { controlCells } = await load('code');
 const { ControlClock } = await load('controlClock');
 const { grainOf } = await load('grain');
 
-/** A gateway whose control clock is this process's counter, far from zero. */
+/** A gateway whose control clock is this process's counter with a large offset. */
 class StandIn {
   aheadNs = 1_700_000_000_000_000_000n;
   isSynchronised = true;
@@ -61,7 +61,7 @@ class StandIn {
   }
 }
 
-/** Reads the canvas as a camera would, right after the page has drawn a frame, and asks for the time as the page does. */
+/** Reads the canvas like a camera, directly after the page has drawn a frame, and requests the time like the page. */
 const sight = page => page.evaluate(async () => {
   const times = [];
   for (let i = 0; i < 12; i++) {
@@ -72,7 +72,7 @@ const sight = page => page.evaluate(async () => {
     times.push({ t1, t4, t2, t3 });
   }
   const canvas = document.getElementById('code');
-  // On a busy machine the page may have to wait for a quick exchange again.
+  // On a busy machine the page may have to wait for another quick exchange.
   for (let frame = 0; ; frame++) {
     const at = await new Promise(requestAnimationFrame);
     if (document.body.dataset.state !== 'synchronised' && frame < 600) continue;
@@ -92,7 +92,7 @@ const valueOf = cells => {
 const text = cells => cells.map(Number).join('');
 const codes = Array.from({ length: PERIOD }, (_, value) => text(controlCells(value)));
 
-/** What the code shows minus what the clock showed at the frame's begin, ms, and the bound that the quickest of the exchanges leaves. */
+/** Time shown by the code minus the clock's time at the frame's start, ms, and the error bound of the quickest exchange. */
 function errorOf({ at, cells, times }) {
   const value = valueOf(cells);
   assert.notEqual(value, null, 'the cells are no code');
@@ -103,7 +103,7 @@ function errorOf({ at, cells, times }) {
   return { error: error - PERIOD * Math.round(error / PERIOD), bound: (t4 - t1 - processing) / 2 };
 }
 
-/** Within half a millisecond for the cut to whole ones, what the exchanges leave open here, and what the page allows itself. */
+/** Asserts an error within the sum of three parts: half a millisecond of rounding, the bound of the exchanges, and the page's tolerance. */
 function assertRight(seen) {
   const { error, bound } = errorOf(seen);
   assert.ok(Math.abs(error) < 0.5 + bound + 3, `${error.toFixed(2)} ms off, known to ${bound.toFixed(2)} ms`);
@@ -131,7 +131,7 @@ describe('what the code is made of', () => {
   const exchange = { t1: 100, t4: 102, t2: 5_000_101_000_000n, t3: 5_000_101_000_000n, resolutionNs: 1 };
   const clockWith = (grainMs, ...exchanges) => exchanges.reduce((clock, e) => (clock.add(e), clock), new ControlClock(grainMs));
 
-  /** What the clock shows beyond 5000 s, ms, and its bound. */
+  /** The clock's time minus 5000 s, ms, and its error bound. */
   const shown = (clock, now) => {
     const { ns, boundMs } = clock.at(now);
     return [Number(ns - 5_000_000_000_000n) / 1e6, boundMs].map(ms => Math.round(ms * 1000) / 1000);
@@ -150,7 +150,7 @@ describe('what the code is made of', () => {
 
     const [ms, boundMs] = shown(clockWith(0, { ...exchange, resolutionNs: 20_000_000 }, late), 202);
 
-    // Between 1 ms less, by the former, and 20 ms more, by the latter; the former may have drifted by 0.05 ms since.
+    // The offset is between 1 ms less (former exchange) and 20 ms more (latter). Since the former the clock may have drifted by 0.05 ms.
     assert.ok(Math.abs(ms - 211.5) < 0.06 && Math.abs(boundMs - 10.5) < 0.06, `${ms} ± ${boundMs} ms`);
   });
 
@@ -184,7 +184,7 @@ describe('what the code is made of', () => {
     assert.equal(clock.at(202), null);
   });
 
-  /** A clock that advances by 0.01 ms with each look at it, cut to steps; held up once for 40 ms. */
+  /** A clock that advances by 0.01 ms with each reading, with a resolution of `stepMs`. One reading is delayed by 40 ms. */
   const cut = stepMs => {
     let looks = 0;
     return () => {
@@ -257,7 +257,7 @@ describe('the page of the control clock\'s code', () => {
     await page.fill('#token input', 'guess');
     await page.press('#token input', 'Enter');
     await unsynchronised(page, 'does not know this token');
-    // Longer than two exchanges are apart.
+    // Longer than the interval between two exchanges.
     await page.waitForTimeout(600);
     assert.equal(gateway.refused, 2);
     await unsynchronised(page, 'does not know this token');

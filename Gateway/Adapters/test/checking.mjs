@@ -1,10 +1,10 @@
-// What is wrong with a configuration, found without a process.
+// Finds the errors of a configuration without starting a process.
 import { parts } from './parts.mjs';
 
 const { readConfiguration, kinds } = await parts('configuration/configuration', 'kinds');
 const checks = Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check]));
 
-/** The lines that --check would write; none when all is well. */
+/** Returns the lines that --check would write; empty for a valid configuration. */
 export function wrongIn(path, environment = {}) {
   try {
     readConfiguration(path, environment, checks);

@@ -23,7 +23,7 @@ describe('resolution', () => {
   it('Clock_ThatStandsBetweenUpdates_IsAsCoarseAsItStood', () => {
     const times = eight(100n).flatMap(time => [time, time, time]);
 
-    // The third reading was asked for two intervals after the first, which had come 1 µs after it was asked for.
+    // The third reading was requested two intervals after the first, which had arrived 1 µs after its request.
     assert.equal(told(times, 50n * MS).value, 100n * MS - 1000n);
   });
 
@@ -41,7 +41,7 @@ describe('resolution', () => {
 
     for (let i = 1n; i < 310n; i++) observe(T + (11_000n + 200n * i) * MS);
 
-    // It was seen to stand for 600 ms, and may have for 1000 ms, by which it went on.
+    // The clock showed the same time for 600 ms, then advanced by 1000 ms, so it may have stood still for 1000 ms.
     assert.deepEqual([soonAfter, resolution.value], [1000n * MS, MS]);
   });
 });
@@ -127,7 +127,7 @@ describe('plant clock', () => {
       pass(3n * MS);
       return { received: time, sent: time };
     }, never);
-    // A gateway asks every 200 ms.
+    // A gateway reads the clock every 200 ms.
     const asked = async () => {
       pass(197n * MS);
       return gateway.services.get('/nowpose/plant_time/cell').answer();
@@ -145,7 +145,7 @@ describe('plant clock', () => {
     assert.equal(after.resolution_ns, 1_000_000);
   });
 
-  // 15.625 ms: the time of Windows. A gateway that knows the clock well asks once a second and never sees it stand.
+  // 15.625 ms is the resolution of Windows' clock. A gateway that is synchronised reads once a second and never sees the clock stand still.
   it('Clock_ThatStandsAndIsAskedSeldom_StaysAsCoarseAsItIs', async () => {
     let now = 0n;
     const gateway = link(), clock = new PlantClock(gateway, 'cell', null, () => now), step = 15_625_000n;

@@ -24,7 +24,7 @@ joints:
     offset: -1.5
 `;
 
-/** What is wrong after a change of the good file. */
+/** Returns the errors after one change of the valid file. */
 function linesOf(from, to) {
   const text = GOOD.replace(from, to);
   assert.notEqual(text, GOOD);

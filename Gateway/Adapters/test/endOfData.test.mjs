@@ -1,4 +1,4 @@
-// Whether the data of a joint ended in mid-motion, in virtual time: no false alarm in stops, and an alarm in cut motions.
+// Detects data that ends in mid-motion, in virtual time: no false alarm for stops, an alarm for motions that are cut off.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { changes, smooth, trapezoid } from './motions.mjs';
@@ -13,7 +13,7 @@ const START = 1_700_000_000n * 1_000_000_000n;
 const stampOf = time => START + BigInt(Math.round((time + 10) * 1e9));
 const logarithmic = (random, from, to) => from * (to / from) ** random();
 
-/** Resolutions and errors of sources, for one interval between two looks. */
+/** Resolution and errors of each kind of source, for one sampling interval. */
 const SOURCES = {
   Exact: interval => ({ interval }),
   Quantised: (interval, random) => ({ interval, quantum: logarithmic(random, 1e-5, 3e-3) }),
@@ -54,7 +54,7 @@ describe('end of data', () => {
 
           const judge = judgeOf(samples), verdict = judge.verdict(interval);
 
-          // One joint alone makes no emergency stop.
+          // An emergency stop stops all joints. If the other joints keep moving, a hard stop counts as an end of data, so it is not checked here.
           if (motion !== 'Emergency' && name !== 'WithLooksLeftOut') assert.equal(judge.verdict(interval, true), null, `alone, stop ${i} of seed ${SEED}`);
           assert.equal(verdict, null, `stop ${i} of seed ${SEED}: ${JSON.stringify(options)} ${JSON.stringify(samples.slice(-4))}`);
         }
@@ -65,12 +65,12 @@ describe('end of data', () => {
       const random = seeded(SEED), peak = 1.2 * speed, amplitude = peak / 2;
       let found = 0;
       for (let i = 0; i < 200; i++) {
-        // After at least one reversal, where it is as fast as `speed` or faster.
+        // After at least one reversal, at a speed of at least `speed`.
         const cut = (Math.PI * (3 + i % 3) + (random() - 0.5)) / 2, sine = { position: t => amplitude * Math.sin(2 * t) };
         const judge = judgeOf(changes(sine, random, { interval, from: 0, until: cut, jitter: 0.2, quantum: 1e-5 }));
         if (judge.verdict(interval) !== null) found++;
       }
-      // Short last intervals and the rounding of the positions hide a few.
+      // Short last intervals and the rounding of the positions hide a few ends.
       assert.ok(found >= 190, `${found} of 200`);
     });
 
@@ -79,7 +79,7 @@ describe('end of data', () => {
 
     const { required, limit } = judge.verdict(0.02);
 
-    // v / h, less the resolution: the smallest step at the start is far below that of the motion.
+    // v / h, minus the resolution: the smallest step at the start is far smaller than the steps of the motion.
     assert.ok(required > 45 && required <= 50, `${required}`);
     assert.equal(limit, FLOOR);
   });
@@ -103,7 +103,7 @@ describe('end of data', () => {
 
   for (const [place, isLearned] of [['Same', true], ['Another', false]])
     it(`Verdict_MotionStartsAgainAt${place}Place_${isLearned ? 'LearnsTheStop' : 'LearnsNothing'}`, () => {
-      // It ends at its highest speed, 0.5 rad/s.
+      // The data ends at the motion's highest speed, 0.5 rad/s.
       const swing = { position: t => 0.25 * Math.sin(2 * t) }, cut = [...changes(swing, () => 0, { interval: 0.05, from: 0, until: 3 * Math.PI })];
       const judge = judgeOf(cut), before = judge.verdict(0.05, true), shift = place === 'Same' ? 0 : 0.2;
       const later = { position: t => cut.at(-1).value + shift + 0.25 * Math.sin(2 * t) };

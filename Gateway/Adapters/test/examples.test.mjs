@@ -1,4 +1,4 @@
-// Who copies an example starts from a good one.
+// The examples are valid, because users copy them.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';

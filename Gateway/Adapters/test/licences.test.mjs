@@ -1,4 +1,4 @@
-// What is shipped with the bundles of the licences of what is in them.
+// The licence file shipped with the bundles covers all packages in them.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,8 +1,8 @@
-// node movingPlant.mjs opcua|ads: a youBot that moves behind a control system whose clock is minutes off and runs too fast. Tells where
-// it is, and what its clock showed at a count of this machine's monotonic counter, so that a test knows where the robot truly was.
-// Takes lines: "step MS" steps its clock. With opcua also "delete", "stop" (in mid-motion), "bad", "nan" or "repair" and the name of a
-// variable, and "rest MS", answered by "done COMMAND", the number of the command and the Unix time in s at which it took effect.
-// Ends with its input.
+// node movingPlant.mjs opcua|ads: starts a moving youBot behind a control system whose clock is minutes off and runs too fast.
+// Reports its address, and the reading of its clock at a count of this machine's monotonic counter, so that a test can compute
+// the robot's true position. Reads commands, one per line: "step MS" steps its clock. With opcua also "delete", "stop" (in
+// mid-motion), "bad", "nan" or "repair" and the name of a variable, and "rest MS"; the answer is "done COMMAND", the number of the
+// command and the Unix time in s at which it took effect. Ends when its input ends.
 import { createInterface } from 'node:readline';
 
 const AHEAD_MS = 754_321.5, PPM = 85;
@@ -36,7 +36,7 @@ const kinds = {
 
 const plant = await kinds[process.argv[2]]();
 
-/** The pair that was read in the shortest time of many. */
+/** Writes the pair that was read in the shortest time of many. */
 function tellClock() {
   let shortest = Infinity, count = 0n, shown = 0n;
   for (let i = 0; i < 200; i++) {

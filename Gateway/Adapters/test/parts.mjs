@@ -1,4 +1,4 @@
-// Single parts of the program, for tests that need no process.
+// Loads single modules of the program, for tests that need no process.
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -6,17 +6,17 @@ import { build } from 'esbuild';
 import { loading } from '../loading.mjs';
 import { adapters } from './program.mjs';
 
-// What is imported by one path once is what that path stands for.
+// Node caches modules by path, so each bundle gets a new path.
 let made = 0;
 
-/** What the named modules below src export. */
+/** Returns the exports of the given modules below src. */
 export async function parts(...modules) {
   const contents = modules.map(module => `export * from './src/${module}';`).join('\n');
   const { outputFiles } = await build({
     ...loading, stdin: { contents, resolveDir: adapters }, bundle: true, write: false, packages: 'external', platform: 'node', format: 'esm',
     target: 'node20',
   });
-  // Below the project, where packages are found.
+  // The file is inside the project, so that its imports find the installed packages.
   const folder = join(adapters, 'dist'), path = join(folder, `parts-${process.pid}-${++made}.mjs`);
   mkdirSync(folder, { recursive: true });
   try {

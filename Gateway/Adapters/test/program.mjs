@@ -1,4 +1,4 @@
-// The bundled program as a person or the gateway starts it.
+// Starts the bundled program the way a person or the gateway starts it.
 import { spawn } from 'node:child_process';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -6,10 +6,10 @@ import { fileURLToPath } from 'node:url';
 export const adapters = join(dirname(fileURLToPath(import.meta.url)), '..');
 const program = join(adapters, 'dist', 'plant.mjs');
 
-// Far beyond what a busy machine takes: only what never comes takes as long.
+// Much longer than a busy machine needs, so only an event that never comes reaches this timeout.
 const PATIENCE_MS = 60_000;
 
-/** Starts it; what it says is in `out` and `err`, and `ended` gives its status. Stopped after the test at the latest. */
+/** Starts the program. `out` and `err` hold its output, `ended` resolves with its exit status. It is stopped after the test at the latest. */
 export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
   const child = spawn(process.execPath, [program, ...args], { env: { ...process.env, ...env }, stdio: [stdin, 'pipe', 'pipe'] });
   const run = { child, out: '', err: '' };
@@ -26,13 +26,13 @@ export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
   return run;
 }
 
-/** What --check says, by a process of its own. */
+/** Runs --check in a process of its own and returns its exit status and output. */
 export async function check(test, path, env) {
   const run = start(test, [path, '--check'], { env });
   return { status: await run.ended, out: run.out, lines: run.err.trim().split('\n') };
 }
 
-/** Waits until something holds; says what, when it does not come. */
+/** Waits until a condition holds. After the timeout it fails with the description `what`. */
 export async function until(holds, what) {
   const end = performance.now() + PATIENCE_MS;
   for (;;) {

@@ -1,4 +1,4 @@
-// What another gateway reports of its joints, in virtual time.
+// Joint states that another gateway reports, in virtual time.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
@@ -6,10 +6,10 @@ import { parts } from './parts.mjs';
 const { AdapterStatus, Log, JointNames, Silence, ReportedJoints } =
   await parts('gateway/status', 'log', 'ros/jointNames', 'samples/silence', 'broker/reportedJoints');
 
-/** Unix time of the start in milliseconds; the other gateway's control clock begins at zero. */
+/** Unix time of the start in milliseconds; the other gateway's control clock starts at zero. */
 const START = 1_790_000_000_000;
 
-/** The joints of a subscribing bridge whose clocks are at `ms` after their start. */
+/** The joints of a subscribing bridge whose clocks read `ms` after their start. */
 function bridge() {
   const lines = [], time = { ms: 0 };
   const status = new AdapterStatus('broker', new Log('plant/test', [], line => lines.push(line), () => {}));

@@ -1,17 +1,17 @@
-// The gateway's side of the wire, for tests of what an adapter sends to it.
+// A double of the gateway, for tests of the messages that an adapter sends to it.
 import { createServer as createSecureServer } from 'node:https';
 import { WebSocketServer } from 'ws';
 import { until } from './program.mjs';
 
 export class RosbridgeDouble {
-  /** Every message that came, parsed. */
+  /** Every message received, parsed. */
   heard = [];
   headers = [];
   #server = null;
   #http = null;
   #calls = 0;
 
-  /** @param tls A key and certificate for wss. @param token Whoever comes without it gets 401. */
+  /** @param tls A key and certificate for wss. @param token A client without this token gets 401. */
   static async start(test, { port = 0, tls = null, token = null } = {}) {
     const double = new RosbridgeDouble();
     const verifyClient = ({ req }, done) => {
@@ -49,7 +49,7 @@ export class RosbridgeDouble {
 
   get jointStates() { return this.published('/joint_states'); }
 
-  /** The key/values of the newest diagnostics. */
+  /** Keys and values of the newest diagnostics. */
   get state() {
     const status = this.published('/nowpose/diagnostics').at(-1)?.status[0];
     return status && Object.fromEntries(status.values.map(({ key, value }) => [key, value]));
@@ -58,13 +58,13 @@ export class RosbridgeDouble {
   /** The newest DiagnosticStatus without its values. */
   get status() { return this.published('/nowpose/diagnostics').at(-1)?.status[0]; }
 
-  /** State, Unix time in seconds and reason that the newest diagnostics have of a joint. */
+  /** State, Unix time in seconds and reason of a joint in the newest diagnostics. */
   joint(name) {
     const [, state, since, reason = ''] = /^(\w+) (\d+\.\d{3})(?: (.*))?$/.exec(this.state?.[`joint/${name}`] ?? '') ?? [];
     return state === undefined ? undefined : { state, since: Number(since), reason };
   }
 
-  /** Asks a service and gives the response. */
+  /** Calls a service and returns the response. */
   async call(service) {
     const id = `call-${++this.#calls}`;
     await until(() => this.heard.some(m => m.op === 'advertise_service' && m.service === service), `${service} to be offered`);

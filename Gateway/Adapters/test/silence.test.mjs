@@ -1,4 +1,4 @@
-// What silence means, in virtual time, and what the diagnostics say of it.
+// Meaning of missing samples and its report in the diagnostics, in virtual time.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
@@ -9,7 +9,7 @@ const { AdapterStatus, Log, JointOutput, diagnostics } =
 const MS = 1_000_000n, S = 1000n * MS;
 const T = 1_700_000_000n * S;
 
-/** An adapter's output whose clocks are at `ms` after their start. */
+/** An adapter's output whose clocks read `ms` after their start. */
 function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
   const lines = [], sent = [], time = { ms: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], line => lines.push(line), () => {}));
@@ -25,7 +25,7 @@ function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
   return cell;
 }
 
-/** Joint a moves with 1 rad/s for half a second and then sends nothing; b moves on. */
+/** Moves joint a at 1 rad/s for half a second, then sends nothing for it; joint b keeps moving. */
 function moveAndStop(cell, seconds, hold = true) {
   for (; cell.time.ms < 1000 * seconds; cell.time.ms += 10) {
     const s = cell.time.ms / 1000;
@@ -56,7 +56,7 @@ describe('silence', () => {
     moveAndStop(cell, 1);
     const since = cell.status.values()['joint/a'].split(' ')[1];
 
-    // Another connection, or a node that is monitored again, begins with the last value and its stamp.
+    // A new connection, or a node that is monitored again, starts with the last value and its stamp.
     cell.output.startAnew();
     cell.output.publish([{ joint: 0, value: 0.44, stamp: T + 490n * MS, isFirst: true }]);
     moveAndStop(cell, 2);
@@ -84,7 +84,7 @@ describe('silence', () => {
     for (; cell.time.ms < 4000; cell.time.ms += 10) {
       if (cell.time.ms % 200 === 0) samples.push(cell.value(0, 3 * Math.sin(cell.time.ms / 500)));
       cell.output.hold(cell.clock.now - 10n * MS, 30n * MS);
-      // The first sample has no interval before it.
+      // The first sample has no interval before it, so it is not compared.
       if (cell.time.ms === 390) cell.sent.length = samples.length = 0;
     }
 
@@ -109,12 +109,12 @@ describe('silence', () => {
 
     const [state, since] = cell.status.values()['joint/a'].split(' ');
     assert.equal(state, 'rest');
-    // Since the last sample, which came 1 s before.
+    // The joint is at rest since its last sample, which came 1 s earlier.
     assert.ok(Number(since) < Date.now() / 1000 - 0.9, since);
     assert.equal(cell.status.level, 0);
   });
 
-  /** Joints that swing with at most 0.6 rad/s, read every 50 ms; those of `stopped` are silent from the moment of their highest speed. */
+  /** Joints that swing with at most 0.6 rad/s, read every 50 ms. Joints in `stopped` send nothing after the moment of their highest speed. */
   function swing(stopped, amplitude = 0.3) {
     const cell = plant(), cut = 1000 * Math.PI * 3;
     for (; cell.time.ms < cut + 2000; cell.time.ms += 50) {
@@ -129,16 +129,16 @@ describe('silence', () => {
     const cell = swing([0]);
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'live']);
-    // Two seconds are promised, from the plant to the headset.
+    // The documentation promises two seconds from the plant to the headset.
     assert.ok(cell.faultMs - 1000 * Math.PI * 3 <= 700, `${cell.faultMs} ms`);
-    // 1.5 times the largest deceleration of the swing, 1.2 rad/s², and four times what the last samples show.
+    // 1.5 times the largest deceleration of the swing, 1.2 rad/s², and four times the one that the last samples show.
     assert.match(cell.status.values()['joint/a'], /to stop there needs 1\d\.\d rad\/s², more than the 1\.\d rad\/s² that its samples show; set max_deceleration if it can brake harder$/);
   });
 
   it('Motion_CutBelowTheFloorBeforeAnyDeceleration_IsUncertainRestAlsoWhileAnotherJointGoesOn', () => {
     const cell = plant();
     for (; cell.time.ms < 3000; cell.time.ms += 50) {
-      // 0.4 rad/s from 0.5 s on: to stop there within 50 ms needs up to 8 rad/s².
+      // 0.4 rad/s from 0.5 s on: a stop there within 50 ms needs up to 8 rad/s².
       const s = cell.time.ms / 1000, position = s < 0.5 ? 0.4 * s * s : 0.4 * (s - 0.25);
       if (s < 1) cell.value(0, position);
       cell.value(1, position);
@@ -247,7 +247,7 @@ describe('silence', () => {
     assert.deepEqual(keys, ['joint/b', 'joint/a', 'joint/c']);
   });
 
-  /** A source that sends joint states without confirming any, `x` and `y`, each at its `position` at a time in s; left out where null. */
+  /** A source that sends joint states and confirms none. `x` and `y` map a time in s to a position, or to null to leave the joint out. */
   async function passive(position, seconds, faultAfterMs = null) {
     const { JointStates, JointNames } = await parts('ros/jointStates', 'ros/jointNames');
     const cell = plant([], { faultAfterMs }), { status, clock, time, output } = cell;
@@ -261,7 +261,7 @@ describe('silence', () => {
     }
     return cell;
   }
-  /** Stops gently at 1 s, and is silent at rest. */
+  /** Stops gently at 1 s and sends nothing at rest. */
   const stops = s => (s > 1 ? null : 0.1 * Math.sin(s * Math.PI / 2)), swings = s => 0.1 * Math.sin(2 * s);
 
   it('Source_ThatCannotConfirm_SilentJointIsAtRestButNotForSure', async () => {
@@ -293,7 +293,7 @@ describe('silence', () => {
   });
 
   it('Source_ThatCannotConfirm_MotionOfAnotherJointLaterDoesNotMakeAnEarlierStopAFault', async () => {
-    // Both brake from 0.5 rad/s within less than a look, after a stop that was seen to be gentle.
+    // Both joints brake from 0.5 rad/s within one interval, after an earlier gentle stop.
     const hard = s => (s < 2 ? 0.1 * Math.sin(s * Math.PI / 2) ** 2 : s < 3 ? 0.5 * (s - 2) : null);
     const { stateOf } = await passive({ x: hard, y: s => (s < 3 ? hard(s) : s < 10 ? null : 0.5 * (s - 10)) }, 14);
 

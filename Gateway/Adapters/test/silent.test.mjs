@@ -1,4 +1,4 @@
-// Nodes and symbols that a source is silent about, in virtual time: each kind of server that treats a deleted node in its own way.
+// Nodes and symbols that a source sends nothing about, in virtual time: one case for each way in which servers treat a deleted node.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { DataType, DataValue, StatusCodes, Variant } from 'node-opcua-client';
@@ -10,7 +10,7 @@ const { SilentSymbols } = await parts('ads/silentSymbols');
 const good = value => new DataValue({ value: new Variant({ dataType: DataType.Double, value }), statusCode: StatusCodes.Good });
 const bad = statusCode => new DataValue({ statusCode });
 
-/** Two nodes of a server; `answers` are what it answers to a read. */
+/** Two nodes of a server; `answers` are its answers to a read. */
 function server(answers = [good(1), good(2)]) {
   const cell = { answers, now: 0, asked: [], lost: [], refused: [], renewed: [], refusal: null };
   cell.nodes = new SilentNodes(

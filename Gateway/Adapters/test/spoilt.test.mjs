@@ -1,4 +1,4 @@
-// Configurations that are wrong in ways that nobody thought of: each is good, or every word about it names a line.
+// Randomly damaged configurations: each is either valid, or every error message names a line.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,7 +13,7 @@ const folder = join(adapters, 'examples');
 const NAMES = readdirSync(folder, { recursive: true }).filter(name => name.endsWith('.yaml')).sort();
 const EXAMPLES = NAMES.map(name => readFileSync(join(folder, name), 'utf8'));
 
-/** Values that stand where others are meant. */
+/** Values inserted where other values are expected. */
 const ODD = [
   '', '~', '[]', '{}', '[[[]]]', '-1', '0', '1e400', '.nan', '-.inf', '0x10', '99999999999999999999', 'true', '"', "'", '|', '>-', '&a', '*a',
   '<<: *a', '? [a]', '!!binary x', '!!set {a}', '!own x', '%YAML 9.9', '---', '...', '#', ': :', '- - -', '\t',

@@ -1,11 +1,11 @@
-// Folders and files of a test, which are gone when its process ends.
+// Folders and files of a test, deleted when its process ends.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 const folders = [];
 
-// Hooks run in the order in which they were registered: those of a test would remove a folder before what still writes to it is stopped.
+// Hooks run in registration order, so a test's own hook would delete a folder before the programs that write to it are stopped.
 process.once('exit', () => folders.forEach(removed));
 
 export function temporaryFolder() {
@@ -14,7 +14,7 @@ export function temporaryFolder() {
   return folder;
 }
 
-/** A file that its owner alone may read, in a folder of its own. */
+/** Writes a file that only its owner can read, in a folder of its own. */
 export function temporaryFile(name, text) {
   const path = join(temporaryFolder(), name);
   writeFileSync(path, text, { mode: 0o600 });
@@ -25,6 +25,6 @@ function removed(folder) {
   try {
     rmSync(folder, { recursive: true, force: true });
   } catch {
-    // A program that outlived its test has written meanwhile; what is left is no fault of the tests that passed.
+    // A program that outlived its test may still have written here. Files that remain are not an error of a test that passed.
   }
 }

@@ -1,4 +1,4 @@
-// Adapters behind the gateway itself, which decides whose clock headsets get.
+// Adapters behind the real gateway, which selects the clock that headsets get.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import WebSocket from 'ws';
@@ -11,7 +11,7 @@ import { temporaryFile } from './temporary.mjs';
 const plant = (robot, more = '') =>
   temporaryFile('ros.yaml', `plant:\n  kind: ros\n  name: robot\n  endpoint: ${robot.url}\n  topics: { robot_description: false }\n${more}`);
 
-/** Joint states that a headset of this gateway gets. */
+/** Subscribes like a headset and returns the messages it receives. */
 async function listen(t, address) {
   const socket = new WebSocket(address), heard = [];
   t.after(() => socket.terminate());
@@ -21,7 +21,7 @@ async function listen(t, address) {
   return heard;
 }
 
-/** Says a position again and again until it arrives; gives its stamp as the robot had it, and as it arrived. */
+/** Sends positions until one arrives. Returns its stamp as the robot sent it, and as it arrived. */
 async function passed(robot, heard) {
   const said = new Map();
   let position = 0;
@@ -47,14 +47,14 @@ describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the ga
 
   it('Bridge_ToABrokerBesideAPlant_LeavesTheClockToThePlant', async t => {
     const robot = await Robot.start(t, { aheadMs: 600_000 });
-    // No broker is there: what counts is that this adapter has no time to tell.
+    // The broker is missing: the test needs only an adapter that offers no clock.
     const bridge = temporaryFile('publish.yaml',
       'plant:\n  kind: broker\n  name: to-broker\n  direction: publish\n  endpoint: mqtt://127.0.0.1:9\n  topic: cell\n');
     const heard = await listen(t, await start(t, ['--plant', bridge, '--plant', plant(robot)]));
 
     const [said, arrived] = await passed(robot, heard);
 
-    // C1 is ten minutes ahead, as the robot is: on another clock the stamp would be another one, or refused.
+    // C1 is ten minutes ahead, like the robot's clock. On another clock the stamp would be different or refused.
     assert.equal(arrived, said);
   });
 });

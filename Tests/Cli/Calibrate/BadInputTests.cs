@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Whatever a calibration is given that is no good: one line that says so, and the last good profile stays to the byte.</summary>
+/// <summary>Invalid input of a calibration gives one line with the reason and leaves the last valid profile unchanged, byte for byte.</summary>
 public sealed class BadInputTests : CalibrationFolder
 {
     const int Width = 640, Height = 360, Side = 128;
@@ -32,7 +32,7 @@ public sealed class BadInputTests : CalibrationFolder
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(_good));
     }
 
-    /// <summary>Makes pictures of the two codes beside each other, L_visu 40 ms; what is given changes them.</summary>
+    /// <summary>Renders a picture of the two codes side by side with an L_visu of 40 ms; <paramref name="change"/> modifies the shot.</summary>
     string Picture(string name, Func<Shot, Shot> change = null, double scale = 1)
     {
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
@@ -55,10 +55,10 @@ public sealed class BadInputTests : CalibrationFolder
             [[left, top], [left + size, top], [left + size, top + size], [left, top + size]], [.. lit.Select(each => each ? 1.0 : 0)], 0.6, 0, panel);
     }
 
-    // Nothing else either: a scene's own edges may be taken for one of the codes at first.
+    // Removes the scene as well, because its edges could be taken for a code at first.
     static Shot WithoutCodes(Shot shot) => shot with { Codes = [], SceneLight = 0 };
 
-    // Half of one code stands outside, on the left; the other one is whole.
+    // Half of one code is outside the picture, on the left; the other code is complete.
     static Shot Halved(Shot shot, CodeKind kind)
     {
         var (half, whole) = kind == CodeKind.Control ? (shot.Codes[0], shot.Codes[1]) : (shot.Codes[1], shot.Codes[0]);
@@ -66,7 +66,7 @@ public sealed class BadInputTests : CalibrationFolder
         return shot with { Codes = [whole, half with { Corners = [.. half.Corners.Select(corner => new[] { corner[0] - middle, corner[1] })] }] };
     }
 
-    // What the others are measured against: it is what was changed that is refused.
+    // The reference for the other tests: without their changes the pictures are accepted.
     [Test]
     public async Task Pictures_WithNothingWrong_MakeAProfile()
     {
@@ -93,7 +93,7 @@ public sealed class BadInputTests : CalibrationFolder
     {
         var refusal = await RefusalOf("vlc", Picture("a.png"), Picture("b.png", scale: 1.5));
 
-        // Whichever was looked at first: they are looked at side by side.
+        // The pictures are read in parallel, so either may be the first.
         Assert.That(
             refusal, Does.Match(@"a\.png: 640x360 px, but .*b\.png has 960x540 px").Or.Match(@"b\.png: 960x540 px, but .*a\.png has 640x360 px"));
     }
@@ -116,7 +116,7 @@ public sealed class BadInputTests : CalibrationFolder
         return path;
     }
 
-    // The pictures are none: whoever asked for the profile first does not wait for them.
+    // The picture file is empty, so this error shows that the profile is checked before the pictures are read.
     [Test]
     public async Task Vlc_EarlierProfileOfAnotherVersion_IsRefusedBeforeThePicturesAreRead() => await RefusedWith(
         "earlier.json: latency profile of version 2, this Nowpose reads up to 1", "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());

@@ -4,12 +4,12 @@ using Nowpose.Vision;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Codes as they are found in a picture, from what each pair was lit.</summary>
+/// <summary>Codes as found in a picture, computed from the lit cell of each pair.</summary>
 static class CodeLevels
 {
     public const double Light = 0.4;
 
-    /// <param name="signOf">Of each pair: 1 for the left cell lit, −1 for the right one, between for a part of the exposure.</param>
+    /// <param name="signOf">For each pair: 1 if the left cell is lit, −1 if the right one is, in between if both share the exposure.</param>
     public static FoundCode Of(CodeKind kind, Func<int, double> signOf, double top = 300)
     {
         var lit = new double[TimestampCode.CellCount];
@@ -26,6 +26,6 @@ static class CodeLevels
 
     public static FoundCode Of(CodeKind kind, int value) => Of(kind, pair => CodeWords.SignOf(value, pair));
 
-    /// <summary>What LEDs show from a time to another, ms.</summary>
+    /// <summary>The code of LEDs that are exposed from <paramref name="start"/> for <paramref name="length"/>, both in ms.</summary>
     public static FoundCode Run(double start, double length) => Of(CodeKind.Control, pair => CodeWords.MeanSign(pair, start, length));
 }

@@ -21,7 +21,7 @@ public sealed class ControlCodeTests
             var reading = Read(start, exposureMs);
 
             Assert.That(reading.Fault, Is.Null, $"from {start} ms");
-            // Code v is shown from v to v + 1.
+            // Code v is shown from v ms to v + 1 ms.
             Assert.That(reading.Ms, Is.EqualTo(start + exposureMs / 2 - 0.5).Within(0.5), $"from {start} ms");
         }
     }

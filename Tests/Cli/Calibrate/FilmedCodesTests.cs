@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>A load sweep that was filmed: every fourth frame, both codes beside each other before a dark wall.</summary>
+/// <summary>A filmed load sweep: every fourth frame, both codes side by side in front of a dark wall.</summary>
 [NonParallelizable]
 public class FilmedCodesTests : VideoFolder
 {
@@ -55,7 +55,7 @@ public class FilmedCodesTests : VideoFolder
     static void Draw(byte[] picture, int value, CodeKind kind, int left)
     {
         const int Top = 56;
-        // The display draws squares that touch; LEDs have something between them.
+        // The squares on the display touch each other; the LEDs have gaps.
         var gap = kind == CodeKind.Control ? 1 : 0;
         Span<bool> lit = stackalloc bool[TimestampCode.CellCount];
         TimestampCode.Draw(value, kind, lit);
@@ -82,7 +82,7 @@ public class FilmedCodesTests : VideoFolder
         Assert.That(File.ReadLines(Path.Combine(Out, "pairs.csv")).Count(), Is.EqualTo(1 + _truth.Count));
         var profile = LatencyProfileFile.Load(ProfilePath);
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(1));
-        // Coarse loads: anywhere between those next to the limit, some render times scatter on.
+        // The loads are coarse: the limit can be anywhere between the two loads next to it, plus the scatter of the render times.
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.InRange(14.1, 1.02 * TrueLimitMs));
         Assert.That((profile.Device, profile.Range.Source), Is.EqualTo(("HoloLens 2", RenderTimeSourceKind.EngineGpuTime)));
     }

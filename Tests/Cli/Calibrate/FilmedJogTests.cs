@@ -10,7 +10,7 @@ public class FilmedJogTests : VideoFolder
     const int Width = 320, Height = 160, Frames = 200, Patch = 32;
     const double Fps = 60, LagMs = 96, Reach = 50;
 
-    // The tool goes along a slanting line; where it is by pixel and share of a pixel.
+    // The tool moves along a slanting line; positions in pixels with fractions.
     static (double X, double Y) RobotAt(double time) => (160 + Reach * Swing(time), 36 + 10 * Swing(time));
 
     static (double X, double Y) HologramAt(double time) => (160 + Reach * Swing(time - LagMs / 1000), 112 + 10 * Swing(time - LagMs / 1000));
@@ -39,7 +39,7 @@ public class FilmedJogTests : VideoFolder
         return picture;
     }
 
-    // Smooth, so that it can stand between pixels; robot and hologram look different.
+    // A smooth spot, so that it can lie between pixels. Robot and hologram have different patterns.
     static double Spot(double x, double y, int sign) =>
         sign * 90 * Math.Exp(-(x * x + y * y) / 120) * Math.Cos(x / 4 + sign * y / 5);
 
@@ -87,7 +87,7 @@ public class FilmedJogTests : VideoFolder
         var video = Video();
         using (var raw = File.OpenWrite(FramesPath))
         {
-            // From the hundredth picture on nothing but noise.
+            // Replaces everything from the hundredth picture on with noise.
             raw.Position = 100L * Width * Height;
             var noise = new byte[Width * Height];
             new Random(1).NextBytes(noise);

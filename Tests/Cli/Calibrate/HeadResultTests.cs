@@ -4,12 +4,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Latency for head motion and age of the content, each by itself, from simulated readings with known truth.</summary>
+/// <summary>Latency of head motion and age of the content, each separately, from simulated readings with known truth.</summary>
 public sealed class HeadResultTests
 {
     static HeadResult ResultOf(SwungPictures pictures) => new(new VlcResult(pictures.Take()));
 
-    // With late-stage reprojection some ms remain, without all of L_visu; a runtime that predicts too far is ahead.
+    // With late-stage reprojection a few ms remain; without it, all of L_visu. A runtime that predicts too far gives a negative latency.
     [Test]
     public void HeadResult_AnyLatencyAndLVisu_FindsEachByItself(
         [Values(-3, 0, 2, 5, 20, 40)] double latencyMs, [Values(25, 40, 60)] double visuMs, [Values(1, 2)] int seed)
@@ -57,7 +57,7 @@ public sealed class HeadResultTests
         Assert.That(result.Used, Has.Count.InRange(200, 270));
     }
 
-    // Body Follow is on.
+    // A hologram that follows the head, as with Body Follow enabled.
     [Test]
     public void HeadResult_HologramThatFollowsTheHead_IsRefused()
     {

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>The whole way from rendered pictures of a moving headset to a profile; needs Node.js, as the build does.</summary>
+/// <summary>End to end from rendered pictures of a moving headset to a profile. Needs Node.js, like the build.</summary>
 public sealed class HeadVerbTests : CalibrationFolder
 {
     async Task<string> TakenAsync(string name, params string[] more)
@@ -26,7 +26,7 @@ public sealed class HeadVerbTests : CalibrationFolder
         return path;
     }
 
-    // With late-stage reprojection; HeadResultTests find other latencies, in measurements without pictures.
+    // With late-stage reprojection. HeadResultTests cover other latencies with simulated readings.
     [Test]
     public async Task Head_RenderedPictures_FindsLatencyAndLVisuSeparatelyAndKeepsTheStillLVisu()
     {

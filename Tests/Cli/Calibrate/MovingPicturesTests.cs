@@ -7,7 +7,7 @@ public sealed class MovingPicturesTests
 {
     static IReadOnlyList<PictureResult> Still(int count) => new SwungPictures { Count = count, AmplitudePx = 0, NoisePx = 1 }.Take();
 
-    // Taken after the still ones, 20 s later.
+    // Pictures taken 20 s after the still ones.
     static IEnumerable<PictureResult> Moving(int count) =>
         new SwungPictures { Count = count }.Take()
             .Select(picture => picture with { LedMs = picture.LedMs + 20_000, HeadsetMs = picture.HeadsetMs + 20_000 });

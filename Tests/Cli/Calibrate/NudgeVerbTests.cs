@@ -10,7 +10,7 @@ public class NudgeVerbTests : CalibrationFolder
     [Test]
     public async Task Nudge_OffsetsOfTwoDirections_GiveHalfTheirDifferenceOverTheSpeed()
     {
-        // True 46 ms, told 40: 6 ms at 250 mm/s are 1.5 mm; the base stands 0.4 mm too far back.
+        // True 46 ms, stated 40 ms: 6 ms at 250 mm/s are 1.5 mm. The base is 0.4 mm too far back.
         var run = await CliRun.OfAsync(
             "calibrate", "nudge", "--speed-mm-s", "250", "--told-ms", "40", "--forward-mm", "1.8", "2.0", "--backward-mm", "-1.2", "-1.0", "--json", "--out", Out);
 

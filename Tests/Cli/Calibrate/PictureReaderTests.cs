@@ -38,7 +38,7 @@ public sealed class PictureReaderTests
 
         var result = Read(new PictureReader(20, 0), CodeLevels.Run(10_040, 1), headset);
 
-        // 180 px lower, of 720 that take 20 ms.
+        // The code is 180 px lower; 720 px take 20 ms.
         Assert.That(result.VisuMs, Is.EqualTo(45).Within(0.5));
     }
 
@@ -79,11 +79,11 @@ public sealed class PictureReaderTests
 
                 if (!result.IsRead) continue;
                 read++;
-                // No more than half a frame beside the brighter one.
+                // At most half a frame from the brighter one.
                 var brighter = value - 10_000 + (share < 0.5 ? 0 : step);
                 Assert.That(result.VisuMs, Is.EqualTo(brighter).Within(Math.Max(2, step / 2.0)), $"{value} ms, {share}");
             }
-        // Those of 0.1, 0.3 and 0.8: the others are too much alike.
+        // Only the shares 0.1, 0.3 and 0.8 are read: for the others the two frames are about equally bright.
         Assert.That(read, Is.GreaterThanOrEqualTo(40 * 3));
     }
 

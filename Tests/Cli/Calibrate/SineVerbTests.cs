@@ -10,7 +10,7 @@ public class SineVerbTests : CalibrationFolder
 {
     const double Fps = 60;
 
-    /// <summary>A jog filmed for so long: robot and hologram in pixels, each with a pixel of noise.</summary>
+    /// <summary>A filmed jog: positions of robot and hologram in pixels, each with one pixel of noise.</summary>
     sealed record Jog(double LagMs)
     {
         public int Seed { get; init; } = 1;
@@ -18,7 +18,7 @@ public class SineVerbTests : CalibrationFolder
         public double Amplitude { get; init; } = 150;
         public double Seconds { get; init; } = 10;
 
-        /// <summary>The hologram stands still between samples; 0 for not.</summary>
+        /// <summary>Sampling interval during which the hologram stands still, in ms; 0 for continuous motion.</summary>
         public double SamplingMs { get; init; }
 
         public double Scale { get; init; } = 1;
@@ -64,7 +64,7 @@ public class SineVerbTests : CalibrationFolder
         }
     }
 
-    // Half a picture is 8.3 ms, and nobody can tell which way.
+    // Half a picture interval is 8.3 ms; the sign of the error cannot be determined.
     [TestCase(50, 8.3)]
     [TestCase(41.667, 4.2)]
     [TestCase(47, 0)]
@@ -90,7 +90,7 @@ public class SineVerbTests : CalibrationFolder
     [Test]
     public async Task Sine_OfTheGhost_TakesOffWhatItsSamplesAreLate()
     {
-        // 60 ms underway, shown until the next comes 47 ms later, 40 ms in the display.
+        // 60 ms on the way, up to 47 ms until the next sample replaces it, and 40 ms in the display.
         var result = await Measured(new Jog(100) { SamplingMs = 47, Seconds = 12 }, "--app-ms", "60", "--sampling-ms", "47");
 
         Assert.That(result.GetProperty("visu_ms").GetDouble(), Is.EqualTo(40).Within(3));

@@ -9,7 +9,7 @@ public sealed class SweepJoinTests
 {
     const long StartNs = 1_000_000_000_000;
 
-    /// <summary>Five periods of the codes. Frames start up to 1 ms early or late, so that those of every period have each other's codes.</summary>
+    /// <summary>Five periods of the codes. Frames start up to 1 ms early or late, so the same codes occur in every period.</summary>
     static readonly IReadOnlyList<SweepRow> Rows = RowsOf(new Random(3), 20_000);
 
     static List<SweepRow> RowsOf(Random jitter, int count) => [.. Enumerable.Range(0, count).Select(i => new SweepRow(
@@ -97,7 +97,7 @@ public sealed class SweepJoinTests
 
             foreach (var picture in joined.Where(picture => picture.File != "astray"))
                 Assert.That("p" + picture.Vertices, Is.EqualTo(picture.File), "seed " + seed);
-            // One that happens to fit may take the place of a neighbour.
+            // A wrong picture that happens to fit may replace a neighbour.
             Assert.That(joined.Count(picture => picture.File != "astray"), Is.InRange(right - 2, right), "seed " + seed);
         }
     }

@@ -2,7 +2,7 @@ using Nowpose.Cli.Calibrate.Vlc;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Simulated readings of pictures of a headset that is turned to and fro with its camera, computed without rendering.</summary>
+/// <summary>Simulated readings of pictures of a headset that swings back and forth with its camera, computed without rendering.</summary>
 sealed record SwungPictures
 {
     const double RefreshMs = 1000 / 59.94, LitMs = 4, Side = 120;
@@ -15,23 +15,23 @@ sealed record SwungPictures
 
     public double PeriodSeconds { get; init; } = 3;
 
-    /// <summary>Standard deviation of both places.</summary>
+    /// <summary>Standard deviation of both positions.</summary>
     public double NoisePx { get; init; } = 0.3;
 
-    /// <summary>How much later the headset's rows are exposed than the control's.</summary>
+    /// <summary>Delay of the exposure of the headset code's rows against those of the control code.</summary>
     public double LaterMs { get; init; }
 
-    /// <summary>The hologram's motion in the picture over that of the control's code: another distance to the camera.</summary>
+    /// <summary>The hologram's motion in the picture divided by that of the control code; not 1 at another distance to the camera.</summary>
     public double Scale { get; init; } = 1;
 
-    /// <summary>Of the offset, per px² of the place: distortion of lens or display.</summary>
+    /// <summary>Change of the offset per px² of the position: distortion of lens or display.</summary>
     public double Distortion { get; init; }
 
     public int Count { get; init; } = 300;
 
     public int Seed { get; init; } = 1;
 
-    /// <summary>30 pictures a second; the headset's code is in whole milliseconds.</summary>
+    /// <summary>Returns the readings: 30 pictures a second; the headset's code has a resolution of 1 ms.</summary>
     public IReadOnlyList<PictureResult> Take()
     {
         var random = new Random(Seed);

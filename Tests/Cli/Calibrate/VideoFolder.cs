@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Videos by stand-ins for ffmpeg and ffprobe, that hand out what the test has drawn.</summary>
+/// <summary>Videos from stand-ins for ffmpeg and ffprobe that output the pictures drawn by the test.</summary>
 [Platform(Exclude = "Win", Reason = "the stand-ins are shell scripts")]
 public abstract class VideoFolder : CalibrationFolder
 {
@@ -19,11 +19,11 @@ public abstract class VideoFolder : CalibrationFolder
     [TearDown]
     public void RestorePath() => Environment.SetEnvironmentVariable("PATH", _path);
 
-    /// <summary>The pictures as ffmpeg puts them out, one after the other.</summary>
+    /// <summary>Path of the raw pictures as ffmpeg outputs them, one after the other.</summary>
     protected string FramesPath => Path.Combine(Folder, "frames.gray");
 
-    /// <returns>The video's path.</returns>
-    /// <param name="times">When each picture was taken, s.</param>
+    /// <returns>The path of the video.</returns>
+    /// <param name="times">Time of each picture, s.</param>
     protected string Video(string name, int width, int height, IEnumerable<byte[]> frames, IEnumerable<double> times)
     {
         using (var raw = File.Create(FramesPath))
@@ -35,7 +35,7 @@ public abstract class VideoFolder : CalibrationFolder
         return Write(name, ["a stand-in reads it"]);
     }
 
-    /// <summary>Puts a program of a few lines of shell into the place of another.</summary>
+    /// <summary>Replaces a program with a short shell script.</summary>
     protected void Script(string name, string command)
     {
         var path = Path.Combine(Directory.CreateDirectory(Path.Combine(Folder, "bin")).FullName, name);
@@ -43,7 +43,7 @@ public abstract class VideoFolder : CalibrationFolder
         if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
     }
 
-    /// <summary>Leaves only node on the path, which is needed as well.</summary>
+    /// <summary>Leaves only node on the path, because it is still needed.</summary>
     protected void UninstallFfmpeg()
     {
         var node = (_path ?? "").Split(Path.PathSeparator).First(folder => File.Exists(Path.Combine(folder, "node")));

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>With a stand-in for what reads pictures, which ends at those that are named so.</summary>
+/// <summary>Uses a stand-in for the picture reader; it exits at pictures with a certain name.</summary>
 [NonParallelizable]
 public sealed class VisionPoolTests
 {

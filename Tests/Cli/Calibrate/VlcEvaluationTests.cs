@@ -8,12 +8,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>What is made of pictures once they are read.</summary>
+/// <summary>Evaluation of pictures that have been read.</summary>
 public sealed class VlcEvaluationTests
 {
     const double TrueMs = 40;
 
-    /// <summary>A sweep over the limit, each frame logged, one of four photographed.</summary>
+    /// <summary>A sweep across the limit: every frame is logged, one in four is photographed.</summary>
     static (List<SweepRow> Rows, VlcResult Result) Sweep(Func<double, double> renderMs, string device = "HoloLens 2 (Microsoft Corporation)", double displayHz = 60)
     {
         var random = new Random(3);

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>The whole way from pictures to a profile; needs Node.js, as the build does.</summary>
+/// <summary>End to end from pictures to a profile. Needs Node.js, like the build.</summary>
 public sealed class VlcVerbTests
 {
     string _folder;
@@ -110,7 +110,7 @@ public sealed class VlcVerbTests
         var whole = File.ReadAllBytes(In("pictures/picture-00001.jpg"));
         var tables = whole.AsSpan().IndexOf([(byte)0xff, (byte)0xc4]);
         File.WriteAllBytes(In("a.jpg"), whole[..(tables + 6)]);
-        // Decoders would make up the lower half.
+        // Decoders would invent the missing lower half.
         File.WriteAllBytes(In("b.jpg"), whole[..(whole.Length / 2)]);
         whole.AsSpan(tables + 4, 60).Fill(0x11);
         File.WriteAllBytes(In("c.jpg"), whole);

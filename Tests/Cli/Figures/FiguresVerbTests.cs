@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>The verb end to end, with as little work as there can be: time decides nothing here.</summary>
+/// <summary>The verb end to end with a minimum of work; the results do not depend on run time.</summary>
 public partial class FiguresVerbTests
 {
     static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4, RandomSeconds = 4 };

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>The verdicts follow from the numbers: made-up ones turn them.</summary>
+/// <summary>The verdicts follow from the numbers: made-up numbers change them.</summary>
 public class SweepClaimsTests
 {
     static readonly double[] Intervals = [20, 50, 100];

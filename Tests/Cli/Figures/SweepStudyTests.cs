@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>The figures' data against an independent simulation in Python; of the paper's polynomials, which have references.</summary>
+/// <summary>Compares the figures' data with an independent simulation in Python, for the paper's polynomials, which have references.</summary>
 public class SweepStudyTests
 {
     const double Tolerance = 0.02;

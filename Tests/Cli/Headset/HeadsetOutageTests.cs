@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
-/// <summary>Runs of 20 s in virtual time whose samples stop once, scored as `headset` does.</summary>
+/// <summary>Runs of 20 s in virtual time whose samples stop once, scored like `headset`.</summary>
 public class HeadsetOutageTests
 {
     const int Seed = 3;

@@ -13,7 +13,7 @@ public class PoseStretchesTests
     PoseOutages _outages;
     int _frame;
 
-    // Display times run ahead of the run's time by 1000 s.
+    // Display times are 1000 s ahead of the run's time.
     void Play(double seconds, PoseState state, double? errorMm = null)
     {
         for (var end = _frame + (int)(seconds * FramesPerSecond); _frame < end; _frame++)
@@ -107,7 +107,7 @@ public class PoseStretchesTests
         Play(3, PoseState.Held);
         Play(1, PoseState.Current);
 
-        // Judged only when samples came again.
+        // The frame is judged only after samples have resumed.
         _stretches.AddError(ControlTime.FromSeconds(1006.9), PoseState.Current, new ErrorSample(1, 1, 0, 0));
 
         Assert.That(_stretches.Result()[0].ToolErrorMm.Rms, Is.GreaterThan(50));

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>An adapter that answers for a clock of its own, as the programs in Gateway/Adapters do.</summary>
+/// <summary>An adapter that serves a clock of its own, like the programs in Gateway/Adapters.</summary>
 sealed class PlantAdapterDouble : IDisposable
 {
     readonly string _service;
@@ -20,15 +20,15 @@ sealed class PlantAdapterDouble : IDisposable
 
     public RawRosbridgeClient Client { get; }
 
-    /// <summary>How often it was asked.</summary>
+    /// <summary>Number of requests received.</summary>
     public int Questions => Volatile.Read(ref _questions);
 
-    /// <param name="clock">Of the control system.</param>
-    /// <param name="extra">Fields of the answer beside the two times.</param>
+    /// <param name="clock">Clock of the control system.</param>
+    /// <param name="extra">Fields of the answer in addition to the two times.</param>
     public static Task<PlantAdapterDouble> ConnectAsync(GatewayServer gateway, string name, StopwatchControlClock clock, string extra = "") =>
         ConnectAsync(gateway, name, (id, service) => AnswerOf(id, service, clock.Now, clock.Now, extra));
 
-    /// <param name="answer">Takes id and service of a question; null for no answer.</param>
+    /// <param name="answer">Returns the answer for the id and the service of a request; null for no answer.</param>
     public static async Task<PlantAdapterDouble> ConnectAsync(GatewayServer gateway, string name, Func<string, string, string> answer)
     {
         var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -60,7 +60,7 @@ sealed class PlantAdapterDouble : IDisposable
         }
         catch (Exception)
         {
-            // The test is over, or nothing was asked for long.
+            // The test has ended, or no request came for a long time.
         }
     }
 

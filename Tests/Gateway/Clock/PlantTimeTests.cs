@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Over real sockets: the gateway serves the clock of the control system that an adapter tells.</summary>
+/// <summary>Over real sockets: the gateway serves the control system's clock that an adapter provides.</summary>
 public class PlantTimeTests
 {
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(900_000);
@@ -58,7 +58,7 @@ public class PlantTimeTests
 
         var count = Stopwatch.GetTimestamp();
         var truth = plc.AtCount(count) - own.AtCount(count);
-        // A thread that is held up between its looks at the two clocks takes that for a part of their difference.
+        // A thread that is interrupted between its readings of the two clocks adds the pause to their difference.
         bool IsRight(PlantClockStatus status) =>
             (status.OffsetToControl.Value - truth).Duration() <= status.ErrorBound + TimeSpan.FromMilliseconds(1);
         await Soon.BecomesAsync(
@@ -81,7 +81,7 @@ public class PlantTimeTests
 
         var count = Stopwatch.GetTimestamp();
         var state = new JointStateMessage(opcua.AtCount(count), ["a"], [0.5]);
-        // As they are now: they may be better when the sample has arrived than when it was mapped.
+        // The bounds at this moment may be smaller than those with which the sample was mapped.
         var bound = StatusOf(gateway, "ads").ErrorBound + StatusOf(gateway, "opcua").ErrorBound;
         await second.Client.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
 
@@ -149,7 +149,7 @@ public class PlantTimeTests
         await adapter.WithdrawAsync();
 
         await Soon.BecomesAsync(() => !StatusOf(gateway, "plc").IsConnected, "nobody answers for the clock");
-        // One question may still be on its way to it.
+        // One request may still be on its way to the adapter.
         await AsksFiveTimesAsync(other);
         var asked = adapter.Questions;
         await AsksFiveTimesAsync(other);
@@ -195,13 +195,13 @@ public class PlantTimeTests
         await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.State == ClockState.Synchronised, "the clock is known");
         using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
         await Soon.BecomesAsync(() => gateway.Drops[DropReason.JointTaken] == 1, "it is refused while the former one answers");
-        // As behind a broken cable: open, and without a word.
+        // Like a broken cable: the connection stays open, but no message comes.
         Volatile.Write(ref isGone, true);
         var before = StatusOf(gateway, "plc").Exchanges;
 
         await Soon.BecomesAsync(() =>
         {
-            // Any message of its will do; adapters tell their state each second.
+            // Any message is enough; adapters send their state every second.
             back.Client.SendAsync("{\"op\":\"status\",\"level\":\"none\",\"msg\":\"\"}").GetAwaiter().GetResult();
             return StatusOf(gateway, "plc").Exchanges > before + 5;
         }, "the clock is asked for on the new connection");
@@ -278,7 +278,7 @@ public class PlantTimeTests
         Assert.That(gateway.PlantClocks.All, Is.Empty);
     }
 
-    // An adapter whose clock the gateway knows.
+    // Connects an adapter and waits until the gateway is synchronised to its clock.
     static async Task<PlantAdapterDouble> KnownAsync(GatewayServer gateway, string name, StopwatchControlClock clock)
     {
         var adapter = await PlantAdapterDouble.ConnectAsync(gateway, name, clock);

@@ -4,7 +4,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>In virtual time: two clocks of one control system against a counter, each with a rate of its own.</summary>
+/// <summary>In virtual time: two clocks of one control system, each with its own rate, measured against a counter.</summary>
 public class ServedClockTests
 {
     static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(0.4);
@@ -145,7 +145,7 @@ public class ServedClockTests
         Assert.That(lines[0], Is.EqualTo("clock 'ads': synchronised; it is the control clock"));
     }
 
-    /// <summary>A gateway's counter and the clocks that are measured against it, every 200 ms, each way 0.4 ms long and up to 0.2 ms longer.</summary>
+    /// <summary>A gateway's counter and the clocks measured against it every 200 ms. Each way takes 0.4 ms plus up to 0.2 ms.</summary>
     internal sealed class VirtualPlant : IPerformanceCounterClock
     {
         readonly List<VirtualPlantClock> _clocks = [];
@@ -192,7 +192,7 @@ public class ServedClockTests
 
         public void Exchange(TimeSpan there, TimeSpan back)
         {
-            // The answer is at hand when the exchange is added: it was asked for that long ago.
+            // The exchange is added when the answer has arrived, so the request was sent one round trip earlier.
             var asked = plant.Now - there - back;
             measured.Add(new SyncExchange(asked, At(asked + there), At(asked + there), plant.Now));
         }

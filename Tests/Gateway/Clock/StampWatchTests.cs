@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>In virtual time: the gateway's own clock, the system clock, and sources that stamp with one of them.</summary>
+/// <summary>In virtual time: the gateway's own clock, the system clock, and sources that stamp with either of them.</summary>
 public class StampWatchTests
 {
     static readonly TimeSpan Second = TimeSpan.FromSeconds(1);
@@ -229,7 +229,7 @@ public class StampWatchTests
         _own.Skew = 100e-6;
         for (var i = 0; i < 3600; i++)
         {
-            // The system clock falls behind as the rate says.
+            // The system clock falls behind at the given rate.
             _correction = TimeSpan.FromSeconds(-100e-6 * i);
             Run(1);
         }
@@ -237,7 +237,7 @@ public class StampWatchTests
         Assert.That(_watch.Warning, Is.Null);
     }
 
-    // Ten samples a second of each source, and a look.
+    // Adds ten samples a second for each source and checks once a second.
     void Run(int seconds, params Func<ControlTime>[] sources)
     {
         for (var i = 0; i < seconds * 10; i++)

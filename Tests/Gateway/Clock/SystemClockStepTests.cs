@@ -7,12 +7,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Over real sockets: the system clock is stepped while a source publishes samples that are stamped with system time.</summary>
+/// <summary>Over real sockets: the system clock steps while a source publishes samples stamped with system time.</summary>
 public class SystemClockStepTests
 {
     static readonly TimeSpan Acquisition = TimeSpan.FromMilliseconds(70);
 
-    /// <summary>The time that the gateway looks back, as documented.</summary>
+    /// <summary>The documented period for which the gateway looks back.</summary>
     static readonly TimeSpan Window = TimeSpan.FromSeconds(5);
 
     readonly List<string> _log = [];
@@ -54,7 +54,7 @@ public class SystemClockStepTests
 
     ControlTime SystemTime => new(_system.GetUtcNow().UtcDateTime - DateTime.UnixEpoch);
 
-    // The source is subscribed, too: it receives the sample, or a status that says why not.
+    // The source is subscribed as well: it receives the sample, or a status with the reason why it does not.
     async Task<RosbridgeMessage> PublishAsync(TimeSpan sourceAhead = default)
     {
         var state = new JointStateMessage(SystemTime + sourceAhead - Acquisition, ["a"], [0.5]);
@@ -175,7 +175,7 @@ public class SystemClockStepTests
         await BecomesReadyAsync();
     }
 
-    // The stamps lie before the control clock, or in its future.
+    // The stamps are before the control time, or in its future.
     [TestCase(-755.0)]
     [TestCase(755.0)]
     public async Task Refused_SourceOfATakenJointWithOtherStamps_IsNoContradiction(double seconds)
@@ -198,7 +198,7 @@ public class SystemClockStepTests
     {
         await StartAsync(new SystemControlClock(_system));
         var ahead = Acquisition + TimeSpan.FromSeconds(0.3);
-        // Longer than the time that the gateway looks back, without a gap that long.
+        // Longer than the period for which the gateway looks back, without a gap of that length.
         for (var i = 0; i < 2; i++)
         {
             Assert.That((await PublishAsync(ahead)).Op, Is.EqualTo(RosbridgeOp.Publish));
@@ -206,7 +206,7 @@ public class SystemClockStepTests
         }
 
         JsonElement Status() => StateAsync().Result.GetProperty("status");
-        // On a busy machine a sample may be under way for as long as its stamp is ahead.
+        // On a busy machine a sample may be on its way for as long as its stamp is ahead.
         await Soon.BecomesAsync(
             () =>
             {

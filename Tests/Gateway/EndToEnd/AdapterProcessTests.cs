@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>What a gateway does with the adapters that it starts. The plant is never there: a port on which nobody listens.</summary>
+/// <summary>How a gateway manages the adapters that it starts. The plant never exists: its port is closed.</summary>
 public class AdapterProcessTests
 {
     const string Good = """
@@ -120,7 +120,7 @@ public class AdapterProcessTests
         await Soon.BecomesAsync(() => ChildOf(gateway.Id) != null, "its adapter runs");
         using var child = Process.GetProcessById(ChildOf(gateway.Id).Value);
 
-        // Only the gateway itself, as a crash would.
+        // Kills only the gateway's process, like a crash.
         using (var itself = Process.GetProcessById(gateway.Id)) itself.Kill();
 
         Assert.That(child.WaitForExit(Soon.Limit), Is.True);
@@ -181,14 +181,14 @@ public class AdapterProcessTests
             if (RosbridgeReader.TryRead(text, out var read, out _)) told.TrySetResult(read.Diagnostics);
         });
 
-    // The first process whose parent it is.
+    // Returns the first process with this parent.
     static int? ChildOf(int parent) => Process.GetProcessesByName("node").FirstOrDefault(process => ParentOf(process.Id) == parent)?.Id;
 
     static int? ParentOf(int id)
     {
         try
         {
-            // After the name in brackets: state, then the parent.
+            // The name in brackets is followed by the state and the parent.
             var stat = File.ReadAllText($"/proc/{id}/stat");
             return int.Parse(stat[(stat.LastIndexOf(')') + 2)..].Split(' ')[1]);
         }

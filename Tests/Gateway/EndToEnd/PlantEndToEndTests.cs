@@ -8,8 +8,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
 /// <summary>
-/// Control system, adapter and gateway, each a process of its own, and the headset's runtime in this one: what the headset shows against
-/// where the robot is, on a clock that only the control system has.
+/// Runs control system, adapter and gateway as processes, and the headset's runtime in this process. Compares the displayed pose with the
+/// robot's true pose, on a clock that only the control system has.
 /// </summary>
 public class PlantEndToEndTests
 {
@@ -60,7 +60,7 @@ public class PlantEndToEndTests
     static void Require(PlantScore score)
     {
         Assert.That(score.CurrentShare, Is.GreaterThan(0), score.ToString());
-        // The bound is proven by each exchange, so it holds on a busy machine too.
+        // Each exchange proves the bound, so it holds on a busy machine too.
         Assert.That(score.BoundHolds, Is.EqualTo(1), score.ToString());
         // The other limits are wide because a busy machine delays samples and frames. How much of the error is removed is tested in virtual
         // time. A wrong clock, order of joints or unit exceeds these limits by far.

@@ -14,7 +14,7 @@ public class PlantFaultTests
 {
     const string Joint = "arm_joint_3";
 
-    /// <summary>2 s are promised, and printed; the rest is for a machine that is busy.</summary>
+    /// <summary>The documentation promises 2 s; the test prints the measured time. The limit allows for a busy machine.</summary>
     static readonly TimeSpan Limit = TimeSpan.FromSeconds(15);
 
     TemporaryFolder _folder;
@@ -84,7 +84,7 @@ public class PlantFaultTests
         Assert.That(Names(outage, "joints"), Is.EqualTo(new[] { Joint }));
         Assert.That(Text(outage, "reason"), Does.Match(reason));
         Assert.That(Names(recovered, "missing_joints"), Is.Empty);
-        // The pose of its last frame may be another on a busy machine. This headset started with the fault: all of its stretches are from after the repair.
+        // On a busy machine the last frame's pose may differ. This headset started with the fault, so all its stretches are after the repair.
         Assert.That(recovered.GetProperty("stretches").EnumerateArray(), Is.Not.Empty, recovered.ToString());
         var events = end.Events.Where(one => one.GetProperty("id").GetInt64() > lastEvent && Text(one, "kind") != "headset").ToList();
         Assert.That(events.Select(one => Text(one, "which")), Is.All.EqualTo($"{Joint} (plc)"));
@@ -138,8 +138,8 @@ public class PlantFaultTests
 
     Task<Dictionary<string, TimeSpan>> GoodEverywhereAsync(DateTimeOffset since) => EverywhereAsync(since, (status, place) => status.IsGood(place), "all good");
 
-    /// <summary>Waits until all places show something at once.</summary>
-    /// <returns>How long after <paramref name="since"/> each place showed it first.</returns>
+    /// <summary>Waits until all places show a condition at the same time.</summary>
+    /// <returns>Time from <paramref name="since"/> until each place first showed it.</returns>
     async Task<Dictionary<string, TimeSpan>> EverywhereAsync(DateTimeOffset since, Func<ShownStatus, string, bool> shows, string what)
     {
         var first = new Dictionary<string, TimeSpan>();

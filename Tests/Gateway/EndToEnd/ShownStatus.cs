@@ -4,8 +4,8 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>Answers of a gateway at one moment, in each place where people and programs look.</summary>
-/// <param name="Adapter">The DiagnosticStatus that the adapter sent last; null before the first. Likewise <paramref name="Headset"/>.</param>
+/// <summary>Answers of a gateway at one moment, in each place that people and programs read.</summary>
+/// <param name="Adapter">The newest DiagnosticStatus of the adapter; null before the first. Likewise <paramref name="Headset"/>.</param>
 sealed record ShownStatus(JsonElement State, HttpStatusCode ReadyCode, string Ready, string Metrics, JsonElement? Adapter, JsonElement? Headset)
 {
     public static readonly IReadOnlyList<string> Places = ["page", "readyz", "metrics", "diagnostics", "headset"];
@@ -25,11 +25,11 @@ sealed record ShownStatus(JsonElement State, HttpStatusCode ReadyCode, string Re
 
     public static string Text(JsonElement element, string key) => element.TryGetProperty(key, out var value) ? value.ToString() : "";
 
-    /// <summary>Whether the headset, whose clock is known, has no current pose because of this joint alone.</summary>
+    /// <summary>Whether the headset is synchronised but has no current pose, because of this joint alone.</summary>
     public bool IsHeadsetWithout(string joint) => Headset is { } headset && Text(headset, "level") == "2"
         && GoodClocks.Contains(ValueOf(headset, "state")) && !GoodPoses.Contains(ValueOf(headset, "pose")) && ValueOf(headset, "missing_joints") == joint;
 
-    /// <summary>Whether a place names this joint with its state, and with the reason where there is room for one.</summary>
+    /// <summary>Whether a place names this joint with its state, and with the reason if the place shows one.</summary>
     /// <param name="reason">Regular expression.</param>
     public bool Blames(string place, string joint, string state, string reason) => place switch
     {

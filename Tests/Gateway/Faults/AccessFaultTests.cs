@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>What lets a headset in ends while it is connected.</summary>
+/// <summary>The certificate or the token of a connected headset becomes invalid.</summary>
 public class AccessFaultTests
 {
     readonly ConcurrentQueue<string> _log = [];
@@ -36,13 +36,13 @@ public class AccessFaultTests
         using var headset = new FaultHeadset(sync.Port, positions.Port, gateway.Pin);
         await headset.BecomesAsync(PoseState.Current);
 
-        // Not before: to connect and to synchronise may take a loaded machine longer than any certificate that a test can wait for lasts.
+        // Written only now: on a loaded machine, connecting and synchronising may take longer than the 10 s of this certificate.
         CertificatesOfOneKey.Write(path, key, DateTimeOffset.UtcNow.AddSeconds(10));
         await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: expired on")), "told by the gateway: " + string.Join('\n', _log));
         Assert.That(await ReadinessAsync(gateway), Is.EqualTo(503));
-        // It could not have come back: who connects now is shown the certificate that has expired.
+        // Only an existing connection continues: a new connection is shown the expired certificate.
         await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "who is connected goes on");
-        // A headset that connects again, as one that left the network for a while.
+        // The headset connects again, as after leaving the network for a while.
         sync.Interrupt();
         positions.Interrupt();
         await headset.BecomesAsync(

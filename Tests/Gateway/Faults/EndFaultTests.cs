@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>One end dies, or its clock steps.</summary>
+/// <summary>The process at one end dies, or its clock steps.</summary>
 public class EndFaultTests
 {
     static readonly string[] Joints = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
@@ -40,7 +40,7 @@ public class EndFaultTests
             await headset.BecomesAsync(PoseState.Current);
             await publishing.CancelAsync();
             await published;
-            // As a process that is killed: without a close.
+            // Ends without a close frame, like a killed process.
             plant.Socket.Abort();
         }
 
@@ -76,7 +76,7 @@ public class EndFaultTests
         await headset.BecomesAsync(PoseState.Current);
     }
 
-    // Again when it cannot: between the first gateway and the second a socket of anybody may have one of the ports for a moment.
+    // Repeats the start if it fails: between the two gateways another program's socket may use one of the ports for a moment.
     static async Task<PeerProcess> SimulateAsync(int sync, int positions, int attempts = 5)
     {
         var gateway = new PeerProcess(

@@ -8,7 +8,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>The headset's own runtime, without a display, looked at while something goes wrong.</summary>
+/// <summary>The headset's own runtime without a display, observed during a fault.</summary>
 sealed class FaultHeadset : IDisposable
 {
     readonly StopwatchHeadsetClock _clock = new();
@@ -30,13 +30,13 @@ sealed class FaultHeadset : IDisposable
 
     public string Links => Session.SyncLink + " | " + Session.SampleLink;
 
-    /// <returns>How long it took.</returns>
+    /// <returns>The time that it took.</returns>
     public Task<TimeSpan> BecomesAsync(PoseState state) => BecomesAsync(() => State == state, state.ToString());
 
-    /// <returns>How long it took.</returns>
+    /// <returns>The time that it took.</returns>
     public Task<TimeSpan> BecomesAsync(Func<bool> condition, string what) => Soon.BecomesAsync(condition, () => $"{what}: {State}, {Links}");
 
-    /// <summary>Whether its clock is the control clock's, to 5 ms.</summary>
+    /// <summary>Whether its estimate of the control clock is correct within 5 ms.</summary>
     public bool IsRight(IControlClock control)
     {
         _ = State;

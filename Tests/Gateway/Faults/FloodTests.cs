@@ -10,8 +10,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>Very many connections, fast or slow; a headset that is connected notices nothing.</summary>
-/// <remarks>Alone in the process, whose handles and threads are counted; and nobody else's test has to bear the flood.</remarks>
+/// <summary>Very many connections, fast or slow, that must not affect a connected headset.</summary>
+/// <remarks>Runs alone, because it counts handles and threads of the process, and because the flood would disturb other tests.</remarks>
 public class FloodTests
 {
     const int Connects = 10_000;
@@ -61,19 +61,19 @@ public class FloodTests
         var which = asksForTokens ? "" : " without tokens";
         Recovery.Tell($"slowloris × {Slow}{which}: a headset that connects meanwhile has a current pose after", took);
         await before.BecomesAsync(PoseState.Current);
-        // Each is refused for its address having too many, or ended when its time to show a token is up.
+        // The gateway refuses each because its address has too many connections, or ends it when the time to show a token is over.
         await attack.WaitAsync(Soon.Limit);
         await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 2 && gateway.WebSocketConnections.Open == 2, "only the headsets are left");
         await before.BecomesAsync(() => before.IsConnected && before.State == PoseState.Current, "connected and current");
         await stop.CancelAsync();
     }
 
-    // A byte now and then, never enough for anything; ends when the gateway ends it.
+    // Sends single bytes slowly, never enough for a request. Ends when the gateway closes the connection.
     static async Task DripAsync(IPEndPoint target, bool isSync, CancellationToken stop)
     {
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         var drops = new byte[SyncFrame.Size * 40];
-        // Good frames, and the beginning of a good head.
+        // Valid frames, or the beginning of a valid head.
         if (isSync) for (var i = 0; i < drops.Length; i += SyncFrame.Size) SyncFrame.Request(1, 2).Write(drops.AsSpan(i, SyncFrame.Size));
         else Encoding.ASCII.GetBytes("GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: ".PadRight(drops.Length, 'x'), drops);
         try
@@ -91,7 +91,7 @@ public class FloodTests
         }
         catch (Exception end) when (end is SocketException or OperationCanceledException)
         {
-            // Ended by the gateway.
+            // The gateway closed the connection.
         }
     }
 
@@ -99,7 +99,7 @@ public class FloodTests
     {
         for (var i = 0; i < count; i++)
         {
-            // Every other one to each port; ended with a reset, so that no port waits for stragglers.
+            // Alternates between the two ports. Each connection is closed with a reset, so that no port stays in TIME_WAIT.
             using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { LingerState = new LingerOption(true, 0) };
             await socket.ConnectAsync(i % 2 == 0 ? gateway.SyncEndPoint : gateway.WebSocketEndPoint);
             if (i % 4 == 0) await socket.SendAsync(new byte[SyncFrame.Size]);

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>The network goes away without a word.</summary>
+/// <summary>The network fails without closing the connections.</summary>
 [Parallelizable(ParallelScope.All)]
 public class PathFaultTests
 {
@@ -50,11 +50,11 @@ public class PathFaultTests
         await second.SendAsync(Gateways.StateText(2));
         await second.ExpectErrorAsync("another source");
 
-        // Vanishes without a FIN.
+        // The first client vanishes without a FIN.
         path.GoQuiet();
 
         var since = Stopwatch.GetTimestamp();
-        // The second answers pings while it is spoken to.
+        // The second client answers pings only while it receives.
         while (gateway.WebSocketConnections[Closure.Silence] == 0)
         {
             await second.RoundTripAsync();

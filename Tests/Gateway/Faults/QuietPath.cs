@@ -4,8 +4,8 @@ using System.Net.Sockets;
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>
-/// A network between headset and gateway that can go away as WiFi does: nothing is carried either way, and neither side is told, not
-/// even of the other's end.
+/// A network between headset and gateway that can fail like WiFi: it carries no data in either direction, and neither side is notified, not
+/// even when the other side ends.
 /// </summary>
 sealed class QuietPath : IDisposable
 {
@@ -33,7 +33,7 @@ sealed class QuietPath : IDisposable
         lock (_gate) _carries = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
     }
 
-    /// <summary>Ends all connections that there are.</summary>
+    /// <summary>Closes all existing connections.</summary>
     public void Interrupt()
     {
         lock (_gate)
@@ -75,7 +75,7 @@ sealed class QuietPath : IDisposable
         }
         catch (Exception end) when (end is OperationCanceledException or SocketException or ObjectDisposedException)
         {
-            // Disposed.
+            // The listener was disposed.
         }
     }
 
@@ -92,7 +92,7 @@ sealed class QuietPath : IDisposable
         }
         catch (Exception end) when (end is SocketException or ObjectDisposedException)
         {
-            // One side ended.
+            // One side closed the connection.
         }
         finally
         {
@@ -107,7 +107,7 @@ sealed class QuietPath : IDisposable
         while (true)
         {
             var count = await from.ReceiveAsync(piece);
-            // What was under way when it went quiet comes late, as TCP sends it again.
+            // Data that was on its way arrives after the pause, because TCP sends it again.
             await Carries();
             if (count == 0)
             {

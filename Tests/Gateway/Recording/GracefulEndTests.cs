@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>A gateway as a service manager runs it: asked to end while messages come, it ends well, and has lost nothing.</summary>
+/// <summary>A service manager stops a gateway while messages arrive: it exits normally and has lost no message.</summary>
 [Platform(Exclude = "Win")]
 public class GracefulEndTests
 {
@@ -60,7 +60,7 @@ public class GracefulEndTests
             for (var i = 0; !enough.IsCancellationRequested; i++)
             {
                 await SendAsync(client, Gateways.StateText(i));
-                // Less than 1000/s: a gateway that stood still for seconds, and then reads all at once, takes 4000 in one.
+                // Below 1000/s, because a gateway that was stopped for seconds then reads everything at once and accepts only 4000 in one second.
                 if (i % 20 == 19) await Task.Delay(20, CancellationToken.None);
             }
         }
@@ -85,7 +85,7 @@ public class GracefulEndTests
         }
         catch (WebSocketException)
         {
-            // Likewise.
+            // The gateway has ended.
         }
     }
 }

@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>What a gateway writes of what passes it, and what other programs make of it.</summary>
+/// <summary>The gateway's recording of the messages that it forwards, and its use by other programs.</summary>
 public class RecorderTests
 {
     const double StepSeconds = 0.05;
@@ -47,7 +47,7 @@ public class RecorderTests
         new GatewayOptions { Recordings = _folder, Cell = "press 1", Time = time ?? TimeProvider.System }, _hub, _clock, _plant, _drops,
         line => { lock (_log) _log.Add(line); }, open, greatestBytes);
 
-    /// <summary>As if it had come in over the last seconds: 80 ms old when it was received.</summary>
+    /// <summary>Publishes samples as if they came in over the last seconds, each 80 ms old when received.</summary>
     void Publish(int count, params string[] names)
     {
         for (var i = 0; i < count; i++)
@@ -96,7 +96,7 @@ public class RecorderTests
         using var mayGoOn = new ManualResetEventSlim();
         await using var recorder = new Recorder(new GatewayOptions { Recordings = _folder }, _hub, _clock, _plant, _drops, line =>
         {
-            // A slow log, or disk: its lock is held meanwhile.
+            // Simulates a slow log or disk, during which its lock is held.
             if (isBeginning.IsSet) return;
             isBeginning.Set();
             mayGoOn.Wait(Soon.Limit);
@@ -161,7 +161,7 @@ public class RecorderTests
 
     static bool HasDrops(string path)
     {
-        // The recorder's own thread makes the file.
+        // The recorder's own thread creates the file.
         if (!File.Exists(path)) return false;
         using var reader = new StreamReader(new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite));
         return reader.ReadToEnd().Contains("\"drops\"");
@@ -330,7 +330,7 @@ public class RecorderTests
             return new LineFile(new SmallDisk(100_000));
         }, time, greatestBytes: 80_000);
         recorder.SwitchOn();
-        // More than there is room for waits already, so that nobody sees it at its greatest size before the disk fails.
+        // More data than fits already waits, so that its maximum size is not reached before the disk fails.
         Publish(2000, "a");
         goOn.Set();
         await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the disk is full");
@@ -338,7 +338,7 @@ public class RecorderTests
         await Soon.BecomesAsync(() => time.Asked == 2, "for the first file, and for one beyond the greatest size");
 
         Publish(2000, "a");
-        // Behind whatever was put into the pool's queue for these.
+        // Waits behind all work items that these messages put into the pool's queue.
         var isTheirTurnOver = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         ThreadPool.UnsafeQueueUserWorkItem(_ => isTheirTurnOver.SetResult(), null);
         await isTheirTurnOver.Task.Bounded();
@@ -358,7 +358,7 @@ public class RecorderTests
             _ => new LineFile(new SmallDisk(10_000_000)),
         });
         recorder.SwitchOn();
-        // Each file is opened by a thread of its own. The second one must not be opened before the first.
+        // Each file is opened by its own thread. The second file must not be opened before the first.
         await Soon.BecomesAsync(() => Volatile.Read(ref files) == 1, "the first file is opened");
         Publish(5, "a");
         _source.TryDescribe(RobotFiles.LoadText("youbot"));

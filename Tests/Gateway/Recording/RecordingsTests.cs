@@ -11,7 +11,7 @@ using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>The recordings of a gateway: list, download, and files that are deleted.</summary>
+/// <summary>The recordings of a gateway: list, download, and deletion of files.</summary>
 public class RecordingsTests
 {
     const string Secret = "not for download";
@@ -43,7 +43,7 @@ public class RecordingsTests
         return (response.StatusCode, await response.Content.ReadAsStringAsync().Bounded());
     }
 
-    // HttpClient would resolve dots before it sends them.
+    // Sends the path unchanged, because HttpClient would resolve its dots.
     static async Task<string> GetRawAsync(GatewayServer gateway, string path)
     {
         using var tcp = new TcpClient();

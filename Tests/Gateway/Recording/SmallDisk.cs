@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>A disk on which there is room for so many bytes; what is too much is written in part, as disks do.</summary>
+/// <summary>A disk with room for a limited number of bytes. Like a real disk, it writes the part that fits.</summary>
 sealed class SmallDisk(int room) : MemoryStream
 {
     public bool IsDisposed { get; private set; }

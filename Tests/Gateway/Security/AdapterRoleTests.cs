@@ -11,7 +11,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>An adapter that the gateway starts is a source, from wherever it comes; without tokens nobody else is from another address.</summary>
+/// <summary>An adapter that the gateway starts is a source from any address. Without tokens no other client from another address is one.</summary>
 public class AdapterRoleTests
 {
     static readonly GatewayOptions WithoutTokens = Gateways.Options();

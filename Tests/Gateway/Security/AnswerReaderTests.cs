@@ -13,13 +13,13 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Whoever asks for a page reads it, or gives its place to others.</summary>
+/// <summary>A client that requests a page must read the answer, or it loses its place to others.</summary>
 [Parallelizable(ParallelScope.All)]
 public class AnswerReaderTests
 {
     const int Piece = 64 * 1024;
 
-    // Fast, so that what the sockets hold is due at once.
+    // A high rate, so that the bytes in the socket buffers are due at once.
     static readonly GatewayOptions Options = Gateways.Options() with { AnswerBytesPerSecond = 100_000_000 };
 
     [Test]
@@ -36,7 +36,7 @@ public class AnswerReaderTests
         var sent = 0;
         using var quick = await RawRosbridgeClient.ConnectAsync(gateway);
         await quick.SubscribeAsync(RosTopics.JointStates);
-        // Until what lies between the gateway and the client is full.
+        // Fills all buffers between the gateway and the client.
         while (gateway.Drops[DropReason.SlowReader] < 100)
         {
             source.TryPublish(Gateways.State(++sent, names));
@@ -47,11 +47,11 @@ public class AnswerReaderTests
 
         while ((await client.ReceiveAsync()).JointState.Positions[0] < sent)
         {
-            // To the newest: nothing was cut off.
+            // Reads up to the newest sample, which shows that the connection was not closed.
         }
     }
 
-    // Completes when the gateway has had enough of it.
+    // Completes when the gateway ends the unread answer.
     static async Task AskAndReadNothingAsync()
     {
         var isBegun = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -69,7 +69,7 @@ public class AnswerReaderTests
         await isEnded.Task.Bounded();
     }
 
-    // Endless: longer than whatever lies between.
+    // An endless answer, longer than all buffers in between.
     static async Task AnswerAsync(HttpContext context, TaskCompletionSource isBegun, TaskCompletionSource isEnded)
     {
         isBegun.SetResult();

@@ -7,8 +7,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>What a client sends is measured before it is kept, decoded or parsed.</summary>
-[NonParallelizable] // counts what the whole process keeps
+/// <summary>The gateway checks the size of a client's data before it keeps, decodes or parses it.</summary>
+[NonParallelizable] // measures the memory of the whole process
 public class LimitTests
 {
     const int Clients = 64;
@@ -16,7 +16,7 @@ public class LimitTests
 
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
 
-    // Clients that answer no ping and never end their message must stay while their memory is measured, however long that takes.
+    // Clients that never answer a ping or end their message must stay connected while their memory is measured, which may take long.
     static readonly GatewayOptions Patient = WithTokens with
     {
         MaxPendingConnections = Clients, PongTimeout = TimeSpan.FromMinutes(2), MessageTimeout = TimeSpan.FromMinutes(2),
@@ -71,7 +71,7 @@ public class LimitTests
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
-        // Of deep nesting, which would be what it is refused for if it were looked into.
+        // Deeply nested, so parsing would refuse it with another reason.
         await client.SendAsync(new string('[', 900_000));
 
         await client.ExpectErrorAsync("longer");
@@ -153,7 +153,7 @@ public class LimitTests
 
     static async Task SendsAgainAsync(RawRosbridgeClient client)
     {
-        // The second in which too much came must be over.
+        // Waits until the second in which too much came is over.
         while (true)
         {
             await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "again"));
@@ -161,7 +161,7 @@ public class LimitTests
         }
     }
 
-    // A frame that says it is longer than what follows: the message never ends.
+    // A frame whose stated length exceeds its data, so the message never ends.
     static byte[] HalfOfAMessage(long length)
     {
         var bytes = new byte[14 + (length / 2)];

@@ -71,7 +71,7 @@ public class PendingConnectionsTests
     [TestCase(true)]
     public async Task Headset_BehindAnAddressFullOfHalfOpenClients_GetsIn(bool isOtherAddress)
     {
-        // As many places as there are, in all and of one address.
+        // The limit in total is equal to the limit per address.
         var options = Gateways.Options() with { Tokens = Gateways.Tokens, MaxPendingConnections = 8, MaxConnections = 8, TokenTimeout = TimeSpan.FromMinutes(5) };
         await using var gateway = await Gateways.StartAsync(options);
         var silent = new List<IDisposable>();

@@ -40,7 +40,7 @@ public class PrecautionTests
         using var folder = new TemporaryFolder();
         var path = Path.Combine(folder.Path, "tokens.txt");
         File.WriteAllText(path, "observer a\n");
-        // Seen from this process: somebody else's, of its own group or not.
+        // As seen from this process, the file belongs to another user, with the same group or another one.
         Run("chown", whose.EndsWith("another group") ? "65534:65534" : "65534", path);
         Run("chmod", mode, path);
 

@@ -25,12 +25,12 @@ public class ReadOnlyTests
                 """{"op":"service_response","service":"/x","id":"3","result":true,"values":{}}""",
             })
             await other.SendAsync(attempt);
-        // Answers to the attempts come first, then that of this question: all have been judged.
+        // The answers to the attempts come before the answer to this call, so all attempts have been handled then.
         while ((await AskAsync(other)).Id != "done")
         {
         }
 
-        await plant.RoundTripAsync(); // whose answer is the first thing that it hears
+        await plant.RoundTripAsync(); // the first message that the plant receives is the answer to this call
     }
 
     static async Task<RosbridgeMessage> AskAsync(RawRosbridgeClient client)

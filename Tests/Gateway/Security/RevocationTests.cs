@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Tokens come and go while the gateway runs and connections are open.</summary>
+/// <summary>Tokens are added and removed while the gateway runs with open connections.</summary>
 public class RevocationTests
 {
     readonly ConcurrentQueue<string> _log = [];
@@ -54,7 +54,7 @@ public class RevocationTests
         Assert.That(await RefusalAsync(gateway, "gone-token"), Is.EqualTo(HttpStatusCode.Unauthorized));
     }
 
-    /// <summary>What a busy machine adds is no promise; what is waited for by design is.</summary>
+    /// <summary>Checks the sum of the waits by design. The delays of a busy machine are not part of the promise.</summary>
     [Test]
     public void Token_Removed_IsWaitedForNoLongerThanTwoSeconds() =>
         Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.GoodbyeTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
@@ -70,7 +70,7 @@ public class RevocationTests
         Write("observer other");
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "ended");
-        // The half second it takes to look, a quarter for the file to settle, and a second for the goodbye that is not answered.
+        // Half a second until the next check, a quarter for the file to settle, and one second for the close handshake without an answer.
         Tell("revoked token of a client that reads nothing: ended", since);
         Assert.That(gateway.WebSocketConnections[Closure.Token], Is.EqualTo(1));
     }
@@ -89,16 +89,16 @@ public class RevocationTests
         Assert.That(close.MessageType, Is.EqualTo(WebSocketMessageType.Close));
         try
         {
-            // Instead of answering the close, as an attacker would.
+            // Sends a message instead of answering the close, like an attacker.
             await gone.SendAsync(Gateways.StateText(1));
         }
         catch (WebSocketException)
         {
-            // Ended already.
+            // The gateway has already closed the connection.
         }
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "ended");
-        await observer.RoundTripAsync(); // and no sample before it
+        await observer.RoundTripAsync(); // no sample came before the answer
     }
 
     [Test]
@@ -176,7 +176,7 @@ public class RevocationTests
         await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Token] == 1, "counted");
     }
 
-    // By design within a second or two; each wait above is bounded, and how long a loaded machine takes is no law.
+    // By design this takes one or two seconds. Each wait above has a limit, but the time on a loaded machine is not asserted.
     static void Tell(string what, long since) =>
         TestContext.Out.WriteLine($"{what} after {Stopwatch.GetElapsedTime(since).TotalMilliseconds:0} ms");
 

@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Everything that looks like a token is sent wherever a token can be sent; nothing of it may come out again.</summary>
+/// <summary>Sends a recognisable token in every place that accepts one, and checks that it never appears in any output.</summary>
 public class SecretTests
 {
     const string Secret = "s3cr3t-needle";
@@ -44,7 +44,7 @@ public class SecretTests
             answers.AppendLine((await client.RoundTripAsync()).ToString());
             answers.AppendLine(await GetAsync(gateway, "/operations/state", $"{Secret}-operator"));
             answers.AppendLine(await GetAsync(gateway, "/metrics", $"{Secret}-operator"));
-            // A damaged line and a revoked token are told of as well.
+            // The gateway also reports a damaged line and a revoked token.
             File.WriteAllText(TokensPath, $"source {Secret}-right\nadmin {Secret}-damaged\n");
             await Soon.BecomesAsync(() => _log.Any(line => line.Contains("line 2")), "told");
             File.WriteAllText(TokensPath, $"observer {Secret}-other\n");

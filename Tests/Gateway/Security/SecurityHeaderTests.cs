@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>What every answer tells browsers.</summary>
+/// <summary>Security headers of every answer.</summary>
 public sealed class SecurityHeaderTests : IDisposable
 {
     readonly HttpClient _http = new();
@@ -31,7 +31,7 @@ public sealed class SecurityHeaderTests : IDisposable
         Assert.That(answer.StatusCode, Is.EqualTo(HttpStatusCode.OK));
         var policy = PolicyOf(answer);
         Assert.That(policy, Does.Contain("default-src 'none'").And.Contain("frame-ancestors 'none'"));
-        // A browser gives the error of an XML parser style attributes: that of a robot description that is no URDF.
+        // Browsers use style attributes to show an XML parser error, such as that of an invalid URDF.
         Assert.That(policy.Replace("style-src-attr 'unsafe-inline'", ""), Does.Not.Contain("unsafe-inline"));
         Assert.That(ScriptsOf(page).Select(HashOf), Is.EqualTo(new[] { SourceOf(policy, "script-src") }), "its one script");
         Assert.That(SourceOf(policy, "style-src"), Does.StartWith("'sha256-"));
@@ -63,7 +63,7 @@ public sealed class SecurityHeaderTests : IDisposable
         foreach (var page in new[] { ReportPage.Render("{}"), FiguresPage.Render("{}"), CalibrationPage.Render("{}") })
         {
             var policy = Regex.Match(page, "http-equiv=\"Content-Security-Policy\"\\s+content=\"([^\"]*)\"").Groups[1].Value;
-            // Drawings among their data have style attributes.
+            // The data of these pages contain drawings with style attributes.
             Assert.That(policy.Replace("style-src-attr 'unsafe-inline'", ""), Does.Not.Contain("unsafe-inline"));
             Assert.That(ScriptsOf(page).Select(HashOf), Is.EqualTo(new[] { SourceOf(policy, "script-src") }));
         }
@@ -76,7 +76,7 @@ public sealed class SecurityHeaderTests : IDisposable
 
     static string SourceOf(string policy, string directive) => Regex.Match(policy, directive + " ([^;]*)").Groups[1].Value;
 
-    // Scripts that are run: data stand in elements of another type.
+    // Returns the scripts that run; data is in elements of another type.
     static IEnumerable<string> ScriptsOf(string page) =>
         Regex.Matches(page, "<script>(.*?)</script>", RegexOptions.Singleline).Select(match => match.Groups[1].Value);
 

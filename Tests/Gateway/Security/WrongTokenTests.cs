@@ -11,13 +11,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Tokens are guessed slowly; a known one is let in at once, from the same address, too.</summary>
+/// <summary>Wrong tokens are answered slowly; a valid one is accepted at once, even from the same address.</summary>
 [Parallelizable(ParallelScope.All)]
 public class WrongTokenTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
 
-    /// <summary>Far longer than the test: an answer that is held back does not come.</summary>
+    /// <summary>Delays much longer than the test, so a delayed answer does not arrive.</summary>
     static readonly GatewayOptions Slow = WithTokens with { WrongTokenDelay = TimeSpan.FromMinutes(10), TokenTimeout = TimeSpan.FromMinutes(10) };
 
     [Test]
@@ -179,7 +179,7 @@ public class WrongTokenTests
         Assert.That((await AskAsync(gateway, "guess")).Status, Is.EqualTo(HttpStatusCode.TooManyRequests));
     }
 
-    /// <summary>A request whose body is not sent yet, and that the gateway has begun to read.</summary>
+    /// <summary>A request that the gateway has begun to read and whose body is not sent yet.</summary>
     sealed class HalfRequest(TcpClient client) : IDisposable
     {
         public static async Task<HalfRequest> BeginAsync(GatewayServer gateway, string path, int length)
@@ -204,14 +204,14 @@ public class WrongTokenTests
 
         async Task<int> StatusAsync()
         {
-            // "HTTP/1.1 100 Continue" and an empty line; of other answers the beginning is enough.
+            // Length of "HTTP/1.1 100 Continue" and an empty line; of other answers only the beginning is needed.
             var answer = new byte[25];
             await client.GetStream().ReadExactlyAsync(answer).AsTask().Bounded();
             return int.Parse(Encoding.ASCII.GetString(answer, 9, 3), CultureInfo.InvariantCulture);
         }
     }
 
-    /// <summary>Keeps the delays that are as long as those of wrong tokens; they end when the test says so.</summary>
+    /// <summary>Records delays at least as long as those of wrong tokens. They end when the test ends them.</summary>
     sealed class RecordedDelays : TimeProvider
     {
         readonly List<(TimeSpan Delay, Action End)> _delays = [];

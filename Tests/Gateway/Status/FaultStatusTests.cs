@@ -13,7 +13,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>Faults as a gateway shows them: in its state, in /readyz, in metrics and in the list of events.</summary>
+/// <summary>Faults as a gateway shows them: in its state, in /readyz, in the metrics and in the list of events.</summary>
 public class FaultStatusTests
 {
     readonly List<string> _log = [];
@@ -78,7 +78,7 @@ public class FaultStatusTests
         (await StateAsync()).GetProperty("events").EnumerateArray().FirstOrDefault(
             one => one.GetProperty("kind").GetString() == kind && one.GetProperty("which").GetString() == which);
 
-    // The list is brought up to date several times per second.
+    // The gateway updates the list several times per second.
     Task BeginsAsync(string kind, string which) => Soon.BecomesAsync(
         () => EventAsync(kind, which).Result.ValueKind == JsonValueKind.Object, $"{kind} {which} begins");
 
@@ -287,7 +287,7 @@ public class FaultStatusTests
         Assert.That((await StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
 
         Report("plant/lathe", ("state", "connected"), ("samples", "0"));
-        // Both come from one source here, which has the name of the last report.
+        // Both reports come from one source here, which gets the name of the last report.
         Report("plant/press", ("state", "connected"), ("samples", "7"), ("joint/a", $"live {Since()} "));
 
         Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
@@ -466,7 +466,7 @@ public class FaultStatusTests
         Assert.That(lines[1], Does.StartWith($"joint a (rosbridge) is refused: the gateway drops the samples of rosbridge 127.0.0.1: {reason} (since "));
     }
 
-    // The stamp of the second lies 30 s ahead of the control clock.
+    // The stamp of the second case is 30 s ahead of the control clock.
     [TestCase("NaN", 5000, "position of joint c is NaN (NotFinite)")]
     [TestCase("1.5", 5030, "the stamp lies in the future of the control clock (StampInFuture)")]
     public async Task Joints_OfASourceWithoutAValidSample_AreRefusedBesideALiveSource(string position, int seconds, string reason)
@@ -498,7 +498,7 @@ public class FaultStatusTests
         Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
 
         Assert.That(await ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
-        // Counted after the client was answered.
+        // The gateway counts the refusal after it has answered the client.
         const string Expected = "source rosbridge 127.0.0.1 is refused for joint a: the source gateway already publishes this joint";
         string Text() => StateAsync().Result.GetProperty("status").GetProperty("text").GetString();
         await Soon.BecomesAsync(() => Text().StartsWith(Expected, StringComparison.Ordinal), () => Text());
@@ -508,7 +508,7 @@ public class FaultStatusTests
         "{\"op\":\"publish\",\"topic\":\"/joint_states\",\"msg\":{\"header\":{\"stamp\":{\"sec\":" + seconds
         + ",\"nanosec\":0}},\"name\":[\"" + joint + "\"],\"position\":[" + position + "]}}";
 
-    // RFC 6455, 7.4.1: a normal end, a client that goes away, a close without a code, and a fault of the client.
+    // RFC 6455, 7.4.1: normal closure, client going away, close without a code, and a client error. Null closes without a close frame.
     [TestCase("03E8", "ok")]
     [TestCase("03E9", "ok")]
     [TestCase("", "ok")]
@@ -570,7 +570,7 @@ public class FaultStatusTests
     public async Task Ready_NoSourceYet_ContainsBeginAndRemedy()
     {
         await StartAsync(options => options with { ExpectsSources = true });
-        // The first look publishes the state of joints when it is complete.
+        // The first complete check publishes the state of the joints.
         var looked = new TaskCompletionSource();
         using var listening = _gateway.Hub.Subscribe(RosTopics.JointStatus, _ => looked.TrySetResult());
         await looked.Task.Bounded();

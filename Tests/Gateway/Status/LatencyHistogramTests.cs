@@ -15,7 +15,7 @@ public class LatencyHistogramTests
         const int Seed = 7;
         var random = new Random(Seed);
         var histogram = new LatencyHistogram();
-        // From a microsecond to ten seconds, as many in each decade.
+        // From a microsecond to ten seconds, equally many in each decade.
         var lengths = Enumerable.Range(0, 20_000).Select(_ => TimeSpan.FromSeconds(Math.Pow(10, -6 + 7 * random.NextDouble()))).ToArray();
         foreach (var length in lengths) histogram.Add(length);
         Array.Sort(lengths);

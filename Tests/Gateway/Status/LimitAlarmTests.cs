@@ -29,7 +29,7 @@ public class LimitAlarmTests
 
     void Send(double elbow) => _source.TryPublish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, elbow]));
 
-    // The description is read on another thread.
+    // Waits, because another thread reads the description.
     Task Found(double elbow) => Soon.BecomesAsync(
         () =>
         {

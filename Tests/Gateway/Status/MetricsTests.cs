@@ -8,7 +8,7 @@ using YamlDotNet.Serialization;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>The metrics, read by Prometheus' own Python parser where it is installed (Debian: python3-prometheus-client).</summary>
+/// <summary>The metrics, parsed by Prometheus' own Python parser if it is installed (Debian: python3-prometheus-client).</summary>
 public class MetricsTests
 {
     const string Python = "/usr/bin/python3";

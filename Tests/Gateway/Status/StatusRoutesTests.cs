@@ -12,7 +12,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>What a gateway tells those who watch it.</summary>
+/// <summary>The gateway's answers to monitoring.</summary>
 public class StatusRoutesTests
 {
     static readonly string[] OpenToAll = ["/healthz", "/readyz"];
@@ -58,7 +58,7 @@ public class StatusRoutesTests
     [Test]
     public async Task Ready_SourceStampsWithACorrectedSystemClock_IsNotReadyWithTheReason()
     {
-        // An hour behind: as after a correction of the system clock that the gateway's own did not follow.
+        // One hour behind, as after a correction of the system clock that the gateway's own clock did not follow.
         var behind = new StopwatchControlClock(new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch - TimeSpan.FromHours(1)));
         await using var gateway = await Gateways.StartAsync(clock: behind);
         using var source = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -128,7 +128,7 @@ public class StatusRoutesTests
             source.TryPublish(new JointStateMessage(clock.Now - TimeSpan.FromMilliseconds(80), ["a", "b"], [1, 2]));
             await client.ReceiveAsync();
         }
-        // The client may have the last one before its time is noted.
+        // The client may receive the last message before the gateway records its forwarding time.
         await Soon.BecomesAsync(() => gateway.Hub.Forwarding.Counts().Sum() == 20, "all are counted");
         source.Publish(Diagnostics(
             "goggles", ("state", "synchronised"), ("rtt_ms", "4"), ("l_app_ms", "95"), ("render_ms", "12"), ("l_visu_ms", "42"), ("budget_ms", "x")));

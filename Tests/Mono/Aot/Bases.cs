@@ -5,7 +5,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Mono.Aot
 {
-    /// <summary>Finds the base of a robot from three markers that are seen exactly.</summary>
+    /// <summary>Finds the base of a robot from exact sightings of three markers.</summary>
     static class Bases
     {
         static readonly BaseMarker[] Markers =

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Mono.Aot
 {
-    /// <summary>Pairs with a cell by its two codes, saves it and loads it again.</summary>
+    /// <summary>Pairs with a cell through its two codes, saves the pairing and loads it again.</summary>
     static class Pairings
     {
         public static void Check()

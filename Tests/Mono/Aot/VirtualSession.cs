@@ -65,7 +65,7 @@ namespace Nowpose.Mono.Aot
                 File.Delete(path);
             }
             var ratio = Math.Sqrt(_squares / _holdSquares);
-            // Hold shows the newest sample, as the uncompensated headset does; each other predictor takes half of the error away.
+            // Hold shows the newest sample, like an uncompensated headset. Every other predictor must remove half of its error.
             Program.Require(_holdSquares > 0 && (_predictor == "hold" ? ratio > 0.9 && ratio < 1.1 : ratio < 0.5), "error over that of hold: " + ratio);
         }
 

@@ -6,15 +6,15 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Mono.Cost
 {
-    /// <summary>Measures a sample and a frame of seven joints by the default predictor, beside the paper's quadratic in the same run.</summary>
+    /// <summary>Measures the time per sample and per frame of seven joints with the default predictor and with the paper's quadratic.</summary>
     static class Program
     {
         /// <summary>
-        /// Median of a sample, of a frame, over the quadratic's: a busy machine slows both alike. On a quiet one they are about 15 and 2.
+        /// Maximum ratio of the medians to those of the quadratic, which a busy machine slows down alike. On an idle machine they are about 15 and 2.
         /// </summary>
         const double MaxSampleRatio = 40, MaxFrameRatio = 8;
 
-        /// <summary>Longer than anything is remembered, s.</summary>
+        /// <summary>Longer than any memory of the predictor, s.</summary>
         const double SecondsSeen = 130;
 
         static int Main()
@@ -51,7 +51,7 @@ namespace Nowpose.Mono.Cost
             return false;
         }
 
-        // At 60 frames a second and 100 samples no frame takes more than two.
+        // At 60 frames and 100 samples a second a frame handles at most two samples.
         static double PercentileOfWholeFrames(Arm arm) => arm.FrameTimes.Skip(1)
             .Select((frame, i) => arm.SampleTimes[i] + arm.SampleTimes[i + 1] + frame).OrderBy(time => time).ElementAt(arm.FrameTimes.Length * 99 / 100);
 
@@ -64,7 +64,7 @@ namespace Nowpose.Mono.Cost
                 sorted.Average(), sorted[sorted.Length * 99 / 100], sorted[sorted.Length - 1]);
         }
 
-        /// <summary>One predictor for each of seven joints, and what their samples and frames took, µs.</summary>
+        /// <summary>One predictor for each of seven joints, and the times of their samples and frames, µs.</summary>
         sealed class Arm
         {
             public const int Samples = 3000;
@@ -72,7 +72,7 @@ namespace Nowpose.Mono.Cost
             const int Joints = 7;
             const int FramesPerSample = 3;
 
-            /// <summary>Between the newest sample and the first frame that shows it, s.</summary>
+            /// <summary>Time between the newest sample and the first frame that shows it, s.</summary>
             const double Latency = 0.1;
 
             readonly JointPredictor[] _predictors;
@@ -86,7 +86,7 @@ namespace Nowpose.Mono.Cost
 
             public double[] FrameTimes { get; } = new double[Samples];
 
-            /// <param name="measured">Where the times go; before 0 nowhere.</param>
+            /// <param name="measured">Index at which the times are stored; negative to store none.</param>
             public void Play(int sample, double interval, int measured)
             {
                 var time = sample * interval;

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 using Mono.Cecil;
 
 // Debian's class library for Mono declares the return value of ReadOnlySpan<T>'s indexer without the modifier that Roslyn writes into each
-// call, so Mono does not find the method. Removes the modifier from the calls in all assemblies of a folder.
+// call, so Mono does not find the method. This program removes the modifier from the calls in all assemblies of a folder.
 if (args.Length != 1 || !Directory.Exists(args[0]))
 {
     Console.Error.WriteLine("usage: Nowpose.Mono.Strip FOLDER (with the assemblies to change)");
@@ -21,7 +21,7 @@ foreach (var path in Directory.GetFiles(args[0], "*.dll"))
         .Where(m => m.Name == "get_Item" && m.DeclaringType.GetElementType().FullName == "System.ReadOnlySpan`1" && m.ReturnType.IsRequiredModifier)
         .ToList();
     if (calls.Count == 0) continue;
-    // Calls may share one reference, which has lost its modifier by then.
+    // Calls may share one reference; its modifier may have been removed already.
     foreach (var call in calls)
         if (call.ReturnType is RequiredModifierType modified) call.ReturnType = modified.ElementType;
     assembly.Write(path);

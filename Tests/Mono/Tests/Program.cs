@@ -7,9 +7,9 @@ using NUnit.Framework.Internal;
 namespace Nowpose.Tests
 {
     /// <summary>
-    /// Runs the tests of this assembly. Lists the failed ones and ends with the counts; exit status 1 when one failed or none ran.
+    /// Runs the tests of this assembly. Lists the failed tests and prints the counts. Exit status 1 if a test failed or none ran.
     /// </summary>
-    /// <remarks>Studies stay out: minutes of arithmetic, by code that other tests run too.</remarks>
+    /// <remarks>Leaves out the studies: they take minutes of arithmetic, and other tests run the same code.</remarks>
     static class Program
     {
         static readonly TestFilter WithoutStudies = TestFilter.FromXml("<filter><not><cat>Study</cat></not></filter>");

@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Anchoring;
 
-/// <summary>The base anchor in a played cell of the package, with a device that sees markers.</summary>
+/// <summary>The base anchor in a running cell of the package, with a device that sees markers.</summary>
 public class BaseAnchorTests
 {
     static readonly RigidTransform Base = RigidTransform.FromXyzRpy(1, 0.3, -0.4, 0, 0, 2);
@@ -39,7 +39,7 @@ public class BaseAnchorTests
     [TearDown]
     public void End() => _cell.Dispose();
 
-    // From a metre above and to one side.
+    // Looks down from one metre above and to one side.
     void LookDownAt(in RigidTransform place)
     {
         var pose = UnityPoses.ToWorld(place);

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Anchoring;
 
-/// <summary>A device that sees one base's markers at 30 Hz with 1 mm and 0.2° of noise, as long as a test lets it.</summary>
+/// <summary>A device that sees one base's markers at 30 Hz with 1 mm and 0.2° of noise, while a test allows it.</summary>
 sealed class FakeMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
 {
     readonly System.Random _random = new(3);
@@ -13,10 +13,10 @@ sealed class FakeMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
 
     public IHeadsetClock Clock { get; set; }
 
-    /// <summary>Where the base really is, in the room frame.</summary>
+    /// <summary>The true pose of the base in the room frame.</summary>
     public RigidTransform Base { get; set; } = RigidTransform.Identity;
 
-    /// <summary>In the base frame, by payload.</summary>
+    /// <summary>Poses of the markers in the base frame, by payload.</summary>
     public Dictionary<string, RigidTransform> Markers { get; } = [];
 
     public bool IsBlind { get; set; }

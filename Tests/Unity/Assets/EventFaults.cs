@@ -7,14 +7,14 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>What is wrong with the calls that events keep in their files.</summary>
+/// <summary>Finds errors in the persistent calls of events.</summary>
 static class EventFaults
 {
-    /// <summary>Every event of a component, also within what is nested in it, with where it is.</summary>
+    /// <summary>Returns every event of a component and of its nested objects, with its place.</summary>
     public static IEnumerable<(string Place, UnityEventBase Event)> EventsOf(Component component) =>
         EventsIn(component, component.name + " " + component.GetType().Name);
 
-    /// <returns>A line for each call that would not do what it says.</returns>
+    /// <returns>One line for each call that would fail.</returns>
     public static IEnumerable<string> Of(UnityEventBase happened) =>
         happened.Persistent.Calls.Select(call => FaultOf(call, happened.ArgumentType)).Where(fault => fault != null);
 

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>The manual's pictures of the prefabs, as the tool draws them now.</summary>
+/// <summary>Compares the manual's pictures of the prefabs with the current output of the tool that draws them.</summary>
 public sealed class ManualPicturesTests
 {
     static readonly XNamespace Svg = "http://www.w3.org/2000/svg";

@@ -11,12 +11,12 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>What the package, its samples and the host project ship as Unity's YAML.</summary>
+/// <summary>Assets in Unity's YAML that the package, its samples and the host project contain.</summary>
 public sealed class PackageAssetsTests
 {
     const string Runtime = "Packages/com.nowpose.mril/Runtime/";
 
-    /// <summary>References that may be empty, for then something else takes their place, each with the end of the paths it may be so at.</summary>
+    /// <summary>References that may be empty, because there is a fallback, each with the end of the paths where this is allowed.</summary>
     static readonly (string Field, string Path)[] MayBeEmpty =
     {
         ("VirtualGripper._rig", "Virtual Gripper"),
@@ -28,10 +28,10 @@ public sealed class PackageAssetsTests
         ("BodyFollow._head", "/Status Panel (MRTK3)"),
         ("BodyFollow._head", "/Consent Prompt"),
         ("GraspableMarker._bounds", "/Hand-Placed Marker"),
-        // What a prefab of a sample cannot know, and the scene assigns.
+        // References that a sample's prefab cannot contain and that the scene assigns.
         ("StatusPanel._session", "Status Panel (MRTK3).prefab/Status Panel (MRTK3)"),
         ("CellActions._pairing", "Headset Menu.prefab/Headset Menu"),
-        // Codes are not found there.
+        // This scene does not detect codes.
         ("CellActions._pairing", "Any OpenXR headset.unity/Nowpose Robot Cell"),
         ("ConsentPrompt._pairing", "Consent Prompt.prefab/Consent Prompt"),
         ("CellActions._session", "Headset Menu.prefab/Headset Menu"),
@@ -49,7 +49,7 @@ public sealed class PackageAssetsTests
         .Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".asset" or ".mat")
         .Where(f => !f.StartsWith("ProjectSettings/", StringComparison.Ordinal));
 
-    /// <summary>Without the stand-ins for other packages' prefabs, whose fileIDs are theirs.</summary>
+    /// <summary>All assets except the stand-ins for other packages' prefabs, which have the fileIDs of those packages.</summary>
     static IEnumerable<string> OwnAssets => Assets.Where(f => !f.StartsWith("Headless/", StringComparison.Ordinal));
 
     static IEnumerable<string> Hierarchies => OwnAssets.Where(f => Path.GetExtension(f) is ".prefab" or ".unity");
@@ -60,7 +60,7 @@ public sealed class PackageAssetsTests
     [Test]
     public void Assets_All_AreWhatTheToolBuilds()
     {
-        // What the tool makes stays in the scene.
+        // Objects that the tool creates stay in this scene.
         using var scene = new World(isPlaying: false, _ => { }).Enter();
 
         Assert.That(AssetPlan.Differing(RepositoryFiles.Root), Is.Empty, "run: dotnet run --project Headless/Tools/Prefabs");
@@ -93,7 +93,7 @@ public sealed class PackageAssetsTests
         var empty = components.SelectMany(c => SerializedFields.Of(c.GetType()).SelectMany(f => Empty(f, c))
             .Select(f => (Field: c.GetType().Name + "." + f, Path: path + PathOf(c.transform))));
 
-        // One cell takes its robot from the gateway; one scene has a rig that the simulation moves.
+        // One cell gets its robot from the gateway. In one scene the simulation moves a rig.
         string[] left = path.Contains("Any Robot") ? ["MrilSession._robot"]
             : path.EndsWith("Virtual Robot Cell.unity", StringComparison.Ordinal) ? ["RobotRig._session"] : [];
         var missing = empty.Where(e => !MayBeEmpty.Any(m => m.Field == e.Field && e.Path.EndsWith(m.Path, StringComparison.Ordinal)));
@@ -106,7 +106,7 @@ public sealed class PackageAssetsTests
     public void Hierarchy_DisplayedRig_CanBeToldFromOneThatIsNotCurrent(string path)
     {
         var roots = Path.GetExtension(path) == ".unity" ? _library.LoadScene(path).Roots : new[] { _library.Load<GameObject>(path) };
-        // Where the simulation has the robot is no displayed pose.
+        // The rig with the simulation's true pose is not a displayed pose.
         var rigs = roots.SelectMany(r => r.GetComponentsInChildren<RobotRig>(true))
             .Where(r => r.Shows == RigPose.Displayed && r.GetComponent<TruthRig>() == null).ToList();
 
@@ -225,7 +225,7 @@ public sealed class PackageAssetsTests
         return (rig, root.GetComponent<MrilSession>().RobotAsset.Read());
     }
 
-    /// <summary>0.01 mm and 1e-5 of the axes' length: floats over a chain of ten links.</summary>
+    /// <summary>Tolerances are 0.01 mm and 1e-5 of the axes' length, because of floats over a chain of ten links.</summary>
     static void RequireAt(Transform rig, Transform link, in RigidTransform expected, string what)
     {
         var pose = UnityFrame.ToUnity(expected);

@@ -6,14 +6,14 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Prefabs and scenes use materials of the package alone, in an order that hides nothing that should be visible.</summary>
+/// <summary>Prefabs and scenes use only materials of the package, in a render order that hides no part that should be visible.</summary>
 public sealed class PackageMaterialsTests
 {
     const string Materials = RepositoryFiles.Package + "/Runtime/Materials/";
 
     AssetLibrary _library;
 
-    /// <summary>Materials and scenes of the package and of the host project; the stand-ins for other packages' prefabs are theirs.</summary>
+    /// <summary>Materials and scenes of the package and of the host project, without the stand-ins for other packages' prefabs.</summary>
     static IEnumerable<string> Files => RepositoryFiles.All
         .Where(f => f.StartsWith("Packages/", StringComparison.Ordinal) || f.StartsWith("Assets/", StringComparison.Ordinal))
         .Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".mat" or ".asset");
@@ -75,7 +75,7 @@ public sealed class PackageMaterialsTests
         }
     }
 
-    /// <summary>The ghost writes depth, so it comes after what it must not hide.</summary>
+    /// <summary>The ghost writes depth, so it is drawn after all parts that it must not hide.</summary>
     [Test]
     public void Ghost_Queue_IsAfterAllOtherVirtualParts([Values("Hologram", "Arm", "Timestamp", "Text", "Panel", "Solid", "Occluder")] string other)
     {

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>The scenes as a player runs them, but that they do not connect: what is on this machine's ports is not theirs.</summary>
+/// <summary>Runs the scenes in a player without connecting, because the ports of this machine may belong to other programs.</summary>
 public sealed class PackageScenesTests
 {
     static IEnumerable<string> Scenes => RepositoryFiles.All.Where(f => f.EndsWith(".unity", StringComparison.Ordinal));
@@ -41,7 +41,7 @@ public sealed class PackageScenesTests
         Assert.That(ghost.GetComponentInChildren<VirtualGripper>().Rig, Is.SameAs(ghost.GetComponent<RobotRig>()));
     }
 
-    /// <summary>AR Foundation says so wherever no headset is; it is not for the package to keep it from that.</summary>
+    /// <summary>Whether a message is AR Foundation's own warning that there is no headset, which the package does not suppress.</summary>
     static bool IsOfNoHeadset(string message) => message.StartsWith("No active ", StringComparison.Ordinal);
 
     static Player Play(string path)

@@ -5,7 +5,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>What buttons, sliders and events call in prefabs and scenes; those of MRTK3's too, which the sample fills in.</summary>
+/// <summary>Calls of buttons, sliders and events in prefabs and scenes, including the events of MRTK3 that the sample sets.</summary>
 public sealed class PersistentEventsTests
 {
     Player _player;
@@ -39,7 +39,7 @@ public sealed class PersistentEventsTests
     {
         var path = Hierarchies.Single(h => h.EndsWith("/" + file, StringComparison.Ordinal));
 
-        // Those that MRTK3's own prefab has call its own objects.
+        // The events of MRTK3's own prefab call its own objects.
         var own = EventsOf(path).Where(e => !e.Place.StartsWith("HandMenuBase ", StringComparison.Ordinal)).SelectMany(e => e.Event.Persistent.Calls);
 
         Assert.That(own.Count(), Is.EqualTo(calls));

@@ -52,7 +52,7 @@ public sealed class LatencyNudgeTests
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
 
-    // To and fro, two seconds each way: metres, at a time of the headset clock.
+    // Moves back and forth, two seconds each way. Returns metres at a time of the headset clock.
     static double TruthAt(double seconds)
     {
         var phase = seconds % 4;
@@ -77,14 +77,14 @@ public sealed class LatencyNudgeTests
         }
     }
 
-    // To the middle of the next way forward or backward.
+    // Runs until the middle of the next movement forward or backward.
     void RunToTheMiddle(bool isForward)
     {
         var phase = Headset % 4;
         Run(((isForward ? 1.2 : 3.2) - phase + 4) % 4);
     }
 
-    // What an eye would shift by: the light of this frame shows the displayed tool where the true one is not.
+    // The shift in mm that a user would mark: true minus displayed tool position when this frame's light appears, plus the misplacement.
     float Agreeing => (float)(1000 * (TruthAt(Headset + TrueMs / 1000) - _session.Frame.ToolPose.X) + MisplacedMm);
 
     void MarkBothWays(int repeats)

@@ -18,7 +18,7 @@ public sealed class LoadGeneratorTests
     [TearDown]
     public void End() => _cell.Dispose();
 
-    // What each step of building takes, as the clock below a session is found after it.
+    // Duration of each building step: each reading advances the clock by this.
     const double StepMs = 0.5;
 
     void Play(int vertices = 0, float? msPerFrame = null)
@@ -34,7 +34,7 @@ public sealed class LoadGeneratorTests
         wall.SetActive(true);
     }
 
-    /// <returns>Frames that it took.</returns>
+    /// <returns>Number of frames.</returns>
     int Build()
     {
         var frames = 0;
@@ -74,7 +74,7 @@ public sealed class LoadGeneratorTests
         Assert.That(_load.VerticesShown, Is.EqualTo(50_000));
     }
 
-    // How far the clock went in a frame, ms.
+    // Advance of the clock during a frame, ms.
     double FrameMs()
     {
         _cell.Frame(null);

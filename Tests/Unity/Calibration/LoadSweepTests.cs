@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Calibration;
 
-/// <summary>A sweep in a played scene whose display has a GPU that takes longer for more vertices.</summary>
+/// <summary>A sweep in a running scene whose display has a GPU that takes longer for more vertices.</summary>
 public sealed class LoadSweepTests
 {
     PlayedCell _cell;
@@ -32,7 +32,7 @@ public sealed class LoadSweepTests
     public async Task End()
     {
         _cell.Dispose();
-        // What a sweep logged until then is still written, by a thread that no frame waits for.
+        // A background thread, which no frame waits for, still writes the rows logged so far.
         if (_sweep is not null) await _sweep.Closed.Bounded();
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
         else File.Delete(_folder);
@@ -46,7 +46,7 @@ public sealed class LoadSweepTests
         var material = new Material((Shader)null);
         var wall = new GameObject("Load");
         wall.transform.SetParent(_session.transform, worldPositionStays: false);
-        // Some steps of building in a frame, so that a load takes a while.
+        // Limits building to a few steps per frame, so that a load takes some time.
         _cell.Clock.Step = TimeSpan.FromMicroseconds(5);
         _load = wall.AddComponent<LoadGenerator>().With("_material", isPainted ? material : null).With("_vertices", 7777).With("_msPerFrame", 0.1f);
         _display = _session.gameObject.AddComponent<TimestampDisplay>().With("_light", material);
@@ -61,7 +61,7 @@ public sealed class LoadSweepTests
     {
         for (var end = _cell.Now + seconds; _cell.Now < end; seen?.Invoke())
         {
-            // A much greater effect than so few vertices have: what is tested is the way to the verdict.
+            // A much larger effect than this number of vertices has, because the test is about the verdict.
             var vertices = gpuSeesLoad ? 10.0 * _load.VerticesShown : 0;
             _cell.Player.World.Gpu.DisplayGpuTime = (float)_gpu.Next(vertices).RenderTime.TotalSeconds;
             _cell.Frame(_session);

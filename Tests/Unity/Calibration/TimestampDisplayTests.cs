@@ -33,7 +33,7 @@ public sealed class TimestampDisplayTests
 
     MeshRenderer Code => _display.transform.Find("Timestamp").GetComponent<MeshRenderer>();
 
-    /// <summary>By what a camera sees of the mesh: which squares have light in their middle.</summary>
+    /// <summary>Returns the squares that are lit in their middle, from the mesh as a camera sees it.</summary>
     bool[] Lit()
     {
         var mesh = Code.GetComponent<MeshFilter>().sharedMesh;
@@ -42,7 +42,7 @@ public sealed class TimestampDisplayTests
         if (!Code.enabled) return lit;
         for (var cell = 0; cell < lit.Length; cell++)
         {
-            // A little off the diagonal that divides a square.
+            // A point slightly off the diagonal that divides a square.
             var x = ((cell % 8 + 0.52) / 8 - 0.5) * 0.1;
             var y = (0.5 - (cell / 8 + 0.47) / 8) * 0.1;
             for (var i = 0; i < triangles.Length; i += 3)
@@ -51,7 +51,7 @@ public sealed class TimestampDisplayTests
         return lit;
     }
 
-    // Clockwise seen from −z, with x to the right and y up: else it is culled.
+    // Only triangles that are clockwise seen from −z, with x to the right and y up, are visible; others are culled.
     static bool Holds(Vector3 a, Vector3 b, Vector3 c, double x, double y) => Right(a, b, x, y) && Right(b, c, x, y) && Right(c, a, x, y);
 
     static bool Right(Vector3 a, Vector3 b, double x, double y) => (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x) < 0;
@@ -68,7 +68,7 @@ public sealed class TimestampDisplayTests
 
     string Words => _display.transform.Find("Timestamp/Words").GetComponent<TextMesh>().text;
 
-    // The test's own account: what the camera takes is compared with the frame that was shown, by the cell's true clocks.
+    // Compares the code that a camera sees with the displayed frame, using the cell's true clocks.
     [TestCase(false)]
     [TestCase(true)]
     public void Code_OfEachFrame_IsTheControlTimeAtWhichItBegan(bool rewrites)

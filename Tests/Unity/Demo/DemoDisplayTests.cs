@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The demo's display and what the monitor makes of what its driver tells, in virtual time.</summary>
+/// <summary>The demo's display, and the monitor's evaluation of its driver's data, in virtual time.</summary>
 public class DemoDisplayTests
 {
     static readonly DemoSettings Plain = new() { Seconds = 20, VisualisationMs = 40, Seed = 1 };

@@ -13,12 +13,12 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The demo's scene in virtual time, fed by a virtual cell: what is recorded is what the transforms show.</summary>
+/// <summary>The demo's scene in virtual time, fed by a virtual cell: the recorded data agree with the transforms.</summary>
 [TestFixture("youbot")]
 [TestFixture("ur5")]
 public class DemoHeadsetTests(string robot)
 {
-    /// <summary>0.01 mm: floats over a chain of ten links.</summary>
+    /// <summary>0.01 mm, because of floats over a chain of ten links.</summary>
     const double ToleranceMm = 0.01;
 
     readonly RobotModel _model = RobotFiles.Load(robot);
@@ -64,7 +64,7 @@ public class DemoHeadsetTests(string robot)
         }
     }
 
-    /// <summary>Of a point of the scene in the robot's base frame, URDF axes.</summary>
+    /// <summary>Converts a point of the scene to the robot's base frame with URDF axes.</summary>
     static ToolPosition InBaseFrame(RobotRig rig, Vector3 point)
     {
         var place = rig.transform.InverseTransformPoint(point);

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The paper's Fig. 10 on the main job: a load that holds frames back raises the alarm and the error, one that does not neither.</summary>
+/// <summary>The paper's Fig. 10 on the main job: only a load that delays frames raises the alarm and the error.</summary>
 public class DemoLoadTests
 {
     [Test]
@@ -68,7 +68,7 @@ public class DemoLoadTests
         return WhileLoaded(new DemoScore(run), run);
     }
 
-    /// <summary>RMS of the tool's error from the load's coming to its going, mm.</summary>
+    /// <summary>RMS error of the tool while the load is present, mm.</summary>
     static double WhileLoaded(DemoScore score, DemoRun run)
     {
         var load = new DemoLoad(1, run.Settings.Seconds);

@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The scoring of a run, on frames whose errors are known beforehand: a slider of one joint, 1 m of travel is 1000 mm of error.</summary>
+/// <summary>Scoring of a run with known errors per frame: a slider with one joint, where 1 m of travel is 1000 mm of error.</summary>
 public class DemoScoreTests
 {
     const double CycleSeconds = 4;
@@ -20,7 +20,7 @@ public class DemoScoreTests
         <joint name="s" type="prismatic"><parent link="base"/><child link="tool0"/><axis xyz="1 0 0"/></joint></robot>
         """, "slider");
 
-    /// <summary>Errors of one frame; the truth stands at 0.</summary>
+    /// <summary>Errors of one frame; the true position is 0.</summary>
     readonly record struct Wrong(double HeldMm, double Mm, double LightMs = 0, double OffsetUs = 0);
 
     static readonly TimeSpan Stated = TimeSpan.FromMilliseconds(0.3);
@@ -37,7 +37,7 @@ public class DemoScoreTests
             var wrong = wrongAt(elapsed.TotalSeconds);
             var light = new ControlTime(elapsed);
             var state = elapsed >= converged ? ClockState.Synchronised : ClockState.Converging;
-            // The joints say something else: what counts is where the scene shows the tool.
+            // The joint values differ on purpose: the score must use the tool's position in the scene.
             frames.Add([nan ?? 7], [7], new DemoFrames.Row(
                 elapsed, new HeadsetTime(elapsed), light, light + TimeSpan.FromMilliseconds(wrong.LightMs),
                 new ClockModel(default, default, (Truth.SkewPpm + skewErrorPpm) * 1e-6, default, state, estimatedError: Stated), PoseState.Current, wrong.OffsetUs,
@@ -77,7 +77,7 @@ public class DemoScoreTests
     [Test]
     public void Score_Reduction_IsOneMinusTheRatioOfTheRms()
     {
-        // Half the scored frames at 30 and 3 mm, half at 40 and 4.
+        // Half of the scored frames have 30 and 3 mm, half have 40 and 4 mm.
         var result = Score(15, s => s < 10 ? new Wrong(30, 3) : new Wrong(40, 4));
 
         Assert.That(result.ToolErrorMm.HoldRms, Is.EqualTo(Math.Sqrt((900 + 1600) / 2.0)).Within(1e-6));
@@ -88,7 +88,7 @@ public class DemoScoreTests
     [Test]
     public void Score_Percentiles_AreInterpolatedBetweenOrderStatistics()
     {
-        // 0 to 1 mm and back to the sign, evenly over the 600 scored frames.
+        // From 0 to 1 mm with either sign, evenly distributed over the 600 scored frames.
         var result = Score(15, s => new Wrong(1, (s - 5) / 10, -(s - 5) / 10, -(s - 5) * 100));
 
         Assert.That(result.ToolErrorMm.P95, Is.EqualTo(0.95).Within(2e-3));
@@ -105,7 +105,7 @@ public class DemoScoreTests
     [Test]
     public void Score_Cycles_FirstIsTheFirstAndRepeatedIsFromTheThirdOn()
     {
-        // Cycles of 4 s: scored from 5 s, so the first is over; error ratio .5 in the second, .2 in the third, .1 in the fourth.
+        // Cycles of 4 s, scored from 5 s on, so the first is over. Error ratio 0.5 in the second, 0.2 in the third, 0.1 in the fourth.
         var result = Score(16, s => new Wrong(10, s < 8 ? 5 : s < 12 ? 2 : 1));
 
         Assert.That(result.ToolErrorMm.ReductionFirstCycle, Is.Null);

@@ -4,8 +4,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The main job end to end, over real sockets and in real time: that it runs, and what it writes.</summary>
-/// <remarks>How much of the error goes is measured where time is virtual: by the tests of the virtual robot cell and of planned sessions.</remarks>
+/// <summary>The main job end to end, over real sockets and in real time: checks that it runs and what it writes.</summary>
+/// <remarks>The reduction of the error is measured in virtual time, by the tests of the virtual robot cell and of planned sessions.</remarks>
 public class DemoVerbTests
 {
     string _folder;
@@ -103,7 +103,7 @@ public class DemoVerbTests
     [Test]
     public async Task Demo_RecordingOnAnotherRobot_PlaysItsColumns()
     {
-        // At rest at both ends, where the motion turns back.
+        // The motion is at rest at both ends, where it reverses.
         var rows = Enumerable.Range(0, 301)
             .Select(i => (Time: i * 0.02, Swing: Math.Cos(i * Math.PI / 150)))
             .Select(row => FormattableString.Invariant($"{row.Time},{-row.Swing},{-1 + 0.3 * row.Swing}"));
@@ -157,7 +157,7 @@ public class DemoVerbTests
 
     static string Names(JsonElement element) => string.Join(' ', element.EnumerateObject().Select(property => property.Name));
 
-    // The instants that the page plays back: those of the error's plot, as many of each, at most every second frame.
+    // Checks that the page plays back the instants of the error plot, with the same number for each track.
     static void AssertPlayback(string report)
     {
         var json = Regex.Match(report, "id=\"report-data\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value;

@@ -37,7 +37,7 @@ sealed class VirtualDemo : IDemoTruth, IDisposable
         _headset.Session.Described(settings.RobotText);
     }
 
-    /// <param name="vertices">The load; null for a display without one.</param>
+    /// <param name="vertices">Vertices of the load; null for a display without a load.</param>
     public static DemoRun Play(int? vertices, int seed, double seconds = 20)
     {
         var robot = RobotFiles.Load("youbot", out var urdf);
@@ -72,7 +72,7 @@ sealed class VirtualDemo : IDemoTruth, IDisposable
 
     ControlTime IDemoTruth.ControlAt(HeadsetTime t) => _control.At(t);
 
-    // The cell asks by headset time; by the clock's rate that is off by less than 0.1 µs.
+    // The cell takes headset time. The skew makes an error of less than 0.1 µs.
     void IDemoTruth.JointsAt(ControlTime t, Span<double> positions) => _cell.TruthAt(HeadsetAt(t), positions);
 
     int IDemoTruth.CycleAt(ControlTime t) => (int)((HeadsetAt(t) - _start).TotalSeconds / _motion.CycleSeconds);

@@ -46,7 +46,7 @@ public sealed class ArSpatialAnchorsTests
         return Math.Sqrt(apart.X * apart.X + apart.Y * apart.Y + apart.Z * apart.Z);
     }
 
-    // The only one that the device holds.
+    // Returns the id of the device's only anchor.
     TrackableId IdOfTheOnlyOne()
     {
         foreach (var anchor in _anchors.Manager.trackables) return anchor.trackableId;

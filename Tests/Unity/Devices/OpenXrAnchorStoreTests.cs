@@ -31,7 +31,7 @@ public sealed class OpenXrAnchorStoreTests
         _device = _origin.Device.Offer<XRAnchorSubsystem>();
         _kept = new XRAnchorStore();
         XRAnchorStore.Loading = _ => Task.FromResult(_kept);
-        // It brings the anchors along.
+        // The store adds the anchors component.
         _store = new GameObject("Anchors").AddComponent<OpenXrAnchorStore>();
         _anchors = _store.GetComponent<ArSpatialAnchors>();
     }

@@ -55,10 +55,10 @@ public sealed class OpenXrDisplayTimeTests
         _session.gameObject.SetActive(true);
     }
 
-    // To and fro, up to half a metre per second.
+    // Moves back and forth at up to half a metre per second.
     static double TruthAt(HeadsetTime at) => 0.5 * Math.Sin(at.SinceEpoch.TotalSeconds);
 
-    // The display takes half a refresh more or less, by turns of half a second.
+    // The display latency varies by half a refresh, alternating every half second.
     static TimeSpan TrueLatency(double seconds) =>
         TimeSpan.FromMilliseconds(CalibratedMs + ((int)(seconds * 2) % 2 == 0 ? VariationMs : -VariationMs));
 
@@ -78,7 +78,7 @@ public sealed class OpenXrDisplayTimeTests
         }
     }
 
-    // Root mean square of how far the tool is drawn from where it is when the frame's light truly appears, over 12 s, mm.
+    // RMS distance over 12 s between the drawn tool and its true position when the frame's light appears, mm.
     double ErrorMm()
     {
         double sum = 0;
@@ -93,7 +93,7 @@ public sealed class OpenXrDisplayTimeTests
         return Math.Sqrt(sum / frames);
     }
 
-    // In Update the runtime goes by the frame before, and is a frame off here; before rendering it knows this one.
+    // In Update the runtime predicts for the previous frame, so it is one frame off here. Before rendering it predicts for this frame.
     HeadsetTime? Predicted(FrameTime tick, bool isRewritten)
     {
         var light = _cell.Clock.Read + TrueLatency(_cell.Now);
@@ -191,7 +191,7 @@ public sealed class OpenXrDisplayTimeTests
         string Diagnostic() => _session.Session.Listener.Diagnostics().Values.SingleOrDefault(v => v.Key == "display_time").Value;
         int Lines(string of) => _cell.Messages.Count(m => m.Contains(of));
         HeadsetTime Right(FrameTime _) => _cell.Clock.Read + TimeSpan.FromMilliseconds(40);
-        // Counts of 24 MHz taken for 10 MHz: a device that has run for a while is far ahead.
+        // Counts of 24 MHz read as counts of 10 MHz: on a device that has run for a while the result is far ahead.
         HeadsetTime Wrong(FrameTime _) => new(_cell.Clock.Read.SinceEpoch * 2.4);
 
         _runtime.LightOf = t => Right(t);

@@ -4,7 +4,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>A headset on the stand-ins: a camera below an XR Origin that is not where the room's origin is, and what the runtime offers.</summary>
+/// <summary>A simulated headset on the stand-ins: a camera below an XR Origin away from the room's origin, and the runtime's features.</summary>
 sealed class PlayedOrigin : IDisposable
 {
     public PlayedOrigin()
@@ -20,7 +20,7 @@ sealed class PlayedOrigin : IDisposable
     public XROrigin Origin { get; }
     public Transform Head { get; }
 
-    /// <summary>A place in the room as the device has it, in its own space.</summary>
+    /// <summary>Converts a pose in the room to the device's session space.</summary>
     public Pose InSession(Vector3 position, Quaternion rotation)
     {
         var space = Origin.TrackablesParent;

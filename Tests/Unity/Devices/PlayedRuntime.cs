@@ -4,13 +4,13 @@ using Nowpose.OpenXR;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>An OpenXR runtime that predicts when the light of frames appears, on the stand-in of Microsoft's plugin.</summary>
+/// <summary>An OpenXR runtime that predicts the display time of frames, on the stand-in of Microsoft's plugin.</summary>
 sealed class PlayedRuntime : IDisposable
 {
-    /// <summary>OpenXR's epoch is another one than the counter's.</summary>
+    /// <summary>OpenXR's epoch differs from that of the counter.</summary>
     const long XrTimeAtCountZero = 987_654_321_123_456_789;
 
-    /// <summary>The stopwatch may start with the application, the counter starts with the device.</summary>
+    /// <summary>The stopwatch may start with the application, while the counter starts with the device.</summary>
     static readonly TimeSpan UpTime = TimeSpan.FromDays(90);
 
     readonly SteppedClock _clock;
@@ -25,10 +25,10 @@ sealed class PlayedRuntime : IDisposable
             LightOf(tick) is { } light ? XrTimeAtCountZero + (light + UpTime).Nanoseconds : Unknown;
     }
 
-    /// <summary>When the light of the frame appears, as it is asked for in Update or before rendering; null: not known.</summary>
+    /// <summary>Predicted display time of the frame, for a request in Update or before rendering; null if it is not known.</summary>
     public Func<FrameTime, HeadsetTime?> LightOf { get; set; } = _ => null;
 
-    /// <summary>What is said where it is not known.</summary>
+    /// <summary>The value returned if the display time is not known.</summary>
     public long Unknown { get; set; }
 
     /// <summary>Gives a component the counters of this device.</summary>

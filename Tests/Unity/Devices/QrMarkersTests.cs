@@ -16,7 +16,7 @@ public sealed class QrMarkersTests
     static readonly TrackableId Id = new(0xAB, 0xCD);
     static readonly Vector3 Corner = new(2, 1, 3);
 
-    // The print leans and is turned away: no axis of it is one of the room's.
+    // The print is tilted and turned, so none of its axes is parallel to an axis of the room.
     static readonly Quaternion Turned = Quaternion.Euler(20, 50, 10);
 
     PlayedCell _cell;
@@ -75,7 +75,7 @@ public sealed class QrMarkersTests
         return markers[0];
     }
 
-    // A point of the print, from the marker frame: right, up, and out of it.
+    // Converts a point in the marker frame (right, up, out of the print) to the world.
     static Vector3 World(in RigidTransform marker, double right, double up, double outwards)
     {
         var point = marker * RigidTransform.FromXyzRpy(right, up, outwards, 0, 0, 0);
@@ -90,7 +90,7 @@ public sealed class QrMarkersTests
 
         var marker = ReadOne();
 
-        // In the plugin's frame x is to the right, y down, z out of the print.
+        // In the plugin's frame x is to the right, y is down and z is out of the print.
         var right = Turned * Vector3.right;
         var up = Turned * Vector3.down;
         var outwards = Turned * Vector3.forward;
@@ -136,7 +136,7 @@ public sealed class QrMarkersTests
 
         var marker = ReadOne();
 
-        // The frame after the report reads it.
+        // The frame after the report reads it, which adds 1/60 s.
         Assert.That((_cell.Clock.Read - marker.LastSeen).TotalSeconds, Is.EqualTo(0.5 + 1 / 60.0).Within(1e-3));
     }
 

@@ -41,7 +41,7 @@ public sealed class ReprojectionCheckTests
         _cell.Run(seconds, _session);
     }
 
-    // Each breaks one link of the chain.
+    // Each case breaks one requirement of depth submission.
     void Break(DepthSubmission how)
     {
         switch (how)

@@ -61,7 +61,7 @@ public sealed class TrackedImageMarkersTests
     {
         var marker = Report(TrackingState.Tracking);
 
-        // In AR Foundation's frame x is to the right, z to the upper edge, y out of the print.
+        // In AR Foundation's frame x is to the right, z is towards the upper edge and y is out of the print.
         var axes = new[] { (Turned * Vector3.right, (0.1, 0.0, 0.0)), (Turned * Vector3.forward, (0.0, 0.1, 0.0)), (Turned * Vector3.up, (0.0, 0.0, 0.1)) };
         foreach (var (axis, (x, y, z)) in axes)
         {

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>What inspectors show and do while nothing plays.</summary>
+/// <summary>Display and actions of the inspectors in edit mode.</summary>
 public sealed class EditModeInspectorTests : EditorFixture
 {
     const string BuildButton = "Build 'youBot' here";
@@ -78,7 +78,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     public void Anchor_Placed_TellsItsPoseInTheTermsOfTheUrdf()
     {
         var anchor = NewAnchor();
-        // A quarter turn to the left, seen from above, then the nose 30° up: 3 m forward, 1 m left, 2 m up.
+        // A quarter turn to the left, seen from above, then the front 30° up; 3 m forward, 1 m left, 2 m up.
         anchor.transform.SetPositionAndRotation(new Vector3(-1, 2, 3), Quaternion.Euler(0, -90, 0) * Quaternion.Euler(-30, 0, 0));
 
         Inspect(anchor).OnInspectorGUI();

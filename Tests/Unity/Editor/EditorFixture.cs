@@ -6,10 +6,10 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Each test finds the editor as it is in a new project.</summary>
+/// <summary>Resets the editor's stand-in to the state of a new project before each test.</summary>
 public abstract class EditorFixture
 {
-    /// <summary>What is destroyed after the test.</summary>
+    /// <summary>Objects to destroy after the test.</summary>
     protected List<Object> Made { get; } = new();
 
     [SetUp]

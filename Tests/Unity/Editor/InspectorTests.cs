@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>The inspectors, drawn on the editor's stand-in while the player plays.</summary>
+/// <summary>The inspectors in play mode, drawn on the editor's stand-in.</summary>
 public sealed class InspectorTests : EditorFixture
 {
     PlayedCell _cell;

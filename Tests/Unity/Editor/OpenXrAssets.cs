@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Settings of OpenXR with the serialised fields of com.unity.xr.openxr 1.13, as a new project has them: nothing ticked.</summary>
+/// <summary>OpenXR settings with the serialised fields of com.unity.xr.openxr 1.13, as in a new project: no feature is enabled.</summary>
 static class OpenXrAssets
 {
     public const string HoloLens = "com.microsoft.openxr.feature.hololens";
@@ -14,7 +14,7 @@ static class OpenXrAssets
         "com.unity.openxr.feature.input.handtracking", "com.unity.openxr.feature.input.eyetracking",
     };
 
-    /// <summary>Puts them into the project that is open.</summary>
+    /// <summary>Adds the settings to the open project.</summary>
     public static void Put(Func<ScriptableObject, ScriptableObject> keep, params BuildTargetGroup[] players)
     {
         var all = New<OpenXRPackageSettings>(keep);

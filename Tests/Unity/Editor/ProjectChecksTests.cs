@@ -9,7 +9,7 @@ using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>The checks over the settings of the editor's stand-in.</summary>
+/// <summary>The project checks on the settings of the editor's stand-in.</summary>
 public sealed class ProjectChecksTests : EditorFixture
 {
     UnityProjectSettings _project;
@@ -52,7 +52,7 @@ public sealed class ProjectChecksTests : EditorFixture
         _review.Fix(IndexOf(title));
 
         var changed = Enumerable.Range(0, before.Length).Where(i => before[i].State != _review.Results[i].State);
-        // Unity tells of Graphics Jobs for the active build target only.
+        // Unity reports Graphics Jobs only for the active build target.
         Assert.That(changed.Where(i => _review.Checks[i] is not GraphicsJobsCheck), Is.EqualTo(new[] { IndexOf(title) }));
     }
 
@@ -369,7 +369,7 @@ public sealed class ProjectChecksTests : EditorFixture
 
     static int IndexIn(ProjectReview review, string title) => review.Checks.Select(c => c.Title).ToList().IndexOf(title);
 
-    // The serialised fields of ProjectSettings.asset and GraphicsSettings.asset that are read.
+    // The fields of ProjectSettings.asset and GraphicsSettings.asset that the checks read.
     sealed class PlayerAssetOfATest : ScriptableObject
     {
         public int activeInputHandler;

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>A Unity project of its own, in a folder that is removed afterwards.</summary>
+/// <summary>A temporary folder for a Unity project, deleted when disposed.</summary>
 sealed class ProjectFolder : IDisposable
 {
     public string Root { get; } = Directory.CreateTempSubdirectory("nowpose-project-").FullName;

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>The drop-downs of the session settings. The asset keeps the names as strings.</summary>
+/// <summary>The drop-downs of the session settings. The asset stores the names as strings.</summary>
 public sealed class SessionSettingsInspectorTests : EditorFixture
 {
     SessionSettingsAsset _settings;

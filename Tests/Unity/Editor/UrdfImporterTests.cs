@@ -83,7 +83,7 @@ public sealed class UrdfImporterTests : EditorFixture
 
         Import("<link name='base'>" + Visual("<mesh filename='../meshes/a.stl'/>") + "</link>");
 
-        // Anticlockwise about the file's z, which is Unity's y; clockwise is what Unity draws.
+        // Anticlockwise about the file's z, which is Unity's y. Unity draws triangles that are clockwise.
         var mesh = Objects().OfType<Mesh>().Single();
         var corners = mesh.triangles.Select(i => mesh.vertices[i]).ToArray();
         Assert.That(mesh.normals, Is.All.EqualTo(Vector3.up));
@@ -349,7 +349,7 @@ public sealed class UrdfImporterTests : EditorFixture
         _ => "v 0 0 0",
     };
 
-    /// <summary>x mirrored; what is up turned to y, by the root's rotation or, baked, in the vertices.</summary>
+    /// <summary>Mirrors x, and rotates the up axis to y, with the root's rotation or (if baked) in the vertices.</summary>
     GameObject AsUnityImports((float X, float Y, float Z) point, UpAxis up, bool isBaked)
     {
         var model = Keep(new GameObject("model"));

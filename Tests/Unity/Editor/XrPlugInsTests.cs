@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Over assets with the serialised fields of XR Plug-in Management's.</summary>
+/// <summary>Tests on assets with the serialised fields of XR Plug-in Management.</summary>
 public sealed class XrPlugInsTests : EditorFixture
 {
     [Test]
@@ -93,7 +93,7 @@ public sealed class XrPlugInsTests : EditorFixture
         public List<ScriptableObject> m_Loaders;
     }
 
-    // As in com.unity.xr.openxr: neither loader derives from the other.
+    // As in com.unity.xr.openxr, where neither loader derives from the other.
     abstract class OpenXRLoaderBase : ScriptableObject { }
 
     sealed class OpenXRLoader : OpenXRLoaderBase { }

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine;
 
-/// <summary>Tests in play mode: each has a player of its own with an empty scene.</summary>
+/// <summary>Tests in play mode: each test has its own player with an empty scene.</summary>
 public abstract class PlayerFixture
 {
     double _time;
@@ -24,7 +24,7 @@ public abstract class PlayerFixture
     [TearDown]
     public void Quit() => Player.Dispose();
 
-    /// <summary>Frames of 10 ms; gives what was noted in them.</summary>
+    /// <summary>Runs frames of 10 ms and returns the notes made in them.</summary>
     protected string Frame(int count = 1)
     {
         for (var i = 0; i < count; i++) Player.Step(_time += 0.01);

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>What the way to a HoloLens tells people to install and declare is what the package looks for.</summary>
+/// <summary>The HoloLens page names the packages and declarations that the code of this package requires.</summary>
 public sealed partial class DeploymentPageTests
 {
     static readonly string Page = RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/deploy-hololens2.md");
@@ -57,7 +57,7 @@ public sealed partial class DeploymentPageTests
     static IEnumerable<string> VersionsOf(string package) =>
         Regex.Matches(Page, $@"`{Regex.Escape(package)}` (\d+\.\d+\.\d+)").Select(m => m.Groups[1].Value).Distinct();
 
-    // Unity's expressions: a version alone is the least; an upper bound that is a preview leaves its release out, too.
+    // Unity's version expressions: a version alone is the minimum; an upper bound that is a preview also excludes its release.
     static bool Contains(string expression, Version version)
     {
         var bounds = expression.Trim('[', ')').Split(',').Select(b => Version.Parse(b.Split('-')[0])).ToArray();

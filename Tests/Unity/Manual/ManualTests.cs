@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>What the manual says of fields and members is what the components have.</summary>
+/// <summary>Compares fields and members in the manual with those of the components.</summary>
 public sealed partial class ManualTests
 {
     const string Index = "index.md";
@@ -38,7 +38,7 @@ public sealed partial class ManualTests
         var inspected = new InspectedType(type);
         var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields").ToDictionary(r => r[0]);
 
-        // A unit may follow.
+        // The default may be followed by a unit.
         var wrong = inspected.Fields.Where(f => !(rows[f.Label][1] + " ").StartsWith(f.Default + " ", StringComparison.Ordinal));
 
         Assert.That(wrong.Select(f => f.Label + ": " + rows[f.Label][1] + " is " + f.Default), Is.Empty);
@@ -92,7 +92,7 @@ public sealed partial class ManualTests
         Assert.That(InspectedType.Label(name), Is.EqualTo(label));
     }
 
-    /// <summary>`event Shown`, `Connect()`, `Settings {get; set;}`: the name.</summary>
+    /// <summary>Matches the name in `event Shown`, `Connect()` or `Settings {get; set;}`.</summary>
     [GeneratedRegex(@"^`(?:event |static |const )*(\w+)")]
     private static partial Regex Member();
 }

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>The block that a user pastes into Packages/manifest.json: nothing resolves where it is wrong.</summary>
+/// <summary>The block that a user pastes into Packages/manifest.json: an error in it breaks package resolution.</summary>
 public sealed partial class ReadmeManifestTests
 {
     const string ModulePrefix = "com.unity.modules.";
@@ -29,7 +29,7 @@ public sealed partial class ReadmeManifestTests
 
         var named = Dependencies(Block).Where(d => !d.StartsWith(own + " ", StringComparison.Ordinal));
 
-        // Modules are part of every Unity: a package that names them switches them on.
+        // Modules are part of every Unity installation; a package that names them enables them.
         Assert.That(named, Is.EquivalentTo(Dependencies(Package).Where(d => !d.StartsWith(ModulePrefix, StringComparison.Ordinal))));
     }
 

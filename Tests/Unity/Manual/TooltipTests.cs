@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>Whoever fills in a component is told at every field what it is for and in which unit.</summary>
+/// <summary>Every field of a component has a tooltip with its purpose and its unit.</summary>
 public sealed partial class TooltipTests
 {
-    // In which a number, or three of them, may be given; a port is a name.
+    // Units by the ending of a field's name, for a number or a vector; a port has no unit.
     static readonly Dictionary<string, string> Units = new()
     {
         ["Ms"] = "ms", ["Seconds"] = "seconds", ["Metres"] = "metres", ["Degrees"] = "degrees", ["Port"] = "port",

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>Holds the versions in the documents to the table in the code.</summary>
+/// <summary>Compares the versions in the documents with the table in the code.</summary>
 public sealed partial class VersionBoundsTests
 {
     static readonly string Readme = RepositoryFiles.Read(RepositoryFiles.Package + "/README.md");

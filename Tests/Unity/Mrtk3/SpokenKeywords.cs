@@ -3,7 +3,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Mrtk3;
 
-/// <summary>A keyword recognition that hears what a test says.</summary>
+/// <summary>A keyword recognition subsystem that receives its keywords from a test.</summary>
 sealed class SpokenKeywords : IKeywordRecognitionSubsystem
 {
     readonly Dictionary<string, UnityEvent> _events = [];
@@ -16,7 +16,7 @@ sealed class SpokenKeywords : IKeywordRecognitionSubsystem
         return happened;
     }
 
-    /// <summary>False on a platform for which the recognition was not made.</summary>
+    /// <summary>Whether the recognition supports the platform.</summary>
     public bool IsSupported { get; set; } = true;
 
     public int Calls { get; private set; }

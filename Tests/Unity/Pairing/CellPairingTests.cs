@@ -10,12 +10,12 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Pairing;
 
-/// <summary>The component in a played scene; nobody listens where it would connect to.</summary>
+/// <summary>The component in a running scene; the ports that it would connect to are closed.</summary>
 public class CellPairingTests
 {
     static readonly CertificatePin Pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
 
-    // Nobody listens on port 1.
+    // Port 1 is closed.
     static readonly string Desk = new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text;
     static readonly string Press = new CellCode("press", "127.0.0.1", Pin, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text;
 
@@ -340,7 +340,7 @@ public class CellPairingTests
         _pairing.enabled = false;
         Frames(60);
 
-        // The stand-in's own part is the same without it; a search for sources fills a list that is there.
+        // The stand-in's own allocations are the same without the component; a search for sources reuses its list.
         Assert.That(with - Measured(), Is.LessThan(600 * 8));
     }
 

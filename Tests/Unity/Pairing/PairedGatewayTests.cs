@@ -6,7 +6,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Pairing;
 
-/// <summary>The whole set-up: a headset that knows nothing looks at two codes, and is connected over TLS with a token of its own.</summary>
+/// <summary>The whole set-up: an unconfigured headset looks at two codes and is connected over TLS with a token of its own.</summary>
 public class PairedGatewayTests
 {
     PlayedCell _cell;

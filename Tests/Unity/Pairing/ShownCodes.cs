@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Pairing;
 
-/// <summary>A source that sees what a test holds up.</summary>
+/// <summary>A marker source that sees the codes shown by a test.</summary>
 sealed class ShownCodes : MonoBehaviour, IMarkerSource
 {
-    /// <summary>A new one where a session looks for sources.</summary>
+    /// <summary>Creates a source where a session searches for sources.</summary>
     public static ShownCodes Below(MrilSession session)
     {
         var codes = new GameObject("Codes").AddComponent<ShownCodes>();

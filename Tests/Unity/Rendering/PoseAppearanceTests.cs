@@ -125,7 +125,7 @@ public class PoseAppearanceTests
     [Test]
     public void Show_RigCannotShowTheRobot_IsNotDrawn()
     {
-        // The root alone makes it a hierarchy, one that lacks links.
+        // The root link alone counts as a hierarchy, with missing links.
         Child("arm_link_0", _rig.transform);
 
         Play(5);
@@ -182,7 +182,7 @@ public class PoseAppearanceTests
         Assert.That(sign.isVisible, Is.True);
     }
 
-    /// <summary>With an appearance of its own, and no rig above it.</summary>
+    /// <summary>Mounts a gripper with its own appearance outside the rig's hierarchy.</summary>
     (VirtualGripper Gripper, Renderer Part, TextMesh Words) MountElsewhere(string flange = "")
     {
         var gripper = Child("Gripper", _session.transform).AddComponent<VirtualGripper>().With("_rig", _rig).With("_flangeLink", flange);
@@ -367,7 +367,7 @@ public class PoseAppearanceTests
         away.y = 0;
         Assert.That(Vector3.Angle(_words.transform.forward, away), Is.LessThan(0.1f));
         Assert.That(_words.transform.up.y, Is.EqualTo(1).Within(1e-5));
-        // Of a capital letter of the built-in font.
+        // Height of a capital letter of the built-in font.
         var height = 0.688 * 6.4 * _words.transform.lossyScale.y;
         Assert.That(2 * Math.Atan(height / 2 / Math.Sqrt(10)) * 180 / Math.PI, Is.InRange(0.5, 0.76));
     }
@@ -444,7 +444,7 @@ public class PoseAppearanceTests
     [Test]
     public void Show_StatesComingAndGoing_AllocatesNothing()
     {
-        // Too short for the console to be told each time.
+        // Changes too short for a console message each time.
         _eachFrame = frame => _cell.IsPlantUp = frame % 40 < 12;
         Play(40);
         var changes = _words.TextChanges;

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>Parts with materials of the user's own look different while the pose is not current, with every kind of shader.</summary>
+/// <summary>Parts with the user's own materials look different while the pose is not current, with every kind of shader.</summary>
 public sealed class PoseOwnMaterialTests
 {
     const string Materials = RepositoryFiles.Package + "/Runtime/Materials/";
@@ -22,7 +22,7 @@ public sealed class PoseOwnMaterialTests
     Renderer _tool;
     Material _substitute;
 
-    /// <summary>Shaders as users have them: the package's own with a pattern, blended ones, opaque ones.</summary>
+    /// <summary>Kinds of users' shaders: the package's own with a pattern, blended ones, opaque ones.</summary>
     public enum Sort
     {
         Patterned, Blended, BlendedUniversal, Premultiplied, BlendedUnknown, OpaqueDrawnLate, Opaque, OpaqueWithColour, OppositeFade, Several,
@@ -105,7 +105,7 @@ public sealed class PoseOwnMaterialTests
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Held));
     }
 
-    /// <summary>Describes what is drawn: nothing, or each material with what the property block changes of it.</summary>
+    /// <summary>Describes the drawn result: nothing, or each material with the changes of the property block.</summary>
     string Seen()
     {
         if (!_tool.isVisible) return "nothing";
@@ -115,7 +115,7 @@ public sealed class PoseOwnMaterialTests
     string Seen(Material material, int index)
     {
         if (material == null) return "magenta";
-        // A block of the material's is used instead of the renderer's.
+        // A property block of one material replaces that of the renderer.
         var block = new MaterialPropertyBlock();
         _tool.GetPropertyBlock(block, index);
         if (block.isEmpty) _tool.GetPropertyBlock(block);
@@ -129,7 +129,7 @@ public sealed class PoseOwnMaterialTests
             if (material.HasProperty(name)) seen += " " + name + (block.HasFloat(name) ? block.GetFloat(name) : material.GetFloat(name));
         foreach (var name in new[] { "_Color", "_BaseColor" })
         {
-            // Only a material that is blended by its alpha shows a lower alpha.
+            // A lower alpha is visible only with a material that blends by alpha.
             if (!material.HasProperty(name) || !material.HasProperty("_SrcBlend") || material.GetFloat("_SrcBlend") != SourceAlpha) continue;
             seen += " " + (block.HasColor(Shader.PropertyToID(name)) ? block.GetColor(name) : material.GetColor(name));
         }
@@ -199,7 +199,7 @@ public sealed class PoseOwnMaterialTests
         Assert.That(block.GetColor("_Color").a, Is.EqualTo(0.6f).Within(1e-6));
     }
 
-    /// <summary>Graphics Tools Standard has such a _Fade: 1 is fully visible, the opposite of this package's.</summary>
+    /// <summary>Graphics Tools Standard has a property _Fade with the opposite meaning of this package's: 1 is fully visible.</summary>
     [Test]
     public void Show_FadeWithoutHatch_IsLeftToTheUser([Values] bool several)
     {

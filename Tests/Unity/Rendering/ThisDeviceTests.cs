@@ -35,7 +35,7 @@ public sealed class ThisDeviceTests
         public Optimization latencyOptimization => Optimization.PrioritizeInputPolling;
     }
 
-    // As stripping leaves it.
+    // The class after stripping.
     sealed class SettingsWithField
     {
 #pragma warning disable CS0414
@@ -52,7 +52,7 @@ public sealed class ThisDeviceTests
         public Optimization latencyOptimization => throw new DllNotFoundException("UnityOpenXR");
     }
 
-    // Before version 1.15.
+    // The class before version 1.15.
     sealed class SettingsWithout
     {
         public static SettingsWithout Instance { get; } = new();

@@ -8,7 +8,7 @@ using UnityEngine.InputSystem;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The scene as it is imported; a test is the headset and its controllers.</summary>
+/// <summary>The scene as imported; the test simulates the headset and its controllers.</summary>
 public sealed class AnyOpenXrHeadsetTests
 {
     const string Scene = "Packages/com.nowpose.mril/Samples~/Any OpenXR headset/Any OpenXR headset.unity";
@@ -114,7 +114,7 @@ public sealed class AnyOpenXrHeadsetTests
         Assert.That(Marker.IsMoving);
         Assert.That((Marker.transform.position - before).magnitude, Is.LessThan(1e-5f), "it is taken where it is");
 
-        // A quarter to the right about the hand, which goes up by 10 cm.
+        // Turns the hand a quarter to the right and raises it by 10 cm.
         MoveHand(new Vector3(0.3f, 1.1f, 0.5f), Quaternion.Euler(0, 90, 0));
         Run(0.1);
         Controls.Set(Grip, false);

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The scene as it is imported, with a sweep that is shorter, and fed by a test instead of a gateway.</summary>
+/// <summary>The scene as imported, with a shorter sweep, and with data from the test instead of a gateway.</summary>
 public sealed class DisplayCalibrationTests
 {
     PlayedCell _cell;
@@ -34,7 +34,7 @@ public sealed class DisplayCalibrationTests
     public async Task End()
     {
         _cell.Dispose();
-        // What a sweep logged until then is still written, by a thread that no frame waits for.
+        // A background thread, which no frame waits for, still writes the rows logged so far.
         await _sweep.Closed.Bounded();
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
@@ -66,7 +66,7 @@ public sealed class DisplayCalibrationTests
 
     static string WordsOf(LoadSweep sweep) => sweep.transform.Find("Words").GetComponent<TextMesh>().text;
 
-    // A HoloLens 2's camera for pictures has a vertical field of view of some 40 degrees, of which a tenth can be read.
+    // The photo camera of a HoloLens 2 has a vertical field of view of about 40 degrees; a code of a tenth of it can be read.
     [Test]
     public void Code_FromTheViewer_IsAsLargeAsACameraNeedsAndUpright()
     {
@@ -96,7 +96,7 @@ public sealed class DisplayCalibrationTests
         foreach (var patch in load.GetComponentsInChildren<MeshRenderer>())
         {
             var place = head.InverseTransformPoint(patch.bounds.center);
-            // The narrower of the displays it is for: 43° by 29°.
+            // The narrowest of the supported displays: 43° by 29°.
             Assert.That(Math.Abs(place.x) + patch.bounds.extents.x, Is.LessThan(place.z * Math.Tan(21.5 * Math.PI / 180)));
             Assert.That(Math.Abs(place.y) + patch.bounds.extents.y, Is.LessThan(place.z * Math.Tan(14.5 * Math.PI / 180)));
             Assert.That(place.z, Is.GreaterThan(head.InverseTransformPoint(panel.position).z), "behind the panel");

@@ -7,7 +7,7 @@ using UnityEngine.InputSystem;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>Cameras and lights of the scenes for see-through headsets. Every scene is one, unless it is listed here.</summary>
+/// <summary>Cameras and lights of the scenes for see-through headsets: all scenes except those listed here.</summary>
 public sealed class HeadsetScenesTests
 {
     static readonly string[] Desktop =

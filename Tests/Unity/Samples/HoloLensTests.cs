@@ -17,7 +17,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The scene as a user imports it, played: what is pressed, slid, said and grasped does what it says.</summary>
+/// <summary>Runs the scene as a user imports it: buttons, sliders, voice commands and grasping have the stated effects.</summary>
 public sealed class HoloLensTests
 {
     const string ScenePath = "Packages/com.nowpose.mril/Samples~/HoloLens 2 (MRTK3)/HoloLens 2 (MRTK3).unity";
@@ -300,7 +300,7 @@ public sealed class HoloLensTests
         Show(codes, 1);
         Assert.That(Message, Is.EqualTo("cell 'desk': look at the code that its gateway shows"));
 
-        // Nobody listens on port 1.
+        // Port 1 is closed.
         codes.Texts.Add(new TokenCode(pin, "AAAAAAAAAAAAAAAAAAAAAA").Text);
         await Soon.BecomesAsync(() =>
         {

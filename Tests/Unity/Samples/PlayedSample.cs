@@ -9,12 +9,12 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The virtual robot cell made of its components, played at 60 fps in virtual time; distances are those of the transforms.</summary>
+/// <summary>The virtual robot cell built from its components, run at 60 fps in virtual time. Distances are those of the transforms.</summary>
 sealed class PlayedSample : IDisposable
 {
     int _frames;
 
-    /// <summary>The components by themselves; nothing wakes until <see cref="Start"/>.</summary>
+    /// <summary>Creates the components; all are inactive until <see cref="Start"/>.</summary>
     public PlayedSample(string robot = "youbot", bool sessionKnowsTheRobot = true)
     {
         Player = new Player();
@@ -37,7 +37,7 @@ sealed class PlayedSample : IDisposable
         Player.LoadScene(scene);
         Session = Player.Find<MrilSession>();
         Session.HeadsetClock = Clock;
-        // It has begun already, with the clock of this machine.
+        // Restarts the session, which has already begun with the clock of this machine.
         Session.Settings = Session.Settings;
         Cell = Session.gameObject;
         Displayed = Cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>();
@@ -55,16 +55,16 @@ sealed class PlayedSample : IDisposable
     public RobotRig Truth { get; }
     public SteppedClock Clock { get; } = new();
 
-    /// <summary>Of the frames of the last <see cref="Run"/>: what state each was in.</summary>
+    /// <summary>States of the frames of the last <see cref="Run"/>.</summary>
     public List<PoseState> States { get; } = [];
 
-    /// <summary>In the current ones: distance of the displayed tool from the true one, m.</summary>
+    /// <summary>Distance of the displayed tool from the true one in the current frames, m.</summary>
     public List<double> Errors { get; } = [];
 
-    /// <summary>In the same: that of the ghost.</summary>
+    /// <summary>Distance of the ghost's tool from the true one in the same frames, m.</summary>
     public List<double> HoldErrors { get; } = [];
 
-    /// <summary>The scene as a user imports it, awake.</summary>
+    /// <summary>Loads the scene as a user imports it and activates it.</summary>
     public static PlayedSample OfScene() => new("Packages/com.nowpose.mril/Samples~/Virtual Robot Cell/Virtual Robot Cell.unity");
 
     public PlayedSample Start()
@@ -97,7 +97,7 @@ sealed class PlayedSample : IDisposable
 
     public void Dispose() => Player.Dispose();
 
-    // Nothing wakes before all is assigned, as in a scene.
+    // Inactive until all fields are assigned, as in a scene.
     static GameObject Sleeping(string name)
     {
         var made = new GameObject(name);

@@ -12,7 +12,7 @@ namespace Nowpose.Unity.Tests.Samples;
 
 public class VirtualRobotCellTests
 {
-    /// <summary>It is 0.89 to 0.91 here, on every machine: time is virtual and chance is seeded.</summary>
+    /// <summary>The value is 0.89 to 0.91 on every machine, because time is virtual and random numbers are seeded.</summary>
     const double LeastReduction = 0.85;
 
     static readonly (string Name, KnobRange Range)[] Knobs =
@@ -235,7 +235,7 @@ public class VirtualRobotCellTests
             allocated.Add(GC.GetAllocatedBytesForCurrentThread() - before);
         }
 
-        // Messages are objects, as those of a network are: a sample each third frame, a clock exchange each twelfth.
+        // Messages are objects, as from a network: a sample in every third frame, a clock exchange in every twelfth.
         Assert.That(allocated.Count(bytes => bytes == 0), Is.GreaterThan(600 / 2));
         Assert.That(allocated.Count(bytes => bytes > 200), Is.LessThan(600 / 10));
     }

@@ -73,7 +73,7 @@ public sealed class DisplayTimesTests
         Assert.That(session.IsBeforeRender, Is.False);
     }
 
-    // The pose that a frame is rendered with is what a calibration measured from; the other one begins earlier.
+    // The calibration measured from the pose that a frame is rendered with; the first pose is computed earlier.
     [TestCase(false, 47)]
     [TestCase(true, 41)]
     public void DisplayTimeDifference_FrameComputedTwice_IsOfThePoseThatIsRendered(bool isRewritten, double differenceMs)

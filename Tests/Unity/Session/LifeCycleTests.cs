@@ -9,12 +9,12 @@ using Random = System.Random;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>Whatever is switched, destroyed or made at whatever frame: nothing throws, nothing stays behind, nothing old looks current.</summary>
+/// <summary>Objects are enabled, destroyed or created in any frame, without exceptions, leaks or an old pose that looks current.</summary>
 public class LifeCycleTests
 {
     const int Steps = 600;
 
-    // What is said, and rightly, where something was destroyed that another part needs.
+    // Correct messages after an object was destroyed that another part needs.
     static readonly string[] Losses = ["has no rig to ride on", "has no cell to copy", "is missing; name an object", "is drawn there; name an object"];
 
     [Test]
@@ -48,7 +48,7 @@ public class LifeCycleTests
     static bool IsFault(PlayerLogEntry log) =>
         log.Type is LogType.Exception or LogType.Error or LogType.Assert && !Losses.Any(log.Message.Contains);
 
-    /// <summary>One cell with all components, and everything that may happen to it.</summary>
+    /// <summary>One cell with all components, and all events that can happen to it.</summary>
     sealed class Scene
     {
         readonly PlayedCell _cell;
@@ -66,14 +66,14 @@ public class LifeCycleTests
         Ghost _ghost;
         bool _isPaused, _isUnfocused;
 
-        /// <param name="isShipped">Whether the cell is the package's prefab instead of one made by hand.</param>
+        /// <param name="isShipped">Whether the cell is the package's prefab instead of one built by the test.</param>
         public Scene(PlayedCell cell, Random random, bool isShipped)
         {
             _cell = cell;
             _random = random;
             _isShipped = isShipped;
             var youBot = RobotFiles.LoadText("youbot");
-            // The prefab shows a youBot: any other robot is refused there, and that is said.
+            // The prefab shows a youBot and refuses any other robot with a message.
             _descriptions = [youBot, isShipped ? youBot + "<!-- edited -->" : RobotFiles.LoadText("ur5")];
             _robots = [RobotDescriptionAsset.Create("one", _descriptions[0]), RobotDescriptionAsset.Create("other", _descriptions[1])];
             _viewer = new GameObject("Viewer", typeof(Camera)) { tag = "MainCamera" };
@@ -108,10 +108,10 @@ public class LifeCycleTests
             ];
         }
 
-        /// <summary>Every session there has been.</summary>
+        /// <summary>All sessions so far.</summary>
         public HashSet<CompensationSession> Sessions { get; } = [];
 
-        /// <summary>Frames that were current.</summary>
+        /// <summary>Number of current frames.</summary>
         public int Currents { get; private set; }
 
         public string StartAnew()
@@ -124,7 +124,7 @@ public class LifeCycleTests
 
         public string DoAnything()
         {
-            // Long enough at times to synchronise.
+            // Sometimes long enough to synchronise.
             if (_random.Next(4) > 0) return Frames(_random.Next(5) == 0 ? 150 : _random.Next(1, 4));
             var (name, action) = _actions[_random.Next(_actions.Length)];
             action();
@@ -181,7 +181,7 @@ public class LifeCycleTests
             Assert.That(_session.GetComponentInChildren<RenderTimeSource>(true), Is.Not.Null);
         }
 
-        // Links, fingers, texts and what they are drawn with, too.
+        // Includes links, fingers, texts and their renderers.
         GameObject AnyObject()
         {
             if (_root == null) return null;
@@ -189,7 +189,7 @@ public class LifeCycleTests
             return all[_random.Next(all.Length)].gameObject;
         }
 
-        // The engine does not let go of a rig that a ghost needs.
+        // The engine does not allow removing a rig that a ghost requires.
         MonoBehaviour AnyScript()
         {
             if (_root == null) return null;

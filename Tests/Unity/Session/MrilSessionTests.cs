@@ -9,7 +9,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>The session component in frames: what it owns when, what it shows and what it tells.</summary>
+/// <summary>The session component in frames: its resources, its displayed pose and its events.</summary>
 public class MrilSessionTests
 {
     PlayedCell _cell;
@@ -151,7 +151,7 @@ public class MrilSessionTests
     {
         var session = _cell.Play();
         var order = new List<string>();
-        // Added later: without an order of execution it would come after the session.
+        // Added later: without an execution order it would run after the session.
         session.gameObject.AddComponent<FrameProbe>().LateUpdated = () => order.Add("user");
         session.Shown += _ => order.Add("shown");
 
@@ -286,7 +286,7 @@ public class MrilSessionTests
         _cell.Frame(session);
         _cell.Player.Pause(true);
         session.gameObject.SetActive(false);
-        // Nobody tells an inactive object.
+        // An inactive object receives no message.
         _cell.Player.Pause(false);
 
         session.gameObject.SetActive(true);
@@ -484,7 +484,7 @@ public class MrilSessionTests
     public void Statistics_AskedTwiceInAFrame_AreFilledOnce()
     {
         var session = _cell.Play();
-        // Later than the log entry of the synchronised clock, which reads the statistics.
+        // Runs beyond the log entry of the synchronised clock, which reads the statistics.
         _cell.Run(3, session);
 
         var first = session.Statistics;

@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>The session component and sockets: a frame waits for none of them.</summary>
+/// <summary>The session component and its sockets: a frame never waits for them.</summary>
 public class SessionConnectionTests
 {
     PlayedCell _cell;
@@ -144,11 +144,11 @@ public class SessionConnectionTests
         }
         catch (IOException)
         {
-            // Reset instead of closed: gone as well.
+            // The connection was reset instead of closed, so it has ended as well.
         }
     }
 
-    // Frames as fast as they come; none may take as long as the network would.
+    // Runs frames without pauses; none may take as long as the network would.
     async Task SoonAsync(MrilSession session, Func<bool> condition, string what)
     {
         await Soon.BecomesAsync(() =>

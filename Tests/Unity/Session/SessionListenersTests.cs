@@ -9,7 +9,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>Whoever hears an event of the session component may do anything to it.</summary>
+/// <summary>A listener of a session component's event may do anything to the component.</summary>
 public class SessionListenersTests
 {
     static readonly string[] Events =
@@ -88,14 +88,14 @@ public class SessionListenersTests
             var count = 0;
             Listen(heard, () =>
             {
-                // Once would be too easy, for ever too long.
+                // More than once, but not in every event.
                 if (count++ < 2 && _session != null) Actions[action](_session);
                 Note(label);
             });
 
             Causes[cause](_cell, _session);
             Note(label);
-            // Long enough to synchronise anew.
+            // Long enough to synchronise again.
             for (var i = 0; i < (cause == "resumed" ? 360 : 60); i++)
             {
                 Frame(cause == "late" ? 20 : 10);
@@ -203,7 +203,7 @@ public class SessionListenersTests
         new(PlayedCell.Offline.Connection, VisualisationLatency.FromMilliseconds(visualisationMs),
             range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime));
 
-    // Current, and with connections that a forgotten session would keep up.
+    // Starts with a current pose, and with connections that a leaked session would keep open.
     void Begin()
     {
         _session = _cell.Play(settings: With(40));

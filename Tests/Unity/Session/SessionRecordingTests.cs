@@ -39,7 +39,7 @@ public sealed class SessionRecordingTests
 
     string[] Files => Directory.Exists(_folder) ? [.. Directory.GetFiles(_folder).Order()] : [];
 
-    // The files are made and closed by threads that no frame waits for.
+    // Threads that no frame waits for create and close the files.
     Task Written(int files = 0) => Soon.BecomesAsync(() => Files.Length >= files && Files.All(IsClosed), "the files are closed");
 
     static bool IsClosed(string file)

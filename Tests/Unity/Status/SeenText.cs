@@ -3,13 +3,13 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>Where a text's letters are, by the metrics of the engine's built-in font, and how large they look from a head.</summary>
+/// <summary>Positions of a text's letters, from the metrics of the engine's built-in font, and their size as seen from a head.</summary>
 static class SeenText
 {
     /// <summary>Height of a capital letter of Liberation Sans, and of a line with ascenders and descenders.</summary>
     const float CapitalHeight = 1409 / 2048f, LineHeight = (1854 + 434 + 67) / 2048f;
 
-    /// <summary>HoloLens 2: 43° by 29°.</summary>
+    /// <summary>Half the field of view of a HoloLens 2, which is 43° by 29°.</summary>
     const float HalfWidthDegrees = 21.5f, HalfHeightDegrees = 14.5f;
 
     /// <summary>Advance widths by code point, read from the font file.</summary>
@@ -33,7 +33,7 @@ static class SeenText
         Vector3 At(float x, float y) => text.transform.TransformPoint(new Vector3(x, y, 0));
     }
 
-    /// <summary>Height of a capital letter at a place of the text, as an angle at the head.</summary>
+    /// <summary>The smallest angle at the head of a capital letter at the text's corners.</summary>
     public static float CapitalDegrees(TextMesh text, Transform head)
     {
         var smallest = float.MaxValue;
@@ -51,7 +51,7 @@ static class SeenText
         return seen.z > 0 && Degrees(seen.x, seen.z) <= HalfWidthDegrees && Degrees(seen.y, seen.z) <= HalfHeightDegrees;
     }
 
-    /// <summary>Height above the horizon of a head that looks level.</summary>
+    /// <summary>Elevation of a place above the horizon of a head that looks level, in degrees.</summary>
     public static float Elevation(Vector3 place, Transform head)
     {
         var seen = head.InverseTransformPoint(place);

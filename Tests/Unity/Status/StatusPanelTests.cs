@@ -53,7 +53,7 @@ public class StatusPanelTests
 
     TextMesh[] Texts => Sheet.GetComponentsInChildren<TextMesh>();
 
-    /// <summary>What stands behind a label: value and note.</summary>
+    /// <summary>Returns value and note beside a label.</summary>
     (string Value, string Note) Row(string label)
     {
         var row = Texts.Single(t => t.text == label).name.Split(' ')[0];
@@ -159,7 +159,7 @@ public class StatusPanelTests
     public void OnDisable_Playing_NothingOfItIsSeenUntilEnabledAgain()
     {
         _panel.With("_ground", new Material((Shader)null));
-        // Later than the first texts that come one by one: the coarse clock's error, and the reduction.
+        // Runs beyond the last of the first texts that appear: the coarse clock's error, and the reduction.
         Play(8);
         var shown = Seen();
 

@@ -14,7 +14,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>The panels of the scenes, seen by a head that looks level.</summary>
+/// <summary>The panels of the scenes as seen by a head that looks level.</summary>
 [TestFixture("Samples~/HoloLens 2 (MRTK3)/HoloLens 2 (MRTK3).unity")]
 [TestFixture("Samples~/Any OpenXR headset/Any OpenXR headset.unity")]
 [TestFixture("Samples~/Display Calibration/Display Calibration.unity")]
@@ -84,7 +84,7 @@ public sealed class StatusPanelViewTests(string scene)
                 var places = row.OrderBy(cell => cell.transform.position.x).ToList();
                 for (var i = 0; i < places.Count; i++)
                 {
-                    // A letter's width is left between two columns.
+                    // A gap of one letter's width remains between two columns.
                     var end = i + 1 < places.Count ? places[i + 1].transform.position.x - 0.4f * sheet.lossyScale.x : Ground.max.x;
                     Assert.That(SeenText.Corners(places[i])[1].x, Is.LessThanOrEqualTo(end), $"{what}: {places[i].name} '{places[i].text}'");
                 }
@@ -105,7 +105,7 @@ public sealed class StatusPanelViewTests(string scene)
         Assert.That(middle, Is.EqualTo(-6).Within(1.5));
     }
 
-    /// <summary>Elevation of the lowest that belongs to the panel: its ground, or the ground of its bar.</summary>
+    /// <summary>Elevation of the lowest part of the panel: its ground, or the ground of its bar.</summary>
     float Lowest() => _panel.GetComponentsInChildren<MeshRenderer>().Where(r => r.name == "Ground").Min(r => SeenText.Elevation(r.bounds.min, _head));
 
     [Test]

@@ -3,7 +3,7 @@ using System.Reflection;
 
 namespace Nowpose.Unity.Tests.Surface;
 
-/// <summary>Lists the public surface of an assembly: a line for each public type and each public or protected member, sorted.</summary>
+/// <summary>Lists the public surface of an assembly: one line for each public type and each public or protected member, sorted.</summary>
 static class PublicApi
 {
     const BindingFlags Declared = BindingFlags.DeclaredOnly | BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
@@ -43,7 +43,7 @@ static class PublicApi
         return bases.Count == 0 ? "" : " : " + string.Join(", ", bases);
     }
 
-    // Null for what no user can reach.
+    // Returns null for a member that users cannot access.
     static string LineOf(MemberInfo member) => member switch
     {
         ConstructorInfo made when IsVisible(made) && !made.IsStatic => $"new({ParametersOf(made)})",

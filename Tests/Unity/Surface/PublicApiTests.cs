@@ -3,10 +3,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Surface;
 
-/// <summary>The public surface is in the repository, so that a review sees each change of it.</summary>
+/// <summary>The list of the public surface is in the repository, so that a review shows each change of it.</summary>
 public class PublicApiTests
 {
-    /// <summary>Public types of the assembly without an engine, nested ones counted.</summary>
+    /// <summary>Maximum number of public types, including nested ones, of the assembly without an engine.</summary>
     const int MaxCoreTypes = 80;
 
     static readonly string[] Assemblies =

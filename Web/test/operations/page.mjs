@@ -1,4 +1,4 @@
-// The page of operations in Chromium, with a gateway that is made up: what its tests share.
+// Common parts of the tests of the operations page: Chromium with a fake gateway.
 import { after, afterEach, before, beforeEach } from 'node:test';
 import { Browser, NO_WEBGL, WEBGL } from '../browser.mjs';
 import { FakeGateway } from '../fakeGateway.mjs';
@@ -22,7 +22,7 @@ export function withGraphics() {
   after(() => { graphics = NO_WEBGL; });
 }
 
-/** @param isReady Waits for the first answer. */
+/** @param isReady Whether to wait for the first answer. */
 export async function open(options = {}, isReady = true) {
   if (!browsers.has(graphics)) browsers.set(graphics, await Browser.start('operations', graphics));
   const context = await browsers.get(graphics).browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });

@@ -1,11 +1,11 @@
-// The robot on the page of operations.
+// The robot on the operations page.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
 import { picture } from '../pixels.mjs';
 import { becomes, gateway, open, withGraphics } from './page.mjs';
 
-/** How many bodies one picture of the 3D view has: what is drawn between two times it is cleared. */
+/** Number of bodies in one picture of the 3D view: draw calls between two clears. */
 const bodiesDrawn = async page => {
   await page.locator('.stage').scrollIntoViewIfNeeded();
   return page.evaluate(() => new Promise(done => {
@@ -59,8 +59,8 @@ describe('the robot', () => {
   it('says how far what a headset showed is from the truth of the same moment', async () => {
     const page = await open();
 
-    // Turned by 0.1 rad about the base, whose axis the tool is 0.4809 m from: so says the command line's kinematics. On a machine that is
-    // busy messages come in clumps, and what lies between two of them is off for a while.
+    // Turned by 0.1 rad about the base axis, from which the tool is 0.4809 m away (from the command line's kinematics). On a busy machine
+    // messages arrive in bursts, and positions between two bursts are wrong for a while.
     await page.waitForFunction(
       far => Math.abs(Number(/shows the tool ([\d.]+)/.exec(document.querySelector('.apart').textContent)?.[1]) - far) < 1, 2 * 480.9 * Math.sin(0.05));
     gateway.turned = 0;
@@ -98,7 +98,7 @@ describe('the robot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  // Of all three the mixture would be grey again.
+  // The mixture of all three colours would be grey again.
   for (const [other, said] of [
     ['displayed', /shows the tool less than 0\.1.mm from where it was\.$/], ['held', /what it shows; without compensation less than 0\.1/],
   ]) {
@@ -133,7 +133,7 @@ describe('the robot', () => {
     const page = await open({ reducedMotion: 'reduce' });
     gateway.isSilent = true;
     await page.waitForSelector('#content.stale');
-    // What the headset shows is gone with the next picture, and the robot stands.
+    // The headset's pose disappears with the next picture, and the robot stands still.
     await page.waitForTimeout(2000);
     const shot = async () => {
       await page.waitForTimeout(150);

@@ -1,11 +1,11 @@
-// What the page of operations says of plants, clocks, headsets and faults.
+// States of plants, clocks, headsets and faults on the operations page.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { JOINTS } from '../fakeGateway.mjs';
 import { hasInk } from '../inks.mjs';
 import { becomes, cells, gateway, open } from './page.mjs';
 
-/** What stands below a row; null where nothing does. */
+/** Text of the note below a row; null if there is none. */
 const noteOf = async (page, row) => {
   const note = page.locator(`#plants tbody:has(th:has-text("${row}")) .note`).last();
   return (await note.isVisible()) ? note.innerText() : null;
@@ -113,7 +113,7 @@ describe('what it shows', () => {
 
     await page.waitForTimeout(1500);
 
-    // Of one source the fastest is the slowest, which is drawn over it.
+    // With one source the fastest and the slowest are the same; the slowest is drawn over the fastest.
     for (const [i, ink] of ['--compensated', '--compensated', '--compensated', '--hold'].entries()) assert.ok(await hasInk(page, i, ink), `plot ${i}`);
     const [, second] = await page.locator('#plots .legend').allInnerTexts();
     assert.match(second, /410\s*µs[^]*120\s*µs/);
@@ -172,7 +172,7 @@ describe('faults', () => {
     id, kind: 'joint', which: 'arm_joint_3 (press)', what: 'is refused', reason: refused.reason, level, since_utc: ago(95), ...more,
   });
 
-  /** The joint's row: source, state, since, rate, age. */
+  /** Cells of the joint's row: source, state, since, rate, age. */
   const jointCells = (page, name) => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) td`).allInnerTexts();
 
   function fail() {

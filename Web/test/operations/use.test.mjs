@@ -1,4 +1,4 @@
-// What a person does with the page of operations, with any window and eye.
+// Use of the operations page by a person, with different windows and vision settings.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
@@ -6,7 +6,7 @@ import { contrast, luminance } from '../inks.mjs';
 import { readElement } from '../qr.mjs';
 import { becomes, cells, gateway, open, withGraphics } from './page.mjs';
 
-/** Of the texts below the content, the least contrast with the page, as opacity and greyness leave them. */
+/** Lowest contrast with the page of all texts in the content, after opacity and greyscale. */
 const weakestText = page => page.evaluate(() => {
   const channels = colour => colour.match(/[\d.]+/g).slice(0, 3).map(c => c / 255);
   const linear = c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
@@ -270,7 +270,7 @@ describe('any window, any eye', () => {
     };
 
     const [calm, moving] = [await frames('reduce'), await frames('no-preference')];
-    // In two seconds, each picture cleared twice; a busy machine draws as many of the others as it can.
+    // In two seconds, with two clears per picture. Without reduced motion a busy machine draws as many pictures as it can.
     assert.ok(calm >= 1 && calm <= 8 && moving > calm, `${calm} against ${moving} clears`);
   });
 

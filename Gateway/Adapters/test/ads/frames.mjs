@@ -4,7 +4,7 @@ export const command = {
   addNotification: 6, deleteNotification: 7, notification: 8, readWrite: 9,
 };
 
-/** What the first two bytes of an AMS/TCP header may say; only 0 is in the specification, the others are the router's own. */
+/** Values of the first two bytes of an AMS/TCP header. The specification has only 0; the others are the router's own. */
 export const tcpCommand = { ads: 0, closePort: 1, openPort: 0x1000, localNetId: 0x1002 };
 
 export const group = {
@@ -29,7 +29,7 @@ const request = 0x0004;
 export const netIdBytes = text => Buffer.from(text.split('.').map(Number));
 export const netIdText = bytes => [...bytes].join('.');
 
-/** AMS/TCP header: two bytes that are zero for ADS, then the length of what follows. */
+/** AMS/TCP header: two bytes that are zero for ADS, then the length of the data that follows. */
 export function tcpFrame(kind, data) {
   const header = Buffer.alloc(6);
   header.writeUInt16LE(kind, 0);
@@ -37,7 +37,7 @@ export function tcpFrame(kind, data) {
   return Buffer.concat([header, data]);
 }
 
-/** AMS header (32 bytes) and its data. */
+/** Returns an AMS header (32 bytes) followed by its data. */
 function amsFrame(target, source, id, flags, errorCode, invokeId, data) {
   const header = Buffer.alloc(32);
   netIdBytes(target.netId).copy(header, 0);
@@ -64,16 +64,16 @@ export function parseAms(bytes) {
   };
 }
 
-/** The answer to a request: its addresses exchanged, its command and its invoke id. */
+/** Returns the response to a request: source and target exchanged, same command and same invoke id. */
 export const answer = (asked, data, errorCode = 0) =>
   amsFrame(asked.source, asked.target, asked.command, response, errorCode, asked.invokeId, data);
 
 export const result = code => words(code);
 
-/** What Read and ReadWrite give back: result, length, data. */
+/** Returns the response data of Read and ReadWrite: result, length, data. */
 export const readResult = data => Buffer.concat([words(0, data.length), data]);
 
-/** A device notification: stamps of 100 ns since 1601 UTC, each with the samples that were taken then. */
+/** Returns a device notification: stamps in units of 100 ns since 1601 UTC, each with the samples taken at that time. */
 export function notificationFrame(target, source, stamps) {
   const parts = [words(stamps.length)];
   for (const { stamp, samples } of stamps) {
@@ -92,7 +92,7 @@ export function words(...values) {
   return bytes;
 }
 
-/** Takes whole AMS/TCP frames out of a stream of bytes. */
+/** Extracts whole AMS/TCP frames from a stream of bytes. */
 export class FrameReader {
   #bytes = Buffer.alloc(0);
 

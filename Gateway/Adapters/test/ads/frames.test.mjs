@@ -1,4 +1,4 @@
-// The double against frames written by hand from the specification, byte for byte: it is not merely what one client accepts.
+// Compares the double byte for byte with frames written by hand from the specification, so that it is not fitted to one client.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { connect } from 'node:net';
@@ -12,7 +12,7 @@ const there = '05 18 0c 07 01 01 53 03', here = 'c0 a8 00 0a 01 01 89 80';
 const bytes = hex => Buffer.from(hex.replace(/\s/g, ''), 'hex');
 const text = buffer => buffer.toString('hex').replace(/..(?!$)/g, '$& ');
 
-/** A cycle of a day: no value changes while a test runs. */
+/** A PLC with a cycle of one day: no value changes while a test runs. */
 const still = () => new Plc([
   new PlcSymbol('MAIN.fA', 'LREAL', () => 1.5),
   new PlcSymbol('G.aB', 'INT', () => [7, -2], { count: 2, first: 1 }),

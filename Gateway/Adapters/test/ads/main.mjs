@@ -1,4 +1,4 @@
-// npm run ads-server: a youBot that moves behind ADS on this machine, to try an adapter or a client on. Ends with Ctrl-C.
+// npm run ads-server: starts a moving youBot behind ADS on this machine, for trying out an adapter or a client. Ends with Ctrl-C.
 import { parseArgs } from 'node:util';
 import { AdsServer, runtimePort } from './server.mjs';
 import { youBot } from './youbot.mjs';

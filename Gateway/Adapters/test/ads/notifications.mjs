@@ -1,7 +1,7 @@
-// Device notifications of one client: what is due in a cycle is sampled for that cycle, however late the machine is.
+// Device notifications of one client. A sample that is due in a cycle is taken for that cycle, even if the machine runs late.
 import { group, mode, notificationFrame } from './frames.mjs';
 
-/** A machine that slept does not send what it missed for longer than this. */
+/** Longest interruption for which missed samples are sent later, in ns. After a longer one they are skipped. */
 const longestCatchUp = 200_000_000n;
 
 export class Notifications {
@@ -21,7 +21,7 @@ export class Notifications {
     return this.#entries.size;
   }
 
-  /** Times in 100 ns, as a request has them; the first sample comes with the next cycle. */
+  /** Adds a notification; times are in units of 100 ns, as in the request. The first sample comes with the next cycle. */
   add(client, server, { indexGroup, indexOffset, length, transmission, maxDelay, cycleTime }) {
     const interval = BigInt(cycleTime) * 100n;
     const whole = interval <= this.#plc.cycle ? this.#plc.cycle : interval - interval % this.#plc.cycle;
@@ -38,7 +38,7 @@ export class Notifications {
     return this.#entries.delete(handle);
   }
 
-  /** Samples of variables that are no longer where they were: each is told of once, by a sample without data. */
+  /** Removes notifications of variables whose memory place changed. Each one is reported once, by a sample without data. */
   invalidate() {
     for (const [handle, entry] of this.#entries) {
       if (entry.indexGroup !== group.memory) continue;
@@ -74,7 +74,7 @@ export class Notifications {
     this.#waiting.push({ entry, handle, time, data, until: time + entry.maxDelay });
   }
 
-  /** One packet with a stamp per cycle, once the most impatient sample has waited its longest. */
+  /** Sends one packet with one stamp per cycle, once any waiting sample has reached its maximum delay. */
   #flush(atOnce) {
     const now = this.#plc.now();
     if (this.#waiting.length === 0 || !atOnce && !this.#waiting.some(w => w.until <= now)) return;

@@ -1,9 +1,9 @@
-// A PLC as an ADS client sees it: its clock, its task, its variables, its states.
+// A PLC as an ADS client sees it: clock, task, variables and states.
 import { performance } from 'node:perf_hooks';
 import { error, group, state, words } from './frames.mjs';
 import { symbolEntry } from './symbols.mjs';
 
-/** 100 ns between 1601-01-01 and 1970-01-01, both UTC. */
+/** Interval between 1601-01-01 and 1970-01-01, both UTC, in units of 100 ns. */
 const fileTimeOf1970 = 116444736000000000n;
 
 export const fileTime = nanoseconds => nanoseconds / 100n + fileTimeOf1970;
@@ -18,8 +18,8 @@ export class Plc {
   downloaded = new Set();
 
   /**
-   * `aheadMs` is what its clock reads more than this machine's at the start, `ppm` how much faster it runs; `cycleMs` is its
-   * task's. `variables` are PlcSymbols, whose values change from cycle to cycle only.
+   * `aheadMs` is the PLC clock minus this machine's clock at the start, `ppm` is its skew, and `cycleMs` is the cycle time of its task.
+   * `variables` are PlcSymbols, whose values change only from cycle to cycle.
    */
   constructor(variables, { aheadMs = 0, ppm = 0, cycleMs = 1, stampOf = time => fileTime(time) } = {}) {
     this.#startTime = BigInt(Math.round((Date.now() + aheadMs) * 1e6));
@@ -38,7 +38,7 @@ export class Plc {
     this.#stoppedAt = this.cycleTime();
   }
 
-  /** Nanoseconds since 1970. */
+  /** The PLC's clock in nanoseconds since 1970. */
   now() {
     const elapsed = (performance.now() - this.#startedAt) * (1 + this.#ppm * 1e-6);
     return this.#startTime + BigInt(Math.round(elapsed * 1e6));
@@ -48,13 +48,13 @@ export class Plc {
     this.#startTime += BigInt(Math.round(milliseconds * 1e6));
   }
 
-  /** When the task's newest cycle began; cycles begin at no round time. */
+  /** Start of the task's newest cycle, in nanoseconds since 1970. Cycles do not start at round times. */
   cycleTime(time = this.now()) {
     const phase = this.cycle * 3n / 7n / 100n * 100n;
     return time - (time - phase) % this.cycle;
   }
 
-  /** A new program: other places of all variables, and what knew the old ones is void. */
+  /** Loads a new program: all variables move to other places, and handles of the old places become invalid. */
   download(variables) {
     this.version = this.version % 255 + 1;
     this.#place(variables, 0x1000 + 64 * this.version);
@@ -70,7 +70,7 @@ export class Plc {
     }
   }
 
-  /** By name as ADS compares it, without regard to case; elements of arrays too. */
+  /** Finds a variable or an element of an array by name. ADS ignores case. */
   find(name) {
     const [, path, index] = /^(.*?)(?:\[(-?\d+)\])?$/.exec(name);
     const named = text => this.#symbols.find(s => s.name.toLowerCase() === text.toLowerCase());
@@ -89,7 +89,7 @@ export class Plc {
     return words(this.#symbols.length, this.table.length);
   }
 
-  /** What lies at a place at the beginning of a cycle, or an ADS error. In stop the task does not run: values stay. */
+  /** Returns the bytes at a place at the beginning of a cycle, or an ADS error. In stop the task does not run and the values do not change. */
   read(indexGroup, indexOffset, length, time = this.cycleTime()) {
     if (this.plcState !== state.run) time = this.#stoppedAt;
     if (indexGroup === group.symbolVersion) return Buffer.from([this.version]);

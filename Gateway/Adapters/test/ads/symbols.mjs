@@ -1,9 +1,9 @@
-// Symbols of a PLC and how a symbol table tells of them (AdsSymbolEntry of TcAdsDef.h).
+// Symbols of a PLC and their entries in a symbol table (AdsSymbolEntry of TcAdsDef.h).
 import { words } from './frames.mjs';
 
 const primitive = (type, size, write) => ({ type, size, write });
 
-/** Types by the names of IEC 61131-3: ADST number, bytes and how a value is written. */
+/** Types by their IEC 61131-3 names: ADST number, size in bytes, and the function that writes a value. */
 export const types = {
   BOOL: primitive(33, 1, (b, v) => b.writeUInt8(v ? 1 : 0)),
   INT: primitive(2, 2, (b, v) => b.writeInt16LE(v)),
@@ -19,7 +19,7 @@ export const types = {
   STRING: primitive(30, 81, (b, v) => b.write(`${v}\0`, 'latin1')),
 };
 
-/** One variable: `value` gives its content at a time of the PLC (nanoseconds since 1970, BigInt); `count` makes it an array. */
+/** One variable. `value` returns its content at a PLC time (nanoseconds since 1970, BigInt); `count` makes it an array. */
 export class PlcSymbol {
   constructor(name, typeName, value, { count = 0, first = 0 } = {}) {
     Object.assign(this, { name, typeName, value, count, first });
@@ -39,7 +39,7 @@ export class PlcSymbol {
     return bytes;
   }
 
-  /** The element that an index in square brackets names. */
+  /** Returns the element at an index of the array. */
   element(index) {
     const place = index - this.first;
     if (this.count === 0 || place < 0 || place >= this.count) return undefined;
@@ -51,7 +51,7 @@ export class PlcSymbol {
 
 const text = string => Buffer.from(`${string}\0`, 'latin1');
 
-/** AdsSymbolEntry: 30 bytes, then name, type and comment with a zero each, and of an array its first index and its length. */
+/** AdsSymbolEntry: 30 bytes, then zero-terminated name, type and comment. For an array, its first index and its length follow. */
 export function symbolEntry(symbol, indexGroup) {
   const isArray = symbol.count > 0;
   const lengths = Buffer.alloc(10);

@@ -26,7 +26,7 @@ describe('cycles of a PLC', () => {
 describe('time by notifications', () => {
   const STAMP = 133_000_000_000_000_000n;
 
-  /** A PLC whose first notification comes before, or after, the answer to its subscription. */
+  /** A PLC whose first notification comes before or after the answer to its subscription. */
   function plc({ early, handles = [1, 2, 3] }) {
     const time = new NotificationTime({
       subscribe: async () => {

@@ -14,8 +14,6 @@ import { SyncServer } from './syncServer.mjs';
 
 const { BrokerLink } = await parts('broker/brokerLink');
 
-/** Nothing is waited for that long unless it fails, or the machine has other things to do. */
-
 const TOPIC = 'nowpose/cell';
 
 function bridge(t, direction, gateway, broker, more = '', env) {
@@ -32,13 +30,13 @@ ${more}`);
 
 const clockOf = ({ port }, more = '') => `  clock: { host: 127.0.0.1, port: ${port}${more} }\n`;
 
-/** A gateway with the plant, a broker, and a gateway without one, joined by two bridges. */
+/** Two gateways, one with the plant and one without, connected by a broker and two bridges. */
 async function halls(t, { more = '' } = {}) {
   const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
   const publisher = bridge(t, 'publish', near, broker), subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + more);
   await until(() => near.heard.filter(m => m.op === 'subscribe').length === 4, () => publisher.err);
   await until(() => far.state?.state === 'connected', () => subscriber.err);
-  // Before it is known whose time the stamps are of, none passes.
+  // No message passes until the clock of its stamps is known.
   await served(far);
   return { near, far, broker, sync, publisher, subscriber };
 }
@@ -48,7 +46,7 @@ const state = (stamp, name = ['a'], position = [1]) => ({
   name, position, velocity: [], effort: [],
 });
 const publish = (double, topic, msg) => double.send({ op: 'publish', topic, msg });
-/** A gateway's joints that are not live, as it publishes them on its own topic. */
+/** The list of joints that are not live, as a gateway publishes it on its own topic. */
 const jointStatus = (stamp, values) => ({
   header: state(stamp).header,
   status: [{ level: 2, name: 'joints', message: '', hardware_id: 'gateway', values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
@@ -128,7 +126,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
   it('Broker_StallsAndReturns_DelaysNobodyAndLosesTheOldest', async t => {
     const { near, far, broker, sync, publisher } = await halls(t);
     broker.stall();
-    // More than all buffers between here and there hold.
+    // More than the combined capacity of all buffers on the path.
     const names = [...Array(250).keys()].map(i => `a_joint_with_a_rather_long_name_${i}`), start = sync.now();
     for (let i = 0n; i < 1000n; i++) {
       publish(near, '/joint_states', state(start + i, names, names.map(() => Number(i))));
@@ -136,7 +134,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     }
     const asked = performance.now();
     await until(() => Number(near.state?.lost) > 0, () => `lost messages: ${JSON.stringify(near.state)}`);
-    // The bridge still answers its gateway while the broker stands.
+    // The bridge still answers its gateway while the broker is stalled.
     const count = near.published('/nowpose/diagnostics').length;
     await until(() => near.published('/nowpose/diagnostics').length > count, 'diagnostics');
 
@@ -158,14 +156,14 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await broker.run();
 
     await until(() => far.state?.state === 'connected', () => subscriber.err);
-    // The broker has forgotten everything; the bridge has not.
+    // The broker has lost everything it kept; the bridge still has it.
     const client = await connectAsync(broker.url, { protocolVersion: 5 });
     t.after(() => client.endAsync(true));
     const kept = new Promise(resolve => client.on('message', (topic, payload) => resolve(JSON.parse(payload))));
     await client.subscribeAsync(`${TOPIC}/robot_description`);
     assert.deepEqual(await kept, { data: '<robot name="kept"/>' });
     const count = far.jointStates.length;
-    // What is sent while one of the two is still on its way back is lost, as joint states may be.
+    // Joint states sent before both bridges have reconnected are lost, which is allowed.
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
       return far.jointStates.length > count;

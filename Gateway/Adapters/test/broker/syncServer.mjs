@@ -1,11 +1,11 @@
-// The sync port of a gateway, by the protocol: 48 bytes each way, a token first where there is one.
+// The sync port of a gateway as in the protocol: 48 bytes each way, preceded by a token if one is required.
 import { once } from 'node:events';
 import { createServer } from 'node:net';
 
 const magic = 0x434e5953;
 
 export class SyncServer {
-  /** Its clock in nanoseconds, and what it says of it. */
+  /** Offset of its clock in nanoseconds, and the quality that it reports. */
   aheadNs = 0n;
   boundUs = 0;
   resolutionNs = 0;

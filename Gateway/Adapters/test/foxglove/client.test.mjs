@@ -1,4 +1,4 @@
-// The rosbridge client of Foxglove at the gateway itself: what it asks for when it connects.
+// Foxglove's rosbridge client at the gateway itself: the requests it makes when it connects.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { WebSocket } from 'ws';
@@ -7,7 +7,7 @@ import { program, start } from '../roslib/gateway.mjs';
 const skip = program ? false : 'the gateway is not built: dotnet build Gateway';
 const limit = { timeout: 60000, skip };
 
-// It is written for browsers and takes the one that is there.
+// The client is written for browsers and uses the global WebSocket.
 globalThis.WebSocket ??= WebSocket;
 const { default: ROSLIB } = await import('@foxglove/roslibjs');
 
@@ -20,7 +20,7 @@ async function connect(t, args = ['--robot', 'youbot']) {
   return ros;
 }
 
-/** A method of Ros that takes a callback for the answer and one for the failure. */
+/** Calls a method of Ros that takes a callback for the answer and one for the failure. */
 const ask = (ros, method, ...args) => new Promise((resolve, reject) => ros[method](...args, resolve, error => reject(new Error(`${method}: ${error}`))));
 
 test('topics come with their types and full definitions', limit, async t => {
@@ -91,7 +91,7 @@ test('a client that has named a type of ROS 2 gets all answers in its spelling',
 test('the compression that it asks for is answered by a status, and the samples come as JSON', limit, async t => {
   const ros = await connect(t, ['--robot', 'youbot']);
   const emit = ros.emit.bind(ros);
-  // It emits a status by the id of the request that it is about.
+  // The client emits a status under the id of the request that it refers to.
   const told = new Promise(resolve => { ros.emit = (name, ...rest) => { if (String(name).startsWith('status')) resolve(rest[0]); return emit(name, ...rest); }; });
   const description = new Promise(resolve =>
     new ROSLIB.Topic({ ros, name: '/robot_description', messageType: 'std_msgs/String', compression: 'cbor' }).subscribe(resolve));

@@ -1,12 +1,12 @@
 // Faults of single variables of a YoubotServer, and their repair.
 import { StatusCodes } from 'node-opcua-client';
 
-/** Speed in rad/s at which a writer stops: no axis brakes from it between two samples. */
+/** Minimum speed in rad/s at which a writer stops. No axis can brake from this speed between two samples. */
 const FAST = 0.4;
 
 const withValue = (sent, value) => ({ ...sent, value: Object.assign(sent.value.clone(), { value }) });
 
-/** A writer that stops once the joint is fast. Calls `done` then. */
+/** A writer that freezes the value once the joint is fast, then calls `done`. */
 function stopped(done) {
   let before = null, last = null;
   return sent => {

@@ -30,7 +30,7 @@ describe('faults', () => {
     assert.equal(values, 'the plant is not connected');
     assert.match(reason, /\S/);
     assert.equal((await state(s => s.state === 'connected')).reconnects, '1');
-    // Once for each change, not for each attempt.
+    // One line per change of state, not per attempt.
     assert.equal(run.err.split('\n').filter(line => line.endsWith('] connected')).length, 2, run.err);
     assert.ok(run.err.split('\n').filter(line => line.includes('waiting')).length <= 3, run.err);
   });
@@ -46,7 +46,7 @@ describe('faults', () => {
     await until(() => fresh.jointStates.length >= 5, 'joint states at the new gateway');
 
     assert.equal((await fresh.call('/nowpose/plant_time/cell')).result, true);
-    // What is late is dropped, oldest first: the new gateway is not told the whole past.
+    // Old samples are dropped, oldest first: the new gateway does not receive the whole past.
     const [oldest] = fresh.jointStates;
     assert.ok(server.clock.now - nanoseconds(oldest.header.stamp) < 20_000_000_000n);
     const topics = fresh.heard.filter(m => m.op === 'advertise').map(m => m.topic);
@@ -78,7 +78,7 @@ describe('faults', () => {
 
     own.isStopped = true;
     await until(async () => (await told()).values === 'the clock stands still', 'the clock to be known as one that stands');
-    // The adapter looks after it once a second.
+    // The adapter reads the clock once a second.
     const looks = bridge.published('/nowpose/diagnostics').length + 4;
     await until(() => bridge.published('/nowpose/diagnostics').length > looks, 'some looks');
     const { state: meanwhile, reconnects } = bridge.state;

@@ -1,4 +1,4 @@
-// npm run opcua-server -- [options]: an OPC UA server that moves a youBot, to try an adapter with.
+// npm run opcua-server -- [options]: starts an OPC UA server that moves a youBot, for trying out an adapter.
 import { parseArgs } from 'node:util';
 import { ControlClock, YoubotServer } from './server.mjs';
 
@@ -12,7 +12,7 @@ const { values } = parseArgs({ options: {
   stamps: { type: 'string', default: 'good' },
 } });
 
-/** Ways in which time stamps go wrong. */
+/** Kinds of faulty time stamps. */
 const STAMPS = {
   good: (_, sent) => sent,
   none: (_, sent) => ({ ...sent, sourceTimestamp: new Date(Date.UTC(1601, 0, 1)), sourcePicoseconds: 0 }),

@@ -12,7 +12,7 @@ const READS = ['GetEndpointsRequest', 'CreateSessionRequest', 'ActivateSessionRe
   'CreateSubscriptionRequest', 'DeleteSubscriptionsRequest', 'CreateMonitoredItemsRequest', 'DeleteMonitoredItemsRequest', 'PublishRequest',
   'OpenSecureChannelRequest', 'CloseSecureChannelRequest'];
 
-/** Joint of the configuration, place of the truth, and how far the value may be off by the type that carries it. */
+/** Configured joint, index of the true value, and tolerance given by the type that carries the value. */
 const ALL = [
   [{ joint: 'a', node: 'ns=1;s=arm_joint_2' }, 1, 1e-12],
   [{ joint: 'b', node: 'ns=1;s=axis_1_deg', unit: 'deg' }, 0, 1e-12],
@@ -23,7 +23,7 @@ const ALL = [
 ];
 const JOINTS = ALL.map(([entries]) => entries);
 
-/** The largest distance of what was published to where the robot was at the time it was published with. */
+/** The largest distance between the published values and the robot's true position at their stamps. */
 function worst(states, place, name = 'a') {
   const distances = states.filter(s => s.name.includes(name)).map(s =>
     Math.abs(s.position[s.name.indexOf(name)] - YoubotServer.truth(place, nanoseconds(s.header.stamp))));
@@ -70,13 +70,13 @@ describe('reading over OPC UA', () => {
 
     assert.equal(result, true, JSON.stringify(values));
     const [received, sent] = [values.received, values.sent].map(nanoseconds);
-    // The wire holds 100 ns.
+    // Times on the wire have a resolution of 100 ns.
     assert.ok(received >= earliest - 100n && sent >= received && sent <= clock.now, `${earliest} ${received} ${sent}`);
     assert.deepEqual([values.resolution_ns, values.synchronised], [100, true]);
   });
 
   it('TimeVariable_OfTheControlSystem_IsTheTimeOfItsCycle', async t => {
-    // The server's own stamps are wrong by an hour, for values and time alike.
+    // The server's own stamps are wrong by an hour, for the values and for the time variable.
     const wrong = date => new Date(date.getTime() - HOUR_MS);
     spoilt(t, (_, sent) => ({ ...sent, sourceTimestamp: wrong(sent.sourceTimestamp), serverTimestamp: wrong(sent.serverTimestamp) }));
     const { bridge, states } = await adapterFor(t, server, [...OPEN, 'time: {node: "ns=1;s=time_ns"}'], JOINTS);
@@ -89,7 +89,7 @@ describe('reading over OPC UA', () => {
   });
 
   it('TimeVariable_StampedApartFromTheValues_IsNamedWithGroupMs', async t => {
-    // One by one, 3 ms apart.
+    // The server stamps each variable separately, 3 ms apart.
     spoilt(t, (name, sent) => name === 'time_ns' ? { ...sent, sourceTimestamp: new Date(sent.sourceTimestamp.getTime() + 3) } : sent);
     const plant = [...OPEN, 'time: {node: "ns=1;s=time_ns"}'];
     const narrow = await adapterFor(t, server, plant, [JOINTS[0]]), wide = await adapterFor(t, server, [...plant, 'group_ms: 4'], [JOINTS[0]]);
@@ -194,7 +194,7 @@ describe('reading over OPC UA', () => {
 });
 
 describe('robot at rest', { concurrency: 2 }, () => {
-  // As of a server that stamps changes alone.
+  // Simulates a server that stamps only changes.
   const resting = names => {
     const kept = new Map();
     return (name, sent) => {

@@ -1,5 +1,5 @@
-// A real OPC UA server, node-opcua's, that moves a youBot. Where the robot truly is, is a function of the control system's time, which has
-// an offset and a rate of its own.
+// A real OPC UA server (node-opcua) that moves a youBot. The robot's true position is a function of the control system's time, whose
+// clock has an offset and a skew.
 import { createServer } from 'node:net';
 import { isDeepStrictEqual } from 'node:util';
 import {
@@ -12,11 +12,11 @@ import { identity } from './identity.mjs';
 import { OpenStore } from './openStore.mjs';
 
 const URI = 'urn:nowpose:youbot';
-// A PLC is as fast as it likes; node-opcua stops at 50 ms unless it is told.
+// A PLC samples at any rate; node-opcua's default minimum is 50 ms.
 MonitoredItem.minimumSamplingInterval = 1;
 Subscription.minimumPublishingInterval = 1;
 
-/** The control system's clock: this machine's monotonic one, set off and going wrong. */
+/** The control system's clock: this machine's monotonic clock with an offset and a skew. */
 export class ControlClock {
   #start = process.hrtime.bigint();
   #from = BigInt(Date.now()) * 1_000_000n;
@@ -26,7 +26,7 @@ export class ControlClock {
     this.ppm = ppm;
   }
 
-  /** Nanoseconds since 1970. */
+  /** The clock's time in nanoseconds since 1970. */
   get now() {
     const passed = Number(process.hrtime.bigint() - this.#start);
     return this.#from + BigInt(Math.round(passed * (1 + this.ppm * 1e-6)));
@@ -37,12 +37,12 @@ export class ControlClock {
   }
 }
 
-/** A date and what it cannot hold, as the library wants both. */
+/** A date and the rest below its millisecond, as the library takes both. */
 const dated = ns => ({ date: new Date(Number(ns / 1_000_000n)), picoseconds: Number(ns % 1_000_000n / 100n) * 100_000 });
 
 const halves = ns => [Number(BigInt.asUintN(64, ns) >> 32n), Number(ns & 0xffffffffn)];
 
-/** A DateTime with its 100 ns. */
+/** A DateTime with a resolution of 100 ns. */
 function dateTime(ns) {
   const { date, picoseconds } = dated(ns);
   return Object.assign(date, { picoseconds });
@@ -50,7 +50,7 @@ function dateTime(ns) {
 
 const positions = t => [...arm.map((_, joint) => angle(joint, t)), opening(t), opening(t)];
 
-/** Name, type and value: of a time of the motion, and of the time of the control system. */
+/** Name, type and value; the value is a function of the motion's time and of the control system's time. */
 const VARIABLES = [
   ...arm.map((name, joint) => [name, DataType.Double, t => angle(joint, t)]),
   ['gripper_mm', DataType.Float, t => opening(t) * 1000],
@@ -66,25 +66,25 @@ const VARIABLES = [
 ];
 
 export class YoubotServer {
-  /** What was asked of it: names of requests. */
+  /** Received requests by name. */
   asked = new Map();
-  /** Changes how a value leaves: gets what would be sent and returns what is. */
+  /** Changes a value before it is sent: gets the value that would be sent and returns the one to send. */
   spoil = (name, sent) => sent;
   isStopped = false;
-  /** Time of the motion for a time of the control system: a robot that rests stays at one time of its motion. */
+  /** Converts a time of the control system to a time of the motion. A robot at rest stays at one time of its motion. */
   motion = t => t;
-  /** Whether a value that does not change keeps its stamp, so that nothing is sent of it. */
+  /** Whether an unchanged value keeps its stamp, so that no notification is sent for it. */
   keepsStamps = false;
   #server = null;
   #frozen = new Map();
   #device = null;
 
   /**
-   * @param security Modes that it offers: none, sign_and_encrypt.
-   * @param users Names and passwords; without them anybody may read.
-   * @param cycleUs Values are of whole cycles.
-   * @param clockStepUs How coarse its CurrentTime is.
-   * @param nodesPerRead Largest number of nodes of a read request.
+   * @param security Offered security modes: none, sign_and_encrypt.
+   * @param users Names and passwords; without them every client may read.
+   * @param cycleUs Cycle time: values change only at whole cycles.
+   * @param clockStepUs Resolution of its CurrentTime.
+   * @param nodesPerRead Maximum number of nodes of a read request.
    */
   constructor({
     port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
@@ -95,7 +95,7 @@ export class YoubotServer {
 
   get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
 
-  /** Where a joint was at a time of the control system. */
+  /** The true value of a joint at a time of the control system. */
   static truth(joint, t) { return positions(t)[joint]; }
 
   async start() {
@@ -130,16 +130,16 @@ export class YoubotServer {
     return this;
   }
 
-  /** Their URIs, by number. */
+  /** The namespace URIs by index. */
   namespaces() { return this.#server.engine.addressSpace.getNamespaceArray().map(namespace => namespace.namespaceUri); }
 
-  /** Deletes the node of a variable, as a server does whose program was changed. */
+  /** Deletes the node of a variable, like a server whose program was changed. */
   remove(name) {
     this.#device.namespace.deleteNode(this.#device.namespace.addressSpace.findNode(`ns=1;s=${name}`));
     this.#frozen.delete(name);
   }
 
-  /** Makes the node of a variable again, with the id that it had. */
+  /** Creates the node of a variable again, with the same id. */
   restore(name) {
     this.#add(VARIABLES.find(([known]) => known === name));
   }
@@ -153,7 +153,7 @@ export class YoubotServer {
     const namespace = space.getOwnNamespace();
     this.#device = namespace.addObject({ organizedBy: space.rootFolder.objects, browseName: 'youBot' });
     VARIABLES.forEach(variable => this.#add(variable));
-    // Its own clock, not this machine's. The library lets nobody bind a part of ServerStatus.
+    // Uses its own clock instead of this machine's. The library does not allow binding a part of ServerStatus.
     const currentTime = space.findNode('i=2258'), read = currentTime.readAttribute;
     currentTime.readAttribute = (context, attribute, ...rest) => attribute === AttributeIds.Value
       ? this.#value('CurrentTime', DataType.DateTime, (_, t) => dateTime(t), VariantArrayType.Scalar, this.clockStep)
@@ -184,7 +184,7 @@ export class YoubotServer {
   }
 }
 
-/** A port that nobody has at the moment. */
+/** Finds a free port. */
 export const freePort = () => new Promise((resolve, reject) => {
   const server = createServer().on('error', reject).listen(0, '127.0.0.1', () => {
     const { port } = server.address();

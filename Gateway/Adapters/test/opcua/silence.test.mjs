@@ -1,4 +1,4 @@
-// What an OPC UA server's silence about a joint means, on a server that tells changes alone.
+// Meaning of missing samples of a joint, for an OPC UA server that sends only changes.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { StatusCodes } from 'node-opcua-client';
@@ -8,7 +8,7 @@ import { adapterFor, OPEN, serverFor } from './plant.mjs';
 
 const JOINTS = [{ joint: 'a', node: 'ns=1;s=arm_joint_1' }, { joint: 'b', node: 'ns=1;s=arm_joint_2' }];
 
-/** The adapter beside a server, when both joints are live; `writers` changes how a variable's value leaves. */
+/** Starts a server and the adapter and waits until both joints are live. `writers` change a variable's value before it is sent. */
 async function cell(t, plant = [], joints = JOINTS, options = {}) {
   const server = await serverFor(t, options), writers = new Map();
   server.spoil = (name, sent) => writers.get(name)?.(sent) ?? sent;
@@ -20,7 +20,7 @@ async function cell(t, plant = [], joints = JOINTS, options = {}) {
   return { server, bridge, run, writers, state };
 }
 
-/** A writer that stopped: value and stamps stay. */
+/** A writer that stopped: value and stamps do not change. */
 function stopped() {
   let last = null;
   return sent => last ??= sent;
@@ -28,7 +28,7 @@ function stopped() {
 
 const samplesOf = (bridge, joint) => bridge.jointStates.filter(s => s.name.includes(joint)).length;
 
-/** The other joint goes on while this one has a trouble. */
+/** Asserts that the other joint stays live while this one has a fault. */
 async function assertOthersGoOn(bridge, joint, other) {
   const own = samplesOf(bridge, joint), others = samplesOf(bridge, other);
   await until(() => samplesOf(bridge, other) > others + 20, `samples of ${other}`);
@@ -57,7 +57,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
   });
 
   it('Writer_StoppedInMidMotion_IsFaultThenLive', async t => {
-    // Ten times the pace of the arm: 5 rad/s at most, sampled every 10 ms.
+    // Ten times the speed of the arm: at most 5 rad/s, sampled every 10 ms.
     const { server, bridge, state, writers } = await cell(t, ['max_deceleration: 40']);
     const fast = sent => {
       const t = Number(sent.sourceTimestamp.getTime() % 3_600_000) / 1000, value = Math.sin(5 * t);
@@ -81,7 +81,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
   it('Joint_AtRest_IsReadBackAndAssumedAtRest', async t => {
     const { bridge, state, writers } = await cell(t);
 
-    // Each joint slows down to nothing, as a robot does.
+    // Each joint slows down until it is at rest, like a real robot.
     const slow = () => {
       let from = null;
       return sent => {
@@ -118,7 +118,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
     await until(() => samplesOf(bridge, 'a') > before + 20, 'a joint at rest to be repeated');
 
     const repeated = stampsOf('a').filter(stamp => stamp >= 1000 * since), gaps = repeated.slice(1).map((stamp, i) => stamp - repeated[i]);
-    // Of a busy machine some are longer.
+    // On a busy machine some gaps are longer.
     assert.ok(gaps.sort((a, b) => a - b)[gaps.length >> 1] < 200, `${gaps}`);
   });
 

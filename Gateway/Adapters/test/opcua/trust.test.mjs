@@ -54,7 +54,7 @@ describe('trust list', () => {
       assert.equal(await trust.checkCertificate(server.der), StatusCodes.Good);
       assert.equal(await trust.checkCertificate([server.der, other.der]), StatusCodes.Good);
       assert.equal(await trust.checkCertificate(other.der), StatusCodes.BadCertificateUntrusted);
-      // An issuer in the chain that is trusted does not help.
+      // A trusted issuer in the chain is not enough.
       assert.equal(await trust.checkCertificate([other.der, server.der]), StatusCodes.BadCertificateUntrusted);
     });
   }

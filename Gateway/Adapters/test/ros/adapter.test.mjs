@@ -6,15 +6,13 @@ import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { Robot } from './robot.mjs';
 
-/** Nothing is waited for that long unless it fails, or the machine has other things to do. */
-
-/** A robot, a gateway and an adapter between them that listens already. */
+/** A robot, a gateway and an adapter between them that is already subscribed. */
 async function cell(t, options = {}, { plant = '', rest = '' } = {}) {
   const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
   const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
   const adapter = start(t, [path]);
   await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, () => adapter.err);
-  // Before it is known whose time the stamps are of, none passes.
+  // No message passes until the clock of its stamps is known.
   if (options.now !== null) await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
   return { robot, bridge, adapter };
 }
@@ -51,7 +49,7 @@ describe('ros', { concurrency: 4 }, () => {
   });
 
   it('Clock_OfASimulation_IsAsCoarseAsItsSteps', async t => {
-    // /clock of a simulation that publishes it 50 times a second.
+    // The /clock of a simulation that publishes it 50 times a second.
     const { bridge } = await cell(t, { now: () => BigInt(Math.floor(performance.now() / 20)) * 20_000_000n });
 
     const { values } = await bridge.call('/nowpose/plant_time/arm');

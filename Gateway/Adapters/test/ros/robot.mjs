@@ -1,18 +1,18 @@
-// A robot's rosbridge, as ROS 1 or as ROS 2 has it: what it spells otherwise, and what each of them refuses.
+// A robot's rosbridge in ROS 1 or ROS 2: their different spellings, and the requests that each of them refuses.
 import { once } from 'node:events';
 import { WebSocketServer } from 'ws';
 
 const pair = (nanoseconds, names) => ({ [names[0]]: Number(nanoseconds / 1_000_000_000n), [names[1]]: Number(nanoseconds % 1_000_000_000n) });
 
 export class Robot {
-  /** Every message that arrived. */
+  /** Every message received. */
   heard = [];
-  /** Topics whose last message a new subscriber gets. */
+  /** Topics whose last message is sent to a new subscriber. */
   latched = new Map();
   #sockets = new Set();
   #started = performance.now();
 
-  /** `ros` is 1 or 2; `aheadMs` is what its clock reads more than this machine's; `now` replaces its clock, null has no rosapi. */
+  /** `ros` is 1 or 2; `aheadMs` is its clock minus this machine's; `now` replaces its clock; with null there is no rosapi. */
   constructor({ ros = 2, aheadMs = 0, now } = {}) {
     this.ros = ros;
     const start = BigInt(Math.round((Date.now() + aheadMs) * 1e6));
@@ -51,7 +51,7 @@ export class Robot {
     this.heard.push(message);
     const send = answer => client.socket.send(JSON.stringify(answer));
     if (message.op === 'subscribe') {
-      // ros_loader.py: ROS 1 takes package/Name only, ROS 2 package/msg/Name as well.
+      // ros_loader.py: ROS 1 accepts only package/Name, ROS 2 also accepts package/msg/Name.
       const parts = message.type?.split('/').length;
       if (parts !== undefined && parts !== 2 && (this.ros === 1 || parts !== 3))
         return send({ op: 'status', level: 'error', msg: `subscribe: Unable to import ${message.type}`, id: message.id });
@@ -66,7 +66,7 @@ export class Robot {
     }
   }
 
-  /** As this ROS spells a time. */
+  /** Returns a time in the format of this ROS version. */
   time(nanoseconds) {
     return pair(nanoseconds, this.ros === 1 ? ['secs', 'nsecs'] : ['sec', 'nanosec']);
   }

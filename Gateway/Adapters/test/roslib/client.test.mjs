@@ -1,4 +1,4 @@
-// roslib, the client that most web pages of ROS have, at the gateway itself: what it sends has to be understood.
+// roslib, the client of most ROS web pages, at the gateway itself: the gateway must understand its messages.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import * as ROSLIB from 'roslib';
@@ -24,7 +24,7 @@ const call = (ros, name, request = {}) => within(
 
 const topic = (ros, name, messageType, options = {}) => new ROSLIB.Topic({ ros, name, messageType, ...options });
 
-/** Everything sent before has been read when the answer is there. */
+/** Waits for the answer to a request: every earlier message has been read by then. */
 const settled = ros => call(ros, '/rosapi/get_time');
 
 const now = () => { const ms = Date.now() - 100; return { sec: Math.floor(ms / 1000), nanosec: (ms % 1000) * 1000000 }; };

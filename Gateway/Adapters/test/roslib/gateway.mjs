@@ -1,4 +1,4 @@
-// The gateway itself, as it was built, on free ports of this machine.
+// The built gateway on free ports of this machine.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -7,10 +7,10 @@ import { adapters } from '../program.mjs';
 
 const builds = ['Debug', 'Release'].map(kind => join(adapters, '..', 'bin', kind, 'net10.0', 'Nowpose.Gateway.dll'));
 
-/** What the built program lies in; undefined where nobody has built it yet. */
+/** Path of the built program; undefined if it has not been built yet. */
 export const program = builds.find(existsSync);
 
-/** Starts it, and resolves with its WebSocket address; ended after the test at the latest. */
+/** Starts the gateway and resolves with its WebSocket address. It is stopped after the test at the latest. */
 export async function start(test, args = []) {
   const child = spawn('dotnet', [program, 'serve', '--sync-port', '0', '--ws-port', '0', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = new Promise(resolve => child.on('close', resolve));

@@ -323,7 +323,7 @@ public class JointBoardTests
         Send(2, "a");
         _board.Report("press", [KeyValuePair.Create("joint/a", "live 1790000000.000")], _source);
 
-        // One that finds its joints by itself has none yet when it has just been started.
+        // An adapter that finds its joints itself has none directly after its start.
         _board.Report("press", [], isSameRun ? _source : _hub.OpenSource());
         _time.Advance(TimeSpan.FromHours(1));
 

@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Unity.Tests.Engine.Api;
 
-/// <summary>The lines of a list of Unity's API, each after the line of its type.</summary>
+/// <summary>Reads a list of Unity's API. Each line of a member follows the line of its type.</summary>
 static partial class ListedApi
 {
     internal static IEnumerable<(string Type, string Line)> Read(string path)

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace Nowpose.Unity.Tests.Engine.Api;
 
-/// <summary>A type as the list of Unity's API writes it: kind, name, bases, constraints.</summary>
+/// <summary>Writes a type in the format of the list of Unity's API: kind, name, bases, constraints.</summary>
 static class TypeLines
 {
     internal static string Of(Type type)
@@ -60,7 +60,7 @@ static class TypeLines
         var usage = type.GetCustomAttributesData().FirstOrDefault(a => a.AttributeType == typeof(AttributeUsageAttribute));
         if (usage == null) return "";
 
-        // Reflection has them in an order of its own, and so does each source.
+        // Sorts the arguments, because reflection and each source have them in a different order.
         var named = usage.NamedArguments.OrderByDescending(n => n.MemberName, StringComparer.Ordinal)
             .Select(n => $"{n.MemberName} = {((bool)n.TypedValue.Value ? "true" : "false")}");
         var targets = ((AttributeTargets)(int)usage.ConstructorArguments[0].Value).ToString();

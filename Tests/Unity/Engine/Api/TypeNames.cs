@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Tests.Engine.Api;
 
-/// <summary>Types as the list of Unity's API writes them.</summary>
+/// <summary>Writes type names in the format of the list of Unity's API.</summary>
 static class TypeNames
 {
     internal static string Of(Type type)

@@ -4,8 +4,8 @@ using NUnit.Framework;
 namespace Nowpose.Unity.Tests.Engine.Api;
 
 /// <summary>
-/// What a stand-in shows to scripts is Unity's, line by line, and no more: else code could compile here and not there. The lists hold the
-/// lines for the members in use, as they were read from Unity's own assemblies; a line is added by copying it from there.
+/// The public members of a stand-in are a subset of Unity's, line by line: otherwise code could compile here and fail in Unity. The lists
+/// hold the members in use, as read from Unity's own assemblies. To add a member, copy its line from there.
 /// </summary>
 [TestFixture("UnityEngine", "Api/unity-api-used.txt")]
 [TestFixture("UnityEditor", "Api/unity-editor-api-used.txt")]

@@ -7,7 +7,7 @@ public sealed class Matrix4x4Tests
 {
     static readonly Matrix4x4 Placed = Matrix4x4.TRS(new Vector3(1, -2, 4), Quaternion.Euler(30, 40, 50), new Vector3(2, 3, 0.5f));
 
-    // Worked out in double precision from the documented order: scale, turn, move.
+    // Computed in double precision in the documented order: scale, rotate, translate.
     [Test]
     public void Trs_ScalesThenTurnsThenMoves() => Assert.That(
         Vector3.Distance(Placed.MultiplyPoint3x4(new Vector3(0.5f, 0.25f, -1)), new Vector3(1.175094f, -0.669083f, 4.102484f)),

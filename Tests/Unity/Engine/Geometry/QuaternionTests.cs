@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine.Geometry;
 
-/// <summary>Reference values: rotation matrices of the documented definitions, multiplied out in double precision by a script of its own.</summary>
+/// <summary>Reference values: rotation matrices from the documented definitions, multiplied in double precision by a separate script.</summary>
 public sealed class QuaternionTests
 {
     const float Tolerance = 2e-6f;
@@ -20,7 +20,7 @@ public sealed class QuaternionTests
         AssertSame(q, new Quaternion(qx, qy, qz, qw));
     }
 
-    // A left-handed system: seen from the tip of the axis a positive angle turns clockwise.
+    // In a left-handed system a positive angle is clockwise, seen from the tip of the axis.
     [TestCase(0, 90, 0, 0, 0, 1, 1, 0, 0)]
     [TestCase(90, 0, 0, 0, 0, 1, 0, -1, 0)]
     [TestCase(0, 0, 90, 1, 0, 0, 0, 1, 0)]
@@ -51,7 +51,7 @@ public sealed class QuaternionTests
     {
         var angles = Quaternion.Euler(x, y, z).eulerAngles;
 
-        // Near the poles a float has few digits left for the angle.
+        // Near the poles the angle has few significant digits in a float.
         Assert.That(Mathf.DeltaAngle(angles.x, x), Is.EqualTo(0).Within(0.05f));
         Assert.That(Mathf.DeltaAngle(angles.y, y), Is.EqualTo(0).Within(0.05f));
         Assert.That(Mathf.DeltaAngle(angles.z, z), Is.EqualTo(0).Within(0.05f));
@@ -98,7 +98,7 @@ public sealed class QuaternionTests
         Assert.That(Vector3.Distance(q * Vector3.right, new Vector3(-0.9370426f, 0.3123475f, -0.1561738f)), Is.LessThan(Tolerance));
     }
 
-    // The four ways to a quaternion, by its largest component.
+    // Covers the four branches of the conversion to a quaternion, one for each largest component.
     [TestCase(10, 20, 30)]
     [TestCase(170, 5, 10)]
     [TestCase(5, 170, 10)]
@@ -190,7 +190,7 @@ public sealed class QuaternionTests
 
     static void AssertSame(Quaternion actual, Quaternion expected, float tolerance = Tolerance)
     {
-        // Both signs are one rotation.
+        // A quaternion and its negative are the same rotation.
         var sign = Quaternion.Dot(actual, expected) < 0 ? -1 : 1;
         for (var i = 0; i < 4; i++) Assert.That(actual[i] * sign, Is.EqualTo(expected[i]).Within(tolerance), $"{actual:F6} is not {expected:F6}");
     }

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine.Life;
 
-/// <summary>Without a player, as in Unity's edit-mode tests.</summary>
+/// <summary>Objects without a player, as in Unity's edit-mode tests.</summary>
 public sealed class EditModeTests
 {
     GameObject _object;

@@ -5,7 +5,7 @@ namespace Nowpose.Unity.Tests.Engine.Objects;
 
 public sealed class TransformTests : PlayerFixture
 {
-    // Parent at (1, -2, 4), turned by Euler (30, 40, 50), twice as large; the child's place in the world worked out in double precision.
+    // Parent at (1, -2, 4), rotated by Euler (30, 40, 50), scaled by 2. The child's world pose was computed in double precision.
     static readonly Vector3 ChildPosition = new(4.296289f, -1.446491f, 10.695379f);
     static readonly Quaternion ChildRotation = new(0.1404333f, 0.680817f, 0.6912966f, 0.1971692f);
 

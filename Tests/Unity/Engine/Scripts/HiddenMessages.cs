@@ -4,6 +4,6 @@ namespace Nowpose.Unity.Tests.Engine.Scripts;
 
 abstract class HiddenMessages : MonoBehaviour
 {
-    // Private in a base class: Unity calls it all the same.
+    // Unity also calls private messages of a base class.
     void Update() => Journal.Note("base.Update");
 }

@@ -1,13 +1,13 @@
 namespace Nowpose.Unity.Tests.Engine.Scripts;
 
-/// <summary>What scripts of a test did, in order.</summary>
+/// <summary>Notes of a test's scripts, in order.</summary>
 static class Journal
 {
     public static List<string> Entries { get; } = [];
 
     public static void Note(string what) => Entries.Add(what);
 
-    /// <summary>What was noted since, joined with blanks.</summary>
+    /// <summary>Returns the notes since the last call, joined with spaces, and removes them.</summary>
     public static string Take()
     {
         var text = string.Join(" ", Entries);

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine.Scripts;
 
-/// <summary>Notes each message it gets, with its object's name, and does what the test asks for in it.</summary>
+/// <summary>Notes each message with its object's name, and runs the test's action for it.</summary>
 class Recorder : MonoBehaviour
 {
     public Dictionary<string, Action> On { get; } = [];

@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core
             return pairing;
         }
 
-        // The reading of the stopwatch at a count, in 100 ns, worked out with 28 digits.
+        // The reading of the stopwatch at a count, in units of 100 ns, computed with 28 digits.
         static long Expected(long count, long frequency, decimal lag) =>
             decimal.ToInt64(decimal.Floor(((decimal)count / frequency - lag) * StopwatchHz));
 
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core
             Assert.That(pairing.Uncertainty.TotalMilliseconds, Is.LessThan(0.003), "two readings and a count of the slowest counter");
         }
 
-        // What the display time did before: counts read as if they were the stopwatch's.
+        // The earlier error of the display time: counts were read as readings of the stopwatch.
         [TestCase(19_200_000)]
         [TestCase(24_000_000)]
         [TestCase(1_015_592)]
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core
         [Test]
         public void TryMeasure_InterruptedReadings_UsesTheShortestBracket()
         {
-            // Each bracket is three readings; one in eight is left undisturbed by pauses of 1 to 16 ms.
+            // Each bracket has three readings. One bracket in eight has no pause; the others have pauses of 1 to 16 ms.
             var device = new PlayedCounters(24_000_000, 90 * Day, 17) { PauseAfter = i => i / 3 % 8 == 5 ? 0 : 0.001 * (1 + i % 16) };
 
             var pairing = Measure(device);
@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core
         [Test]
         public void TryMeasure_EveryReadingInterrupted_IsWithinItsUncertainty()
         {
-            // The pause falls between the stopwatch and the second count: all of the bracket's asymmetry.
+            // The pause falls between the stopwatch and the second count, which makes the bracket as asymmetric as possible.
             var device = new PlayedCounters(24_000_000, 90 * Day, 0) { PauseAfter = i => i % 3 == 1 ? 0.004 : 0 };
 
             var pairing = Measure(device);
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core
             Assert.That(() => pairing.ToTarget(count), Throws.Nothing);
         }
 
-        // On Windows this reads the real counters; elsewhere there are none.
+        // On Windows this reads the real counters; other systems have none.
         [Test]
         public void TryMeasure_ThisDevice_PairsOrReturnsTheFault()
         {

@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core
     {
         const double Step = 1e-3;
 
-        // Largest of the arm's: differences of a profile whose jerk is constant by phases are exact to rounding.
+        // Limits of the arm. Differences of a profile with piecewise constant jerk are exact apart from rounding.
         const double LargestAcceleration = 3;
         const double LargestJerk = 30;
 
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core
             var grips = new List<(double X, double Y, double Z)>();
             var before = default(double[]);
 
-            // Wherever the fingers have just closed or opened, the grasp point is at the pick or the place.
+            // Where the fingers have just closed or opened, the grasp point is at the pick or the place position.
             foreach (var row in Sampled(motion))
             {
                 if (before != null && row[finger] != before[finger])
@@ -129,7 +129,7 @@ namespace Nowpose.Tests.Core
                     rests++;
             }
 
-            Assert.That(rests, Is.EqualTo(9)); // as many as there are moves
+            Assert.That(rests, Is.EqualTo(9)); // one rest per move
         }
 
         [Test]

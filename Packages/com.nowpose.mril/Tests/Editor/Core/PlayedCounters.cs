@@ -3,7 +3,7 @@ using Nowpose.Counter;
 
 namespace Nowpose.Tests.Core
 {
-    /// <summary>Two counters of one oscillator in virtual time; each reading takes a while.</summary>
+    /// <summary>Two counters driven by one oscillator, in virtual time. Each reading takes some time.</summary>
     sealed class PlayedCounters
     {
         readonly Random _random = new Random(16);
@@ -20,14 +20,14 @@ namespace Nowpose.Tests.Core
         public ICounter Counter { get; }
         public ICounter Stopwatch { get; }
 
-        /// <summary>Length of the pause after some readings, s; null for none.</summary>
+        /// <summary>Length of the pause after a reading in s, as a function of the reading's index; 0 for none.</summary>
         public Func<int, double> PauseAfter { get; set; } = _ => 0;
 
         public int Readings { get; private set; }
 
         long Read(long frequency, decimal lag)
         {
-            // 50 to 150 ns.
+            // A reading takes 50 to 150 ns.
             _seconds += (decimal)(50e-9 + 100e-9 * _random.NextDouble());
             var count = decimal.ToInt64(decimal.Floor((_seconds - lag) * frequency));
             _seconds += (decimal)PauseAfter(Readings++);

@@ -6,7 +6,7 @@ namespace Nowpose.Tests.Core
 {
     public class SevenPhaseProfileTests
     {
-        // All phases; no cruise; neither cruise nor constant acceleration; cruise without constant acceleration.
+        // Four cases: all phases; no cruise; neither cruise nor constant acceleration; cruise without constant acceleration.
         static readonly double[][] Moves =
         {
             new[] { 500.0, 1000, 5000, 50000 },
@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core
         [Test]
         public void Profile_AllSevenPhases_IsTheOneComputedByHand()
         {
-            // Jerk 0.1 s to 5000 mm/s², 0.1 s constant, 0.1 s back: 0.3 s and 150 mm to 1000 mm/s; 200 mm of cruise in 0.2 s.
+            // Jerk for 0.1 s up to 5000 mm/s², 0.1 s constant, 0.1 s back: 1000 mm/s after 0.3 s and 150 mm. Then 200 mm of cruise in 0.2 s.
             var profile = new SevenPhaseProfile(500, 1000, 5000, 50000);
 
             Assert.That(profile.Duration, Is.EqualTo(0.8).Within(1e-14));
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core
         [Test]
         public void Duration_CruiseWithoutConstantAcceleration_IsTheClosedForm()
         {
-            // Ramp 2 sqrt(v/j) = 0.04 s, in which it covers 0.4 mm; both ramps and the cruise: d/v + ramp.
+            // Each ramp takes 2 sqrt(v/j) = 0.04 s and covers 0.4 mm; both ramps and the cruise take d/v + ramp.
             Assert.That(new SevenPhaseProfile(10, 20, 5000, 50000).Duration, Is.EqualTo(0.5 + 0.04).Within(1e-12));
         }
 
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core
             Assert.That(profile.PositionAt(end), Is.EqualTo(move[0]));
             Assert.That(profile.PositionAt(end + 1), Is.EqualTo(move[0]));
             Assert.That(profile.PositionAt(end - instant), Is.EqualTo(move[0]).Within(1e-12 * Math.Abs(move[0])));
-            // The last phase ends with full jerk.
+            // The jerk is at its limit at the end of the last phase.
             Assert.That(profile.VelocityAt(end - instant), Is.EqualTo(0).Within(move[3] * instant * instant));
             Assert.That(profile.AccelerationAt(end - instant), Is.EqualTo(0).Within(move[3] * instant * 1.1));
             Assert.That(profile.VelocityAt(end + 1), Is.EqualTo(0));
@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core
                 var t = (i + 0.37) * step;
                 var velocity = (profile.PositionAt(t + step) - profile.PositionAt(t - step)) / (2 * step);
                 var acceleration = (profile.VelocityAt(t + step) - profile.VelocityAt(t - step)) / (2 * step);
-                // A central difference errs by jerk·step²/6 of the position, by at most jerk·step of the velocity.
+                // The error of a central difference is jerk·step²/6 for the position and at most jerk·step for the velocity.
                 Assert.That(profile.VelocityAt(t), Is.EqualTo(velocity).Within(move[3] * step * step + 1e-9 * move[1]), "velocity at " + t);
                 Assert.That(profile.AccelerationAt(t), Is.EqualTo(acceleration).Within(move[3] * step + 1e-9 * move[2]), "acceleration at " + t);
             }
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core
         [TestCaseSource(nameof(Moves))]
         public void Profile_AnyMove_RunsAtALimitAllTheTime(double[] move)
         {
-            // Time-optimal: at every moment velocity, acceleration or jerk stands at its limit.
+            // A time-optimal profile has velocity, acceleration or jerk at its limit at every moment.
             var profile = Profile(move);
             var step = profile.Duration / 1e5;
 

@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Unity
 
             _anchor.Nudge(new Vector3(0, 0.01f, 0.05f), 30);
 
-            // Its forward is the world's right.
+            // The anchor's forward axis is the world's right axis.
             Assert.That(Vector3.Distance(_anchor.transform.position, new Vector3(1.05f, 0.01f, 0)), Is.LessThan(1e-6));
             Assert.That(Quaternion.Angle(_anchor.transform.rotation, Quaternion.Euler(0, 120, 0)), Is.LessThan(0.05));
             Assert.That(_moves, Is.EqualTo(2));

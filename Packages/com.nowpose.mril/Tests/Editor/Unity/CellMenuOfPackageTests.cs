@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>The menu with the package's own prefabs.</summary>
+    /// <summary>Tests of the menu with the package's own prefabs.</summary>
     public class CellMenuOfPackageTests
     {
         GameObject _instance;

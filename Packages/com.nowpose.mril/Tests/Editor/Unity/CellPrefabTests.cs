@@ -11,7 +11,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>An instance of each cell in a scene that is edited: nothing runs, yet all parts belong together.</summary>
+    /// <summary>An instance of each cell in a scene in edit mode: no script runs, but all parts are connected.</summary>
     [TestFixture("Nowpose Robot Cell", "youbot")]
     [TestFixture("Nowpose Robot Cell UR5", "ur5")]
     [TestFixture("Nowpose Robot Cell (Any Robot)", "ur5")]

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>Fills in an Inspector's fields.</summary>
+    /// <summary>Sets the fields that the Inspector shows.</summary>
     static class Serialized
     {
         public static T With<T>(this T target, string field, object value) where T : Object

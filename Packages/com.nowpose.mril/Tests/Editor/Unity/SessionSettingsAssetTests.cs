@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Unity
             ("_rewriteBeforeRender", true, s => s.RewriteBeforeRender, true),
         };
 
-        // Shown by tests of their own: they mean something only together.
+        // These fields are valid only in combination, so they have tests of their own.
         static readonly string[] OtherFields = { "_insecureLan", "_renderTimeLimitMs", "_renderTimeLimitSource" };
 
         readonly SceneObjects _scene = new SceneObjects();

@@ -11,12 +11,12 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>What the package ships, as the project that it is installed in has imported it.</summary>
+    /// <summary>Checks the package's assets as imported by the project that uses the package.</summary>
     public class ShippedAssetsTests
     {
         const string Runtime = "Packages/com.nowpose.mril/Runtime/";
 
-        /// <summary>References that may be empty, for then something else takes their place.</summary>
+        /// <summary>References that may be empty, because there is a fallback.</summary>
         static readonly string[] MayBeEmpty =
         {
             "VirtualGripper._rig", "PoseAppearance._session", "PoseAppearance._words", "BodyFollow._head", "LatencyProfileLoader._shipped",
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Unity
         static IEnumerable<string> Materials => Files("Materials", "mat");
         static IEnumerable<string> Robots => Files("Robots", "asset");
 
-        /// <summary>Names that Unity knows them by; found from where this source lies, wherever the package is installed.</summary>
+        /// <summary>Asset paths as Unity uses them. The folder is found from this source file, so the package can be installed anywhere.</summary>
         static IEnumerable<string> Files(string folder, string extension) =>
             Directory.GetFiles(FullPath(folder), "*." + extension).Select(file => Runtime + folder + "/" + Path.GetFileName(file));
 
@@ -91,7 +91,7 @@ namespace Nowpose.Tests.Unity
             Assert.DoesNotThrow(() => asset.ToSettings());
         }
 
-        /// <summary>Names of the serialised references that refer to nothing, or to what is not there.</summary>
+        /// <summary>Returns the names of the serialised references that are null or missing.</summary>
         static IEnumerable<string> Empty(object owner, string prefix)
         {
             foreach (var field in owner.GetType().GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))

@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(there.AngleTo(room * BaseFit.Of(markers)), Is.LessThan(1e-12));
         }
 
-        // Angles that are known to 60° say nothing; then it is the best fit of positions, which others compute by a singular value decomposition.
+        // Angles with an uncertainty of more than 60° carry no information. The fit then equals the least-squares fit of the positions (Kabsch).
         [Test]
         public void Of_AnglesHardlyKnown_IsTheBestFitOfThePositions([Range(1, 10)] int seed)
         {
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(fitted.DistanceTo(expected), Is.LessThan(1e-6), "seed " + seed);
         }
 
-        // Three markers in a plane fit their mirror image as well: it must not be taken.
+        // Three markers in a plane also fit their mirror image. The fit must not return a reflection.
         [Test]
         public void Of_PositionsFarOff_IsNoReflection([Range(1, 10)] int seed)
         {

@@ -6,10 +6,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>How exact a lock is, over many seeds: noise of 2 mm and 0.5° (root mean square distance and angle), 10 % outliers, 30 Hz.</summary>
+    /// <summary>Accuracy of a lock over many seeds: noise of 2 mm and 0.5° (root mean square distance and angle), 10 % outliers, 30 Hz.</summary>
     /// <remarks>
-    /// The bounds hold of the root mean square over the seeds. In 1.85 s there are 50 good sightings: their mean errs by 2 mm / √50 =
-    /// 0.28 mm and 0.07°, and no estimator by less; of single locks one in eight errs by more than 0.1°.
+    /// The bounds apply to the root mean square over the seeds. 1.85 s hold 50 good sightings; the error of their mean is 2 mm / √50 =
+    /// 0.28 mm and 0.07°, and no estimator does better. One in eight single locks is wrong by more than 0.1°.
     /// </remarks>
     [Category("Study")]
     public class BaseTrackerAccuracyTests
@@ -46,8 +46,8 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(good / (double)Seeds, Is.GreaterThan(share));
         }
 
-        // What looking longer does not average away: how a print is glued on, and how a camera sees it from one side. Of mere noise one
-        // marker gets rid by looking longer; the angles of three are then worth as much as their places, and twice is what can be had.
+        // Systematic errors do not average out with time: a print glued on askew, and a camera that sees it from one side. Noise alone
+        // averages out with one marker too. Then the angles of three markers are worth as much as their positions, and the gain is at most 2.
         [TestCase(0.5, 3, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByHalfADegree_ErrAThirdOfOneAtTheFlange")]
         [TestCase(0.25, 3, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByAQuarterDegree_ErrAThirdOfOneAtTheFlange")]
         [TestCase(0.1, 2.2, TestName = "Lock_ThreeMarkersWhosePrintsAreAskewByATenthOfADegree_ErrLessThanOneAtTheFlange")]

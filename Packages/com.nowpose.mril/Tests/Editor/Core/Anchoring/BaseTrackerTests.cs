@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.Noisy();
             cell.OutlierShare = 0;
             var told = cell.Now;
-            // Twice a second, as devices that read codes do.
+            // The sighting is renewed twice a second, as by devices that read codes.
             cell.Told = sighting =>
             {
                 if (sighting.LastSeen - told >= Lengths.Seconds(0.5)) told = sighting.LastSeen;
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.Markers[0].SpreadMetres, Is.EqualTo(0.05).Within(0.01));
         }
 
-        // The same pose told again and again is one sighting: it says nothing of how exact it is.
+        // A pose that is reported repeatedly counts as one sighting: repetitions carry no information about its accuracy.
         [Test]
         public void Tick_OnePoseToldForEver_NeverLocks()
         {
@@ -242,7 +242,7 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.IsInView = payload => payload == "a";
             cell.Run(1);
             var markers = new[] { cell.Tracker.Markers[0].Marker, cell.Tracker.Markers[1].Marker, cell.Tracker.Markers[2].Marker };
-            // One that the lock was not made with.
+            // A marker that was not used for the lock.
             cell.Tracker.Use("cell", new[] { markers[0], markers[1], markers[2], new BaseMarker("d", RigidTransform.Identity) });
             var sightings = new[]
             {
@@ -512,7 +512,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Placed), "nothing was taken");
         }
 
-        // As it is when a headset learns of the cell's codes one by one.
+        // A headset learns of the cell's codes one by one.
         [Test]
         public void Use_OneMoreMarkerOfTheSameCell_KeepsTheLockAndMakesItBetter()
         {

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>What a wearer is told of the base.</summary>
+    /// <summary>Tests of the messages about the base that the wearer sees.</summary>
     public class BaseWordsTests
     {
         SimulatedMarkers _cell;

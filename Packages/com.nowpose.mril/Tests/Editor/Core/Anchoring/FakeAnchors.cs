@@ -4,16 +4,16 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A device that holds places, and moves or loses them when a test says so.</summary>
+    /// <summary>A device with spatial anchors that moves or loses them when a test requests it.</summary>
     sealed class FakeAnchors : ISpatialAnchors
     {
-        /// <summary>What was kept in an earlier run.</summary>
+        /// <summary>The anchors stored in an earlier run.</summary>
         public Dictionary<string, RigidTransform> Kept { get; } = new Dictionary<string, RigidTransform>();
 
         public List<Anchor> Held { get; } = new List<Anchor>();
         public bool IsReady { get; set; } = true;
 
-        /// <summary>What an anchor is right after it was asked for.</summary>
+        /// <summary>The state of an anchor directly after its creation.</summary>
         public SpatialAnchorState StateAtFirst { get; set; } = SpatialAnchorState.Tracking;
 
         public ISpatialAnchor Hold(in RigidTransform pose) => Add(new Anchor(this) { Pose = pose, State = StateAtFirst });

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A lock that a device holds: handed over, corrected, lost, and found again in another run.</summary>
+    /// <summary>A lock held by a spatial anchor: handed over, corrected, lost, and found again in another run.</summary>
     public class HeldBaseTests
     {
         FakeAnchors _anchors;
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             Lock();
             _cell.Run(1);
-            // All that it sees is seen in the corrected map as well.
+            // The headset sees everything else in the corrected map as well.
             _cell.Base = Shift(0.05, 0.02) * _cell.Base;
             _anchors.Held[0].Pose = _cell.Base;
             RigidTransform last = Tracker.Shown.Value, before = last;
@@ -81,7 +81,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Lock();
             var before = Tracker.Base.Value;
             _anchors.Held[0].State = SpatialAnchorState.Lost;
-            // In another map everything seems to be elsewhere.
+            // In another map all poses are shifted.
             _cell.Base = Shift(2) * _cell.Base;
 
             _cell.Run(3);

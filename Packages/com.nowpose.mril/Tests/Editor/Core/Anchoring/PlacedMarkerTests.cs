@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A marker that somebody puts where it is to be.</summary>
+    /// <summary>A marker that a user places at a chosen position.</summary>
     public class PlacedMarkerTests
     {
         static readonly RigidTransform Place = RigidTransform.FromXyzRpy(1, 2, 0.5, 0, 0.1, 2);

@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         void Add(in RigidTransform pose) => _window.Add(pose, HeadsetTime.FromSeconds(_window.Count / 30.0));
 
-        /// <param name="metres">Sd along an axis.</param>
+        /// <param name="metres">Standard deviation along each axis, in m.</param>
         RigidTransform Noisy(double metres, double radians) => True
             * PoseNumbers.Turn(radians * Normal(), radians * Normal(), radians * Normal())
                 .MovedTo(metres * Normal(), metres * Normal(), metres * Normal());
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(mean.ErrorMetres, Is.EqualTo(mean.SpreadMetres / Math.Sqrt(mean.Inliers)).Within(1e-9));
         }
 
-        // Flipped about the line of sight, mirrored at the print, elsewhere, at the origin: what single frames of trackers give.
+        // Flipped about the line of sight, mirrored at the print, elsewhere, at the origin: typical outliers of single tracker frames.
         [TestCase(0.1)]
         [TestCase(0.3)]
         public void Of_OutliersThatSayTheSame_LeavesThemOut(double share)

@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Anchoring
         static readonly HeadsetTime Now = HeadsetTime.FromSeconds(50);
         static readonly BaseMarker Marker = new BaseMarker("a", RigidTransform.Identity, 0.1);
 
-        // Half a metre ahead of the head and a metre below it, face up: seen at 26.6° from straight above.
+        // The marker lies half a metre ahead of the head and one metre below it, face up: seen at 26.6° from its normal.
         static readonly RigidTransform Head = RigidTransform.FromXyzRpy(0, 0, 2, 0, 60 * Degree, 0);
         static readonly RigidTransform Pose = RigidTransform.FromXyzRpy(0.5, 0, 1, 0, 0, 1);
 

@@ -5,7 +5,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A robot's base with markers, and a device that sees them at 30 Hz with noise and outliers while frames run at 60 Hz.</summary>
+    /// <summary>A robot's base with markers, and a device that sees them at 30 Hz with noise and outliers. Frames run at 60 Hz.</summary>
     sealed class SimulatedMarkers
     {
         const double FrameSeconds = 1 / 60.0;
@@ -27,16 +27,16 @@ namespace Nowpose.Tests.Core.Anchoring
 
         public BaseTracker Tracker { get; }
 
-        /// <summary>Where the base really is.</summary>
+        /// <summary>The true pose of the base.</summary>
         public RigidTransform Base { get; set; }
 
-        /// <summary>Root mean square of the distances, and of the angles.</summary>
+        /// <summary>Root mean square distance of the noise in m. <see cref="NoiseDegrees"/> is the same for its angle.</summary>
         public double NoiseMetres { get; set; }
 
         public double NoiseDegrees { get; set; }
         public double OutlierShare { get; set; }
 
-        /// <summary>Of each marker's own print, constant; root mean square.</summary>
+        /// <summary>Constant angle error of each marker's print; root mean square, in degrees.</summary>
         public double PrintDegrees { get; set; }
 
         public FakeAnchors Anchors { get; set; }
@@ -44,16 +44,16 @@ namespace Nowpose.Tests.Core.Anchoring
         public double Seconds => _frame * FrameSeconds;
         public HeadsetTime Now => HeadsetTime.FromSeconds(100 + Seconds);
 
-        /// <summary>Codes that are seen at the moment; all unless set.</summary>
+        /// <summary>Selects the codes in view; by default all.</summary>
         public Func<string, bool> IsInView { get; set; } = _ => true;
 
-        /// <summary>What becomes of a sighting before it is told; as it is unless set.</summary>
+        /// <summary>Changes a sighting before it is reported; by default it is unchanged.</summary>
         public Func<MarkerSighting, MarkerSighting> Told { get; set; } = sighting => sighting;
 
-        /// <summary>Where a marker really is in the base frame, if not where it was measured.</summary>
+        /// <summary>True poses in the base frame of markers that are not where they were measured.</summary>
         public Dictionary<string, RigidTransform> Shifted { get; } = new Dictionary<string, RigidTransform>();
 
-        /// <summary>At one place.</summary>
+        /// <summary>One marker.</summary>
         public static SimulatedMarkers One(int seed, double offsetMetres, AnchoringSettings settings = null)
         {
             var cell = new SimulatedMarkers(seed, settings);
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Anchoring
             return cell;
         }
 
-        /// <summary>Three at the corners of a triangle with edges of 0.3 m about a point of the base frame.</summary>
+        /// <summary>Three markers at the corners of a triangle with edges of 0.3 m, centred on a point of the base frame.</summary>
         public static SimulatedMarkers Three(int seed, double offsetMetres = 0, AnchoringSettings settings = null)
         {
             var cell = new SimulatedMarkers(seed, settings);
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Anchoring
             for (var end = Seconds + seconds - 1e-9; Seconds < end; seen?.Invoke()) Frame();
         }
 
-        /// <returns>Seconds that it took; null when it did not lock.</returns>
+        /// <returns>Seconds until the lock; null if there was none.</returns>
         public double? RunUntilLocked(double atMost)
         {
             var start = Seconds;
@@ -116,7 +116,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Tracker.Tick(Now, _sightings, Head, Anchors);
         }
 
-        /// <summary>How far the locked base is off at its origin, and at a point of its frame.</summary>
+        /// <summary>Error of the locked base: distance at a point of its x axis, and angle.</summary>
         public (double Metres, double Degrees) ErrorAt(double reachMetres = 0)
         {
             var reach = RigidTransform.FromXyzRpy(reachMetres, 0, 0, 0, 0, 0);

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Kinematics
             ["ur16e"] = new[] { 0.1807, -0.4784, -0.36, 0.17415, 0.11985, 0.11655 },
         };
 
-        // Poses by urdf-loader and three.js; Tests/Package/make-reference.mjs wrote them.
+        // Reference poses computed by urdf-loader and three.js; Tests/Package/make-reference.mjs wrote them.
         [TestCase("youbot")]
         [TestCase("ur5")]
         [TestCase("odd_axes")]

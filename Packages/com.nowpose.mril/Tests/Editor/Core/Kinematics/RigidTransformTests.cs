@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Kinematics
         {
             var pose = RigidTransform.FromXyzRpy(1, 2, 3, Math.PI / 2, Math.PI / 2, Math.PI / 2);
 
-            // x → x → −z → −z; y → z → x → y; z → −y → −y → x, worked out by hand.
+            // Computed by hand: x → x → −z → −z; y → z → x → y; z → −y → −y → x.
             Assert.That(pose.ToRowMajor16(), Is.EqualTo(new[]
             {
                 0.0, 0, 1, 1,

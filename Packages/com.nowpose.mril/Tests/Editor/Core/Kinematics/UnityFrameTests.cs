@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Core.Kinematics
             Assert.That(Numbers(pose), Is.EqualTo(new[] { unityX, unityY, unityZ, 0, 0, 0, 1 }));
         }
 
-        // Unity turns clockwise seen from the axis' tip: a turn to the left (about up, +yaw) is a negative one about Unity's y.
+        // Unity's rotations are clockwise seen from the tip of the axis: a left turn (+yaw about up) is negative about Unity's y.
         [TestCase(0, 0, Math.PI / 2, 0, -1, 0, TestName = "ToUnity_YawLeft_IsMinusY")]
         [TestCase(0, Math.PI / 2, 0, 1, 0, 0, TestName = "ToUnity_PitchDown_IsPlusX")]
         [TestCase(Math.PI / 2, 0, 0, 0, 0, -1, TestName = "ToUnity_RollRight_IsMinusZ")]
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Kinematics
             }
         }
 
-        // Half turns are where a quaternion's real part vanishes and each of the other three has to carry the division.
+        // For half turns the quaternion's real part vanishes, so each of the other three components must serve as the divisor.
         [TestCase(Math.PI, 0, 0)]
         [TestCase(0, Math.PI, 0)]
         [TestCase(0, 0, Math.PI)]
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
         static double[] Numbers(UnityPose p) => new[] { p.X, p.Y, p.Z, p.RotationX, p.RotationY, p.RotationZ, p.RotationW };
 
-        // Unity's own: position = a.position + a.rotation * b.position, rotation = a.rotation * b.rotation.
+        // Unity's composition: position = a.position + a.rotation * b.position, rotation = a.rotation * b.rotation.
         static double[] Product(UnityPose a, UnityPose b)
         {
             var turned = Multiply(Multiply(Rotation(a), new[] { b.X, b.Y, b.Z, 0 }), Conjugate(Rotation(a)));

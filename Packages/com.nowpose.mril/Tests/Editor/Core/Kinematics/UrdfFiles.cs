@@ -4,7 +4,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Kinematics
 {
-    /// <summary>The package's robots and the tests' own files, found from where this source lies.</summary>
+    /// <summary>The package's robots and the tests' own files, located relative to this source file.</summary>
     static class UrdfFiles
     {
         public static RobotModel Robot(string name) => UrdfReader.Read(Text(name + ".urdf"), name + ".urdf");
@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
         static string Here([CallerFilePath] string here = "") => Path.GetDirectoryName(here);
 
-        /// <summary>A robot of one line per element: what stands first in <paramref name="body"/> is on line 2.</summary>
+        /// <summary>Reads a robot with one element per line. The first line of <paramref name="body"/> is line 2.</summary>
         public static RobotModel Read(string body) => UrdfReader.Read("<robot name='r'>\n" + body + "\n</robot>", "r.urdf");
 
         public static string Links(params string[] names) => "<link name='" + string.Join("'/><link name='", names) + "'/>";

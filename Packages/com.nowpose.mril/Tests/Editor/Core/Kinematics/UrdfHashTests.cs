@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [Test]
         public void ToString_KnownText_IsItsSha256()
         {
-            // By sha256sum.
+            // Computed with sha256sum.
             Assert.That(UrdfHash.Of(Text).ToString(), Is.EqualTo("3bada97751c435c2819d21ef4703fac782a39cb05b7a5098585f216d490c81be"));
         }
 

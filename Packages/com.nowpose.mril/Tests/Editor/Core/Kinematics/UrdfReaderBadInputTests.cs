@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Kinematics
 {
-    /// <summary>Everything that is refused, and that the one line says where and what.</summary>
+    /// <summary>Invalid input is refused, with one line that names the place and the error.</summary>
     public class UrdfReaderBadInputTests
     {
         const string Links = "<link name='a'/><link name='b'/><link name='c'/>\n";
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Kinematics
         static string Joint(string name, string parent, string child, string inside = "") =>
             UrdfFiles.Joint(name, parent, child, "revolute", inside);
 
-        // Line 2 holds three links, the joints begin on line 3.
+        // Line 2 holds three links; the joints begin on line 3.
         static void RefusesJoints(string joints, string message) => Refuses("<robot name='r'>\n" + Links + joints + "</robot>", message);
 
         static void Refuses(string text, string message)

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Kinematics
             positions[left] = finger;
             given[left] = true;
             robot.CompleteMimics(positions, given);
-            // All arm joints at 0: the fingers' distance does not depend on them.
+            // All arm joints stay at 0, because the distance of the fingers does not depend on them.
             var poses = new RigidTransform[robot.Links.Count];
             new ForwardKinematics(robot).Compute(positions, poses);
             ref readonly var l = ref poses[robot.IndexOfLink("gripper_finger_link_l")];

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Latency
             for (var i = 0; i < frames; i++) monitor.Add(TimeSpan.FromTicks((long)(renderMs * TimeSpan.TicksPerMillisecond)), source);
         }
 
-        // Changes of state per minute: of the monitor, and of a rule that believes each single frame.
+        // Changes of state per minute: of the monitor, and of a rule that follows each single frame.
         static (double Monitor, double SingleFrame) FlipsPerMinute(double renderMs, int seed, double minutes)
         {
             var monitor = Monitor();
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency
             return (flips / minutes, singleFlips / minutes);
         }
 
-        // Frames until the state is outside, of as many seeds, the fewest first. 60 at the most.
+        // Frames until the state is outside, at most 60, for 1000 seeds, in ascending order.
         static int[] FramesToLeave(double renderMs) => Enumerable.Range(1, 1000).Select(seed =>
         {
             var monitor = Monitor();
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(frames.Last(), Is.InRange(2, 10));
         }
 
-        // Single frames scatter by 3 %, so some of such a load are below the limit, and each costs a frame.
+        // Single frames scatter by 3 %, so some frames of this load are below the limit. Each of them delays the detection by a frame.
         [TestCase(1.06, 0.99, 12)]
         [TestCase(1.05, 0.95, 16)]
         [TestCase(1.02, 0.4, 40)]

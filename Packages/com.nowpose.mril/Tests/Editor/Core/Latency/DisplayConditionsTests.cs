@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Latency
                 + "(Project Settings, Player)"));
         }
 
-        // L_visu of another device or another rate says nothing of this one; the rest moves it by some ms.
+        // L_visu of another device or another refresh rate does not apply to this one. The other conditions change it by a few ms.
         [Test]
         public void IsRefusal_OtherDeviceOrRate_IsTrueAndElseFalse()
         {

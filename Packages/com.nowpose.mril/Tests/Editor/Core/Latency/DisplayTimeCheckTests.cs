@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Latency
             _start = 0;
         }
 
-        // Predictions scatter: sd 1 ms. Returns the frames until it turned, or all.
+        // Predictions scatter with a standard deviation of 1 ms. Returns the number of frames until the check changed, or all.
         int Frames(int count, double differenceMs, double outlierChance = 0)
         {
             var before = _check.IsDoubted;
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(10, false)]
         public void Add_GapAfterAFewBadFrames_CountsAsLastingOnlyWhereItIsShort(double gapSeconds, bool isDoubted)
         {
-            // The median turns with the 31st bad frame: half a second before the gap and half a second after it are not enough.
+            // The median changes with the 31st bad frame: half a second before the gap and half a second after it are not enough.
             Frames(60, 0);
             Frames(60, 20);
             _start += gapSeconds;

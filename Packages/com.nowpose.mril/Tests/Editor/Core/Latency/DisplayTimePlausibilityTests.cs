@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Latency
             _now = 100;
         }
 
-        // Frames at 60 Hz.
+        // Adds frames at 60 Hz.
         void Frames(int count, double aheadMs)
         {
             for (var i = 0; i < count; i++) _check.Add(HeadsetTime.FromSeconds(_now += 1 / 60.0), Lengths.Ms(aheadMs));

@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Latency
             }
         }
 
-        // Seen from −z, x to the right and y up.
+        // Area seen from −z, with x to the right and y up.
         static double ClockwiseArea(LoadPatch patch, int[] indices, int at)
         {
             patch.PlaceOf(indices[at], out var ax, out var ay);

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Latency
             _changes = new List<RenderTimeSourceKind>();
         }
 
-        // Which of the four ways give a time in a frame: 1 + index, ms.
+        // `giving` lists the sources, of four, that report a time in each frame; source i reports (1 + i) ms.
         void Frames(int count, string giving)
         {
             for (var frame = 0; frame < count; frame++)

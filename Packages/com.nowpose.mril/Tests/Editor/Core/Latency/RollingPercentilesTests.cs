@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Latency
             var all = new List<double>();
             for (var i = 0; i < 500; i++)
             {
-                // Few distinct values, so that equal ones leave and stay.
+                // Few distinct values, so that equal values leave the window and stay in it.
                 var length = random.Next(-5, 20);
                 all.Add(length);
                 rolling.Add(new TimeSpan(length * 1000));

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Latency
         [Test]
         public void Draw_ATimeWorkedOutByHand_LightsTheseCells()
         {
-            // 5 is 101, in Gray code 111: g2 g1 g0. Of the bits with even index two are 1, so their parity is 0; g1 is alone: 1.
+            // 5 is 101, in Gray code 111: g2 g1 g0. Two of the bits with even index are 1, so their parity is 0. g1 is the only odd one: parity 1.
             const string expected = "#..#####/#.#.#.##/#.#.#.##/#.#.#.##/#.#.#.##/#.##.#.#/##..##.#/########";
 
             Assert.That(Picture(Drawn(5)), Is.EqualTo(expected));

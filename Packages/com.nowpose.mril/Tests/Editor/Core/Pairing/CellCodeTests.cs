@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Pairing
         {
             var pose = CellCode.Parse(Whole).Marker.ToPose().ToRowMajor16();
 
-            // A quarter turn about the base's z: the marker's x is the base's y.
+            // A quarter turn about the base's z: the marker's x axis is the base's y axis.
             var expected = new[] { 0, -1, 0, 0.25, 1, 0, 0, -0.1, 0, 0, 1, 0.02, 0, 0, 0, 1 };
             for (var i = 0; i < 16; i++) Assert.That(pose[i], Is.EqualTo(expected[i]).Within(1e-12), "element " + i);
         }
@@ -154,7 +154,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void Parse_Host_IsTaken(string host, string read) =>
             Assert.That(CellCode.Parse("nowpose:cell/1?n=a&p=" + PinText + "&h=" + host).Host, Is.EqualTo(read));
 
-        [TestCase("g\u0430teway")] // a Cyrillic letter that looks like ours
+        [TestCase("g\u0430teway")] // a Cyrillic letter that looks like a Latin one
         [TestCase("10.0.7")]
         [TestCase("010.0.0.7")]
         [TestCase("0x0a.0.0.7")]
@@ -202,8 +202,8 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("Pr%E1%85%9Fess")] // Hangul choseong filler
         [TestCase("Pr%CD%8Fess")] // combining grapheme joiner
         [TestCase("Press%EF%B8%8F")] // variation selector
-        [TestCase("Pru%CC%88fzelle")] // u and its dots apart
-        [TestCase("%F0%9F%A4%96")] // beyond 16 bits
+        [TestCase("Pru%CC%88fzelle")] // u and its diaeresis as separate characters
+        [TestCase("%F0%9F%A4%96")] // beyond the 16-bit range
         [TestCase("%C3")]
         [TestCase("%C0%80")]
         [TestCase("%ED%A0%80")]

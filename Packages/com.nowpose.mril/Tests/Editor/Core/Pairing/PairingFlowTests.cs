@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Pairing
             return _flow.Tick(_now);
         }
 
-        /// <summary>As long as it takes until something may be asked again, or another cell has been looked at.</summary>
+        /// <summary>Runs frames long enough that a question may be asked again, or that another cell counts as looked at.</summary>
         void Look(params string[] inView)
         {
             for (var end = _now + TimeSpan.FromTicks(TimeSpan.TicksPerSecond * 11 / 10); _now < end;) Frame(inView);

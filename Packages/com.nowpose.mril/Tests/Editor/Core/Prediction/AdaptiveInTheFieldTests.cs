@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    /// <summary>What plants do now and then, and what must not spoil the prediction for long.</summary>
+    /// <summary>Irregular behaviour of real plants that must not degrade the prediction for long.</summary>
     public class AdaptiveInTheFieldTests
     {
         const double Latency = 0.1;

@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         static readonly PredictionLimits Limits = new PredictionLimits();
 
-        // A joint at 1 rad/s, its samples 100 ms late, up to the one at `newest`; two frames have been shown.
+        // A joint at 1 rad/s with samples up to the time `newest`, each 100 ms late. Two frames have been shown.
         static (DisplayedJoint Blended, JointPredictor Bare) Moving(double newest, PredictionLimits limits = null, string predictor = "linear")
         {
             var bare = Predictors.Create(predictor, limits ?? Limits);
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Prediction
             for (var k = 0; k < 400; k++)
             {
                 var shown = joint.Show(k * Interval + 0.06).Position;
-                // Sometimes none comes between two frames, sometimes up to three, and one of them out of order.
+                // Between two frames up to three samples arrive, sometimes none, and one of three is out of order.
                 var samples = k < 5 ? 1 : random.Next(4);
                 for (var i = 0; i < samples; i++) joint.Add(k * Interval + (i * 2 % 3 + 1) * 0.015, Math.Sin(2 * (k * Interval + (i * 2 % 3 + 1) * 0.015)));
 
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(blended.Show(1.1 + 20 * TimeConstant).Position, Is.EqualTo(1).Within(1e-6));
         }
 
-        // The plan lies beside where the joint is predicted to be: in the least time nothing may move faster than the blend.
+        // The plan is offset from the predicted position. The displayed position must never move faster than the blend, even in very short steps.
         [TestCase(1.2, 0.02, TestName = "Follow_PlanForLater_StartsAndEndsWithoutAJump")]
         [TestCase(1.05, 0.02, TestName = "Follow_PlanThatHasBegun_StartsAndEndsWithoutAJump")]
         public void Follow_Plan_StartsAndEndsWithoutAJump(double start, double beside)
@@ -119,7 +119,7 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(blended.Show(1.2).Position, Is.EqualTo(bare.At(1.2).Position).Within(1e-4));
         }
 
-        // The second look of a frame comes with the newer time, and may come after a sample that the first did not know.
+        // A frame may ask twice. The second request has a newer time, and a sample may have arrived between the two.
         [Test]
         public void At_SampleBetweenTwoLooksOfOneFrame_ContinuesTheFirst()
         {

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    /// <summary>The standard deviation that <c>gp</c> states of its own forecasts.</summary>
+    /// <summary>The standard deviation that <c>gp</c> reports for its own forecasts.</summary>
     public class DeviationTests
     {
         const double Interval = 0.05;
@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         static double Waves(double t) => 100 * Math.Sin(2 * t) + 30 * Math.Sin(7 * t);
 
-        // The display is 100 ms ahead of the newest sample.
+        // The displayed time is 100 ms ahead of the newest sample.
         static JointPredictor Fed(string name, Func<double, double> motion, int samples, PredictionLimits limits = null)
         {
             var predictor = Predictors.Create(name, limits ?? PredictionLimits.Unlimited);
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Prediction
 
             var (before, after) = (Fed("gp", Quiet, 400), Fed("gp", Quiet, 1300));
 
-            // 45 s: its square falls by e every 3 s, to what the errors of the new motion make.
+            // After 45 s: the variance decays by a factor of e every 3 s, towards the errors of the new motion.
             Assert.That(after.DeviationAt(65.1) / before.DeviationAt(20.1), Is.InRange(0.005, 0.02));
         }
 

@@ -5,7 +5,7 @@ using Nowpose.Prediction.Planning;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    /// <summary>A joint as a display shows it: each frame asks where it is, and each sample comes with the newest moment displayed.</summary>
+    /// <summary>A joint as a display uses it: each frame asks for its position, and each sample is added with the newest displayed time.</summary>
     sealed class DisplayedJoint
     {
         const double Latency = 0.1;
@@ -26,16 +26,16 @@ namespace Nowpose.Tests.Core.Prediction
 
         public void DropPlan() => Predictor.Follow(null, 0, _displayed);
 
-        /// <summary>A frame at a moment of control time, s.</summary>
+        /// <summary>Shows a frame at a control time, in s.</summary>
         public JointPrediction Show(double time)
         {
             _displayed = time;
             return Predictor.At(time);
         }
 
-        /// <summary>Shows frames; samples come 100 ms after their time.</summary>
-        /// <param name="sampleOf">Made once for each number, from 0 on and on from call to call.</param>
-        /// <param name="frame">From one frame to the next, s.</param>
+        /// <summary>Shows frames at a fixed interval. Samples arrive 100 ms after their time.</summary>
+        /// <param name="sampleOf">Called once for each sample number; the numbers start at 0 and continue from call to call.</param>
+        /// <param name="frame">Frame interval, s.</param>
         public List<(double At, JointPrediction Shown)> Play(Func<int, JointSample> sampleOf, double from, double to, double frame = 1 / 60.0)
         {
             var shown = new List<(double, JointPrediction)>();

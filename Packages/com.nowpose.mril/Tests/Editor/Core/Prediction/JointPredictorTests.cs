@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Prediction
             var predictor = Polynomial(1, 1);
             predictor.Add(new JointSample(1.25, 2, order: 1));
 
-            // The newer sample has an earlier stamp.
+            // The newer sample (by order) has an earlier stamp.
             var outcome = predictor.Add(new JointSample(1, 0, order: 1.1));
 
             Assert.That(outcome, Is.EqualTo(SampleOutcome.Accepted));
@@ -197,7 +197,7 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(predictor.At(2).Position, Is.EqualTo(5));
         }
 
-        // Asked while a sample is on its way and before it, between the same moments and again.
+        // One of two predictors gets additional requests for random times after each sample, in both orders. Both must show the same.
         [TestCaseSource(nameof(Names))]
         public void At_AnyMomentsInAnyOrder_ChangesNothing(string name)
         {
@@ -223,7 +223,7 @@ namespace Nowpose.Tests.Core.Prediction
         public void Horizon_DisplayTellsWhatItShows_IsTheMeanTimeAhead(double ahead)
         {
             var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
-            // Frames go on until the next sample comes: on average half an interval more than at its coming.
+            // Frames continue until the next sample arrives, so the mean horizon is half an interval longer than at the arrival of a sample.
             for (var k = 0; k < 100; k++) predictor.Add(new JointSample(k * 0.05, Math.Sin(k * 0.05)), (k + 0.5) * 0.05 + ahead - 0.05);
 
             Assert.That(predictor.Horizon, Is.EqualTo(ahead).Within(1e-3));

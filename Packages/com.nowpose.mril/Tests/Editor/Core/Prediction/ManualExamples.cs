@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    /// <summary>The forecaster that prediction.md adds, and that it can be mixed.</summary>
+    /// <summary>The forecaster that prediction.md adds, and a test that it can be mixed.</summary>
     public class PredictionManualExamples
     {
         // A line whose speed fades: for drives that have just been switched off.
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(tried, Is.LessThan(0.5 * usual));
         }
 
-        // Squared error 0.2 s ahead of an axis that is pushed every second and coasts; what happens at a push is not predictable.
+        // Squared error 0.2 s ahead of an axis that is pushed every second and coasts. The unpredictable pushes are left out.
         static double Coasting(params Forecaster[] more)
         {
             const double interval = 0.1, ahead = 0.2;

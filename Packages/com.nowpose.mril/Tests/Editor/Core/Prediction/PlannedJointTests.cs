@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Prediction
         const double Interval = 0.05;
         static readonly PredictionLimits Limits = new PredictionLimits(lower: -10, upper: 10);
 
-        // From 0 to 1 within a second from t = 5 on, at rest at both ends.
+        // Moves from 0 to 1 within one second from t = 5 on, at rest at both ends.
         static readonly PlannedPath Move = new PlannedPath(new[] { 0.0, 1 }, new[] { 0.0, 1 }, new[] { 0.0, 0 });
 
         static double Planned(double t)
@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Prediction
             return x * x * (3 - 2 * x);
         }
 
-        // Samples 50 ms apart and a frame each 10 ms.
+        // Plays samples 50 ms apart and one frame every 10 ms.
         static List<(double At, JointPrediction Shown)> Play(DisplayedJoint joint, double from, double to, Func<double, double> truth) =>
             joint.Play(k => new JointSample(k * Interval, truth(k * Interval)), from, to, 0.01);
 
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction
             double Truth(double t) => Planned(t - lag) + offset;
             Play(joint, 4, 4.9, Truth);
             joint.Follow(Move, 5);
-            // The first move tells how late it is; the second, back, is shown so from its beginning.
+            // The first move shows how late the joint follows. The second move, back, is corrected from its beginning.
             Play(joint, 4.9, 7, Truth);
             joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 7.1);
             double Back(double t) => 1 - Planned(t - 2.1 - lag) + offset;

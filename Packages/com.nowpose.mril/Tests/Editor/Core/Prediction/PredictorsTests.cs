@@ -8,7 +8,7 @@ namespace Nowpose.Tests.Core.Prediction
     {
         static readonly string[] Names = Predictors.Names.ToArray();
 
-        // Value at 5 s of the fits through t⁴ at 0, 1, 2, 3, 4 s, solved in rational numbers elsewhere.
+        // Values at 5 s of the fits through t⁴ at 0, 1, 2, 3, 4 s, computed separately in rational numbers.
         [TestCase("hold", 256)]
         [TestCase("linear", 431)]
         [TestCase("quadratic", 541)]

@@ -6,8 +6,8 @@ using Nowpose.Prediction;
 namespace Nowpose.Tests.Core.Prediction
 {
     /// <summary>
-    /// The paper's section 2.2 in virtual time: a 500 mm axis forth and back by the 7-phase profile (1000 mm/s, 5000 mm/s²,
-    /// 50 000 mm/s³, 0.4 s dwell) seen at 60 frames per second, each sample arriving a constant latency late.
+    /// The paper's section 2.2 in virtual time: a 500 mm axis moves back and forth by the 7-phase profile (1000 mm/s, 5000 mm/s²,
+    /// 50 000 mm/s³, 0.4 s dwell). It is displayed at 60 frames per second; each sample arrives with a constant latency.
     /// </summary>
     sealed class SimulatedPrediction
     {
@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Prediction
         public double Latency { get; set; } = 0.1;
         public double StampError { get; set; }
 
-        /// <summary>RMS error over that of holding, mean of several random sampling and frame phases.</summary>
+        /// <summary>RMS error divided by that of hold; the mean of several random sampling and frame phases.</summary>
         public double Ratio(string predictor, int seed)
         {
             const int phases = 16;

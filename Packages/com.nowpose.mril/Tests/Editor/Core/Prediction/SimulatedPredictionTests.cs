@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Prediction
             new SimulatedPrediction { SamplingInterval = sampling, Latency = latency, StampError = stampError }
                 .Ratio(predictor, Seed);
 
-        // Expected: an independent simulation of the paper's Figs 13 and 14 in Python.
+        // Expected values: an independent simulation in Python of the paper's Figs 13 and 14.
         [TestCase("hold", 1)]
         [TestCase("linear", 0.374)]
         [TestCase("quadratic", 0.254)]

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Prediction
         static readonly SevenPhaseProfile There = new SevenPhaseProfile(300, 900, 5000, 60_000);
         static readonly SevenPhaseProfile Back = new SevenPhaseProfile(-300, 600, 3000, 30_000);
 
-        // Neither a whole number of samples nor of grid steps.
+        // Not a multiple of the sampling interval or of the grid step.
         const double Cycle = 2.7183;
 
         [TestCase(0.010)]

@@ -5,18 +5,18 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    /// <summary>Predictors as tests need them, and short ways to feed them.</summary>
+    /// <summary>Creates predictors for tests and feeds them.</summary>
     static class TestPredictors
     {
         static readonly string[] Degrees = { "hold", "linear", "quadratic", "cubic" };
 
-        /// <summary>The paper's polynomial of a degree, with h samples besides the newest.</summary>
-        /// <param name="limits">Null for none.</param>
+        /// <summary>The paper's polynomial of a degree, with <paramref name="history"/> samples besides the newest.</summary>
+        /// <param name="limits">Null for no limits.</param>
         public static JointPredictor Polynomial(int degree, int history, PredictionLimits limits = null) =>
             Predictors.Create(Degrees[degree] + "-h" + history, limits ?? PredictionLimits.Unlimited);
 
-        /// <summary>One forecaster and what parts of the pipeline it is to have; without a forecast the newest sample is held.</summary>
-        /// <param name="limits">Null for none.</param>
+        /// <summary>One forecaster with the given parts of the pipeline. Without a forecast the newest sample is held.</summary>
+        /// <param name="limits">Null for no limits.</param>
         public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
             new JointPredictor(forecaster, 24, parts, limits ?? PredictionLimits.Unlimited, 0);
 

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Protocol
 {
-    /// <summary>Checks what a reader keeps from one message to the next.</summary>
+    /// <summary>Checks the state that a reader keeps from one message to the next.</summary>
     public class RosbridgeReaderReuseTests
     {
         readonly RosbridgeReader _reader = new RosbridgeReader();

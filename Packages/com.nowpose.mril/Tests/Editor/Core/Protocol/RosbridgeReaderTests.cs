@@ -259,7 +259,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase(10_000, false)]
         public void TryRead_Nesting_UpTo16Levels(int inside, bool expected)
         {
-            // The message and its msg are two levels themselves.
+            // The message and its msg object add two levels.
             var nested = new string('[', inside) + new string(']', inside);
             var text = State("[\"a\"]", "[1]", ",\"effort\":" + nested);
 
@@ -293,7 +293,7 @@ namespace Nowpose.Tests.Core.Protocol
             else Refuse(text, DropReason.TooLarge);
         }
 
-        // A message of exactly that many bytes: filled in a field nobody reads, or in the data.
+        // A message of exactly this size in bytes, filled up in an unused field or in the data.
         static string Sized(string character, int bytes, string topic, string field)
         {
             string Make(string fill) => field == "data"

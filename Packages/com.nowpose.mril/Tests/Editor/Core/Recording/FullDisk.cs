@@ -2,14 +2,14 @@ using System.IO;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>A file on a disk that has room for so many bytes; what does not fit is refused, when it is closed, too.</summary>
+    /// <summary>A file on a disk with a limited number of free bytes. A write that does not fit fails, and so does closing the file then.</summary>
     sealed class FullDisk : MemoryStream
     {
         readonly long _room;
 
         public FullDisk(long room) => _room = room;
 
-        /// <summary>Writes that were refused.</summary>
+        /// <summary>Number of failed writes.</summary>
         public int Refusals { get; private set; }
 
         public bool IsClosed { get; private set; }
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Recording
             base.Dispose(disposing);
             if (IsClosed) return;
             IsClosed = true;
-            // As a file whose buffer still holds what found no room.
+            // Like a file whose buffer still holds the bytes that did not fit.
             if (Refusals > 0) Refuse();
         }
 

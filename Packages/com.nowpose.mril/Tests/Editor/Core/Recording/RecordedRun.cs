@@ -10,7 +10,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>A session recorded into memory, and the lines that came of it.</summary>
+    /// <summary>A session recorded into memory, and the recorded lines.</summary>
     sealed class RecordedRun : IDisposable
     {
         static readonly TimeSpan Patience = TimeSpan.FromMinutes(1);
@@ -22,14 +22,14 @@ namespace Nowpose.Tests.Core.Recording
 
         public SessionRecorder Recorder { get; }
 
-        /// <summary>The file, once the recording has ended.</summary>
+        /// <summary>The text of the file after the recording has ended.</summary>
         public string Text => Encoding.UTF8.GetString(_bytes.ToArray());
 
         public List<JObject> Lines => Text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(Read).ToList();
 
         public List<JObject> Of(string kind) => Lines.Where(l => (string)l["kind"] == kind).ToList();
 
-        /// <summary>Makes room in the ring: a session in virtual time is quicker than any disk.</summary>
+        /// <summary>Empties the ring buffer: a session in virtual time is faster than any disk.</summary>
         public void Flush()
         {
             if (!Recorder.FlushAsync().Wait(Patience)) throw new TimeoutException("the recording does not come to write");
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Recording
 
         public JObject Last => Lines[Lines.Count - 1];
 
-        // Numbers as they stand: whole ones whole, others as the nearest double.
+        // Integers stay integers; other numbers become the nearest double.
         static JObject Read(string line)
         {
             using (var reader = new JsonTextReader(new StringReader(line)) { DateParseHandling = DateParseHandling.None })

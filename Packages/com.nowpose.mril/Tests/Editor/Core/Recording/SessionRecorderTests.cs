@@ -331,7 +331,7 @@ namespace Nowpose.Tests.Core.Recording
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var disk = new FullDisk(room);
             var recorder = new SessionRecorder(simulated.Session, new RecordingSettings("disk", () => disk));
-            // Two seconds of lines are more than there is room for.
+            // The lines of two seconds do not fit on the disk.
             simulated.Run(2, (_, __) => { });
             Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
             simulated.Run(6, (_, __) => { });
@@ -356,7 +356,7 @@ namespace Nowpose.Tests.Core.Recording
         [Test]
         public void Path_ThatMayNotBeWritten_EndsTheRecordingAndNotTheSession()
         {
-            // Nobody may write to a folder as to a file, an administrator neither.
+            // Opening a folder as a file fails for every user, including an administrator.
             var folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N")));
             try
             {

@@ -5,7 +5,7 @@ namespace Nowpose.Tests.Core.Session
 {
     public class CurrentShareTests
     {
-        // Frames at 60 Hz from a second on.
+        // Adds frames at 60 Hz from a given second on.
         static void Add(CurrentShare share, double from, double seconds, bool isCurrent)
         {
             for (var i = 0; i < seconds * 60; i++) share.Add(HeadsetTime.FromSeconds(from + i / 60.0), isCurrent);

@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core.Session
 {
     public class DisplayTimeSourceTests
     {
-        /// <summary>True L_visu changes between two and three refreshes every half a second: the display's runtime knows.</summary>
+        /// <summary>True L_visu: alternates between two and three refreshes every half second. Only the display's runtime has this value.</summary>
         static double TrueMs(double seconds) => (int)(seconds * 2) % 2 == 0 ? 33.3 : 50;
 
         sealed class Runtime : IDisplayTimeSource
@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Session
             return simulated;
         }
 
-        // Root mean square over 20 s of the shoulder's distance from where it is when the light truly appears, rad.
+        // Root mean square over 20 s of the shoulder's distance from its true position when the light appears, in rad.
         static double ErrorOf(IDisplayTimeSource source)
         {
             var simulated = Running(source);

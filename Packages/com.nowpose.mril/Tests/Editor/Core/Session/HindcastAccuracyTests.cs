@@ -9,10 +9,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>What the monitor measures without any truth, against the truth that the virtual cell knows.</summary>
+    /// <summary>Compares the error that the monitor measures without the truth with the true error in the virtual cell.</summary>
     public class HindcastAccuracyTests
     {
-        /// <summary>Does not get better while it runs: one stretch of a run is like another.</summary>
+        /// <summary>A predictor that does not learn while it runs, so all parts of a run are equivalent.</summary>
         const string Steady = "quadratic";
 
         static double Rms(IEnumerable<double> values) => Math.Sqrt(values.Average(v => v * v));
@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Session
         static VirtualCellRun Run(string network, int seed, double samplingMs = 50, string predictor = Predictors.Default) => new VirtualCellRun(
             new VirtualCellSettings(samplingMs, 55, 105, 0, 0, NetworkProfile.Named(network)), seed, predictor: predictor);
 
-        // As demo scores: from three seconds on.
+        // Scores from the third second on, like the demo.
         static (VirtualCellRun Run, DisplayedError Hindcast, double Reduction) Scored(
             string network, int seed, double seconds, double samplingMs = 50, string predictor = Predictors.Default)
         {
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(hindcast.HoldP95 * 1e-3, Is.EqualTo(P95(run.HoldErrors)).Within(5).Percent, "seed 5");
         }
 
-        // The truth's own doubt is stated: it must be about what the interpolated truth is off by, and far below the error measured.
+        // The stated uncertainty of the truth must cover the error of the interpolated truth and be far below the measured error.
         [Test]
         public void ToolErrorOfRun_TruthUncertainty_ExplainsTheDifference([Values("wifi", "busy-wifi")] string network, [Values(50, 100)] double samplingMs)
         {
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(hindcast.TruthUncertainty, Is.LessThan(0.3 * hindcast.Rms), "or it would say nothing");
         }
 
-        // Ten seconds are a few moves, and the next ten are others: the interval has to cover what the run as a whole shows.
+        // Ten seconds contain a few moves, and the next ten seconds others: the interval must cover the value of the whole run.
         [Test]
         public void ToolError_TenSeconds_TheUncertaintyCoversTheRunAsAWhole()
         {
@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core.Session
             var (_, shorter, _) = Scored("wifi", 7, 23, predictor: Steady);
             var (_, longer, _) = Scored("wifi", 7, 183, predictor: Steady);
 
-            // A run nine times as long: a third, but for luck.
+            // A run nine times as long has about a third of the uncertainty; the limit leaves room for chance.
             Assert.That(longer.ReductionUncertainty.Value, Is.LessThan(0.6 * shorter.ReductionUncertainty.Value), "seed 7");
             Assert.That(longer.ReductionUncertainty.Value, Is.GreaterThan(0));
         }

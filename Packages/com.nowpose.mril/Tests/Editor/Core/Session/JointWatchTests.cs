@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Session
             var simulated = Running(isEachJointApart);
 
             simulated.SilentJoint = "elbow";
-            // What is under way still arrives: 105 ms of acquisition, and WiFi's delay.
+            // Samples already on their way still arrive: 105 ms of acquisition plus the delay of WiFi.
             var states = StatesOf(simulated, 0.3 + 0.15);
             var after = StatesOf(simulated, 3);
             var statistics = StatisticsOf(simulated);

@@ -14,7 +14,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>A session whose control system publishes its set-points ahead.</summary>
+    /// <summary>A session whose control system publishes its set-points in advance.</summary>
     public class PlannedSessionTests
     {
         static double Rms(IEnumerable<double> values) => Math.Sqrt(values.Average(v => v * v));
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Session
             var run = Run(lagMs, seed);
 
             Assert.That(run.Errors, Has.Count.EqualTo(run.Frames), "current");
-            // What is left is the clock's error and that of the lag.
+            // The remaining error is that of the clock and that of the estimated lag.
             Assert.That(Ratio(run), Is.LessThan(0.2 * predicted).And.LessThan(0.02), $"lag {lagMs} ms, seed {seed}");
             Assert.That(run.Session.Tick(run.Now).Kinds.ToArray(), Has.Some.EqualTo(PredictionKind.Planned));
         }
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Session
             var bare = Run(null, 3);
             var run = new VirtualCellRun(VirtualCellRun.Settings(), 3);
             run.Run(15);
-            // A second and a half beside what the robot does.
+            // The plan is 1.5 s away from the robot's motion.
             run.Cell.PlanLag = Lengths.Seconds(1.5);
             run.Run(5);
 
@@ -81,7 +81,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(jumps.Max(), Is.LessThan(0.05), "rad, seed 4");
         }
 
-        // Times of one clock; the arm swings from one side to the other within two seconds, and stops dead in between.
+        // Both clocks show the same time. The arm swings from one side to the other within two seconds and stops abruptly in between.
         [Test]
         public void Tick_RobotStopsDespiteThePlan_LeavesThePlanWithTheFirstSamplesThatSaySo()
         {
@@ -196,7 +196,7 @@ namespace Nowpose.Tests.Core.Session
             return session;
         }
 
-        // Both clocks show the same.
+        // An exchange between clocks with zero offset.
         static void Exchange(CompensationSession session, double at)
         {
             var control = ControlTime.FromSeconds(at);
@@ -204,7 +204,7 @@ namespace Nowpose.Tests.Core.Session
                 HeadsetTime.FromSeconds(at) - Lengths.Ms(1), control, control, HeadsetTime.FromSeconds(at) + Lengths.Ms(1)), out _);
         }
 
-        // 60 frames a second, a sample every 50 ms that takes 60 ms; the elbow stands.
+        // 60 frames a second; a sample every 50 ms that arrives 60 ms late. The elbow is at rest.
         static void Drive(CompensationSession session, double from, double to, Func<double, double> truth, Action<double, DisplayFrame> seen)
         {
             var next = Math.Ceiling(from / 0.05) * 0.05 - 0.2;

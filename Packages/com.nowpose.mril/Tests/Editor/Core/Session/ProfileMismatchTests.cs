@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(FieldsOf(session), Is.Empty);
         }
 
-        // Listeners compare by reference, once a frame.
+        // Listeners compare the list by reference in each frame.
         [Test]
         public void ProfileMismatches_NothingChanges_IsTheSameList()
         {

@@ -7,7 +7,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>The code of the package's README, so that it compiles; a test of the repository holds the two together.</summary>
+    /// <summary>The code of the package's README, compiled here. A test of the repository checks that both are the same.</summary>
     static class ReadmeExample
     {
         internal static UnityPose Use(string urdfText, string token)

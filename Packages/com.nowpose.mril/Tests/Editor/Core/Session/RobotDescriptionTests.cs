@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>What a session makes of the gateway's robot description.</summary>
+    /// <summary>Tests how a session uses the gateway's robot description.</summary>
     public class RobotDescriptionTests
     {
         CompensationSession _session;

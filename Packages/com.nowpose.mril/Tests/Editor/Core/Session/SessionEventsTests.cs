@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>What a session tells whoever keeps a record of it.</summary>
+    /// <summary>Tests of the events that a session reports to a recorder.</summary>
     public class SessionEventsTests
     {
         static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);

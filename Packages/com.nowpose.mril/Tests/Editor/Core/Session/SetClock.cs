@@ -1,6 +1,6 @@
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>A clock that moves when the test says so.</summary>
+    /// <summary>A clock that a test sets.</summary>
     sealed class SetClock : IHeadsetClock
     {
         public HeadsetTime Now { get; set; }

@@ -12,8 +12,8 @@ using Nowpose.Tests.Core.Sync;
 namespace Nowpose.Tests.Core.Session
 {
     /// <summary>
-    /// A whole session in virtual time: a moving robot, a network, two clocks, frames at 60 fps. Nothing waits,
-    /// everything is seeded.
+    /// A whole session in virtual time: a moving robot, a network, two clocks, and frames at 60 fps. It never waits in real time,
+    /// and all random numbers are seeded.
     /// </summary>
     sealed class SimulatedSession
     {
@@ -46,31 +46,31 @@ namespace Nowpose.Tests.Core.Session
         public CompensationSession Session { get; }
         public SimulatedLink Link { get; }
 
-        /// <summary>Whether samples and replies leave the control system.</summary>
+        /// <summary>Whether the control system sends samples and replies.</summary>
         public bool IsGatewayUp { get; set; } = true;
 
-        /// <summary>Whether sync exchanges come through.</summary>
+        /// <summary>Whether sync exchanges succeed.</summary>
         public bool IsSyncUp { get; set; } = true;
 
         /// <summary>Whether each joint arrives in a message of its own, sampled at another time.</summary>
         public bool IsEachJointApart { get; set; }
 
-        /// <summary>Whether a test sends the samples itself.</summary>
+        /// <summary>Whether the test sends the samples instead of the simulation.</summary>
         public bool IsSamplingByTest { get; set; }
 
-        /// <summary>A joint that no sample carries any more; null for none.</summary>
+        /// <summary>A joint that samples no longer contain; null for none.</summary>
         public string SilentJoint { get; set; }
 
         public double Now { get; private set; }
 
-        /// <summary>How long each sample took from the robot to the headset, ms.</summary>
+        /// <summary>Latency of each sample from the robot to the headset, ms.</summary>
         public List<double> TrueLatenciesMs { get; } = new List<double>();
 
-        /// <summary>Where the joints truly are; seconds of headset time stand for the robot's own.</summary>
+        /// <summary>True joint positions in rad. The robot's motion is a function of headset time in s.</summary>
         public static (double Shoulder, double Elbow) TruthAt(double seconds) =>
             (Math.Sin(seconds * 1.3), 0.8 * Math.Sin(seconds * 0.9 + 1));
 
-        /// <summary>Runs on; each frame is handed over with the seconds at which its light appears.</summary>
+        /// <summary>Continues the run. <paramref name="seen"/> receives each frame and the time in s at which its light appears.</summary>
         public void Run(double seconds, Action<DisplayFrame, double> seen = null)
         {
             for (var end = Now + seconds; Now < end; Now += 0.0005)

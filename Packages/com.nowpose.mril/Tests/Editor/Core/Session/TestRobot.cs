@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>Two joints, a gripper finger beside the tool, one metre of arm.</summary>
+    /// <summary>A robot with two joints, a gripper finger beside the tool, and one metre of arm.</summary>
     static class TestRobot
     {
         public static readonly RobotModel Model = UrdfReader.Read(@"<robot name='test'>

@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Session
             for (var frame = 0; frame < 10; frame++)
             {
                 Follow(frame / 60.0);
-                // The same display time to 0.1 ms, with a correction of 0.05 mm: 0.5 m/s if it were a motion.
+                // The same display time within 0.1 ms and a correction of 0.05 mm: as a motion this would be 0.5 m/s.
                 _velocity.Follow(ControlTime.FromSeconds(1000 + frame / 60.0 + 1e-4), RigidTransform.FromXyzRpy(0, 0, 9, 0, 0, 0));
             }
 

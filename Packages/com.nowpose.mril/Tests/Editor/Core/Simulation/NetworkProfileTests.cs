@@ -5,14 +5,14 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>The statistics of the simulated delays against those of their distributions, worked out by hand.</summary>
+    /// <summary>Compares the statistics of the simulated delays with those of their distributions, computed by hand.</summary>
     public class NetworkProfileTests
     {
         const int Packets = 200_000;
 
         static double[] DelaysMs(PathDelay path) => Enumerable.Range(0, Packets).Select(_ => path.Next().TotalMilliseconds).ToArray();
 
-        // Base plus shape times scale, plus the mean of a spike times the share of packets in one: p / (p + 1 − 0.3).
+        // Base plus shape times scale, plus the mean of a spike times the share of packets in a spike: p / (p + 1 − 0.3).
         [TestCase("lan", 0.15 + 1.5 * 0.04, 0.002 / 0.702 * 1.75, 0.002 / 0.702 * 1.75)]
         [TestCase("wifi", 1.5 + 1.2 * 0.6, 0.01 / 0.71 * 17.5, 0.03 / 0.73 * 17.5)]
         [TestCase("busy-wifi", 1.5 + 1 * 3, 0.03 / 0.73 * 60, 0.1 / 0.8 * 60)]

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>The fate of single packets against the distributions of the profiles.</summary>
+    /// <summary>Compares loss and delay of single packets with the distributions of the profiles.</summary>
     public class PacketLinkTests
     {
         static readonly HeadsetTime Start = HeadsetTime.FromSeconds(1000);
@@ -19,14 +19,14 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("roaming", 3, 5)]
         public void Delays_PacketsFarApart_AreBasePlusExponentialJitter(string name, double baseMs, double jitterMs)
         {
-            // Between stalls: the first 8 s of the roaming link.
+            // Without stalls: the roaming link has none in its first 8 s.
             var ms = new List<double>();
             for (var seed = 0; seed < 200; seed++)
                 ms.AddRange(Packets(Link(name, seed), 40, 0.19).Where(p => p.Arrived).Select(p => p.DelayMs));
 
             Assert.That(ms.Min(), Is.InRange(baseMs, baseMs + 0.02 * jitterMs));
             Assert.That(ms.Average() - baseMs, Is.EqualTo(jitterMs).Within(5).Percent);
-            // Of an exponential distribution the share above three means is e^-3.
+            // In an exponential distribution the share of values above three means is e^-3.
             Assert.That(ms.Average(d => d > baseMs + 3 * jitterMs ? 1.0 : 0), Is.EqualTo(Math.Exp(-3)).Within(0.01));
         }
 
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Simulation
 
             var packets = Packets(link, 10_000, 0.001).Where(p => p.Arrived).ToList();
 
-            // The next packet overtakes one whose delay is longer by 1 ms or more: half of e^(-1/12).
+            // The next packet overtakes one that is delayed by at least 1 ms more: probability e^(-1/12) / 2.
             Assert.That(packets.Zip(packets.Skip(1), (a, b) => a.Arrival > b.Arrival ? 1.0 : 0).Average(), Is.EqualTo(0.46).Within(0.02));
         }
 
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Simulation
         {
             var packets = Packets(Link("roaming", 7), 3000, 0.01);
 
-            // Three stalls in 30 s: at 8, 16 and 24 s, of 1.5 s each.
+            // Three stalls in 30 s, at 8, 16 and 24 s, each of 1.5 s.
             Assert.That(packets.All(p => p.Arrived));
             var arrivals = packets.Select(p => (p.Arrival - Start).TotalSeconds);
             Assert.That(arrivals.Where(s => s >= 8).Select(s => s % 8), Is.All.GreaterThanOrEqualTo(1.5));

@@ -59,13 +59,13 @@ namespace Nowpose.Tests.Core.Simulation
             var arrivals = received.Select(r => (r.Arrival - Start).TotalSeconds).ToList();
 
             Assert.That(arrivals.Where(s => s >= 8 && s < 9.5), Is.Empty);
-            // 2 ms apart: 1.5 s of packets at once, and those that were under way.
+            // One packet every 2 ms: 1.5 s of packets arrive at once, together with those that were on their way.
             Assert.That(arrivals.Count(s => s == 9.5), Is.InRange(740, 760));
         }
 
         static PacketQueue<int> Queue(string profile) => new PacketQueue<int>(new PacketLink(LinkProfile.Named(profile), Start, 3));
 
-        // One packet every 2 ms; the receiver looks every 0.5 ms.
+        // Sends one packet every 2 ms; the receiver polls every 0.5 ms.
         static (List<int> Sent, List<(int Packet, HeadsetTime Arrival)> Received) Carry(PacketQueue<int> queue, int packets)
         {
             var sent = new List<int>();

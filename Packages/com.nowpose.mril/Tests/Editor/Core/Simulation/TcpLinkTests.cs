@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>What a headset shows over slow and lossy links, TCP's retransmissions and head-of-line blocking included.</summary>
+    /// <summary>Accuracy of the displayed pose over slow and lossy links, including TCP's retransmissions and head-of-line blocking.</summary>
     public class TcpLinkTests
     {
         const int FirstSeed = 300, Seeds = 5;

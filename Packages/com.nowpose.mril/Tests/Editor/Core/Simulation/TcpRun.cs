@@ -65,14 +65,14 @@ namespace Nowpose.Tests.Core.Simulation
 
         public double FirstCurrent => Frames.First(frame => frame.IsCurrent).At;
 
-        /// <summary>Of the frames from the first current one on.</summary>
+        /// <summary>Share of current frames, from the first current frame on.</summary>
         public double CurrentShare => Since(FirstCurrent).Average(frame => frame.IsCurrent ? 1 : 0);
 
-        /// <summary>1 − RMS error of the tool ÷ RMS error of hold, over all frames from the first current one on, held ones too.</summary>
+        /// <summary>1 − RMS error of the tool ÷ RMS error of hold, over all frames from the first current one on, including held frames.</summary>
         public double Reduction => 1 - Math.Sqrt(
             Since(FirstCurrent).Sum(frame => frame.Error * frame.Error) / Since(FirstCurrent).Sum(frame => frame.HoldError * frame.HoldError));
 
-        /// <summary>Share of the current frames in which the clock was off by more than it stated.</summary>
+        /// <summary>Share of the current frames in which the clock error exceeded the stated bound.</summary>
         public double ClockErrorBeyondStated => Frames.Where(frame => frame.IsCurrent).Average(frame => Math.Abs(frame.ClockErrorMs) > frame.StatedMs ? 1 : 0);
 
         public double FirstIn(ClockState state) => Frames.First(frame => frame.Clock == state).At;
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Simulation
         static double Distance(in RigidTransform a, in RigidTransform b) =>
             Math.Sqrt(Math.Pow(a.X - b.X, 2) + Math.Pow(a.Y - b.Y, 2) + Math.Pow(a.Z - b.Z, 2));
 
-        /// <summary>One displayed frame beside the truth; times in seconds since the start, errors of the tool in metres.</summary>
+        /// <summary>One displayed frame and its errors. Times in seconds since the start, errors of the tool in metres.</summary>
         public sealed class Frame
         {
             public Frame(double at, PoseState state, ClockState clock, double clockErrorMs, double statedMs, double error, double holdError)

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Simulation
             Session.Intake.SampleTaken += (arrival, _) => Taken.Add(arrival);
         }
 
-        /// <summary>After this long the motion repeats, s.</summary>
+        /// <summary>Period of the motion, s.</summary>
         public double CycleSeconds { get; }
 
         public VirtualCell Cell { get; }
@@ -46,10 +46,10 @@ namespace Nowpose.Tests.Core.Simulation
         public CompensationSession Session { get; }
         public List<SampleArrival> Taken { get; } = new List<SampleArrival>();
 
-        /// <summary>Of the frames since the last <see cref="Run"/>: distance of the displayed tool from the true one, m, where current.</summary>
+        /// <summary>Distance of the displayed tool from the true one in m, for the current frames since the last <see cref="Run"/>.</summary>
         public List<double> Errors { get; } = new List<double>();
 
-        /// <summary>The same of the hold, in the same frames.</summary>
+        /// <summary>The same distance for the held tool, in the same frames.</summary>
         public List<double> HoldErrors { get; } = new List<double>();
 
         public int Frames { get; private set; }
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Simulation
             return this;
         }
 
-        /// <summary>Nobody asks the cell for so long.</summary>
+        /// <summary>Skips time without running the cell.</summary>
         public void Sleep(double seconds) => _frames += (long)Math.Round(seconds * _fps);
 
         void Score(DisplayFrame frame)

@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(1 - Rms(run.Errors) / Rms(run.HoldErrors), Is.GreaterThan(0.7), "seed " + seed);
         }
 
-        // A cycle of the cell takes some eleven seconds; scored as demo does, from the third second on.
+        // A cycle of the cell takes about eleven seconds. Scoring starts at the third second, as in the demo.
         [Test]
         public void Run_DefaultSettings_FirstCycleAndThirdReachWhatWeStandFor(
             [Values("wifi", "busy-wifi")] string network, [Values(21, 22, 23)] int seed)

@@ -7,13 +7,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Somebody on the network delays packets, or whoever owns the control clock turns it: what the headset can see of it, and what not.</summary>
+    /// <summary>An attacker delays packets, or the owner of the control clock manipulates it. Tests which attacks the headset detects.</summary>
     [Category("Study")]
     public class ClockAttackTests
     {
         const int FirstSeed = 300;
 
-        /// <summary>Who delays one way only shifts the clock by half of it. The round trip tells, and the error bound with it.</summary>
+        /// <summary>A delay in one direction shifts the clock by half of it. The round-trip time shows it, so the error bound covers it.</summary>
         [TestCase("lan", 0.05)]
         [TestCase("wifi", 0.05)]
         [TestCase("wifi", 0.5)]
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        /// <summary>A ramp within what quartzes do is the clock for all that anybody can tell: it is followed.</summary>
+        /// <summary>A ramp within the skew of real quartz clocks cannot be distinguished from one, so the estimate follows it.</summary>
         [TestCase(50)]
         [TestCase(-50)]
         public void Ramp_OfTheControlClockAsSlowAsAQuartz_IsFollowed(double ppm)
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        /// <summary>One that is faster than any clock is a row of steps, each of which is said.</summary>
+        /// <summary>A ramp faster than any real clock is a series of steps, each of which is reported.</summary>
         [TestCase(20_000)]
         [TestCase(-20_000)]
         public void Ramp_FasterThanAnyClock_IsFoundAsSteps(double ppm)

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Steps of the control clock, and what must not be taken for one, with the default estimator.</summary>
+    /// <summary>Steps of the control clock, and events that must not be mistaken for one, with the default estimator.</summary>
     [Category("Study")]
     public class ClockStepTests
     {
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Sync
             {
                 var run = new SyncRun(new EnvelopeClockEstimator());
                 run.Run(Link(network.Name, FirstSeed), 0, 60);
-                // An epoch of its own, too.
+                // The other machine's clock also has another epoch.
                 run.Run(new SimulatedLink(network, FirstSeed + 1, skewPpm, controlEpoch: 5000), 60, 180);
 
                 Assert.That(run.Clock.Steps, Is.EqualTo(1), network.Name);

@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.Instants.Last().Model.State, Is.EqualTo(ClockState.Synchronised), "one exchange ends the holdover");
         }
 
-        // A gateway that has just started: its first times are wrong by more than the bound that it states later.
+        // A gateway that has just started: the error of its first times exceeds the bound that it states later.
         [TestCase(ClockEstimators.Default)]
         [TestCase(ClockEstimators.Ransac)]
         public void ErrorBound_ServerErrorBoundDecreases_Holds(string estimator)
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Sync
                     }
         }
 
-        // A gateway that loses its plant's clock, and goes on with a rate that is wrong.
+        // A gateway that loses its plant's clock and continues with a wrong rate.
         [TestCase(ClockEstimators.Default)]
         [TestCase(ClockEstimators.Ransac)]
         public void ErrorBound_ServerErrorBoundGrows_Holds(string estimator)

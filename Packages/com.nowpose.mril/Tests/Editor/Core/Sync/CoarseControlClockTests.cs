@@ -7,8 +7,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Control clocks that advance in steps of a millisecond or of a PLC's cycle, and say so.</summary>
-    /// <remarks>The constants were chosen on other delays, with seeds 1 to 88.</remarks>
+    /// <summary>Control clocks that advance in steps of a millisecond or of a PLC's cycle and report this resolution.</summary>
+    /// <remarks>The constants were chosen on other simulated delays, with seeds 1 to 88.</remarks>
     [Category("Study")]
     public class CoarseControlClockTests
     {
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Sync
 
             Assert.That(run.Errors.Count(e => Math.Abs(e.ErrorMs) > e.BoundMs), Is.EqualTo(0), "seed " + seed);
             Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
-            // One exchange tells half a step, many together a tenth: within half a minute, where the skew is four times what is expected.
+            // One exchange is accurate to half a step, many together to a tenth. This takes half a minute if the skew is four times the expected one.
             Assert.That(run.P95Ms(30), Is.LessThan(0.1 * resolutionMs), "seed " + seed);
         }
 
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed 800");
         }
 
-        /// <summary>Another clock that is served from now on, or a simulation that runs in other steps.</summary>
+        /// <summary>The gateway serves another clock from now on, or a simulation changes its steps.</summary>
         [Test, Combinatorial]
         public void ErrorBound_ResolutionThatChanges_HoldsAndIsNoStep(
             [Values(0, 1, 10, 50)] double beforeMs, [Values(0, 1, 10, 50)] double afterMs, [Values("lan", "wifi")] string network)
@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.P95Ms(60), Is.LessThan(Math.Max(beforeMs, afterMs) / 2 + 1), "nor is it worse meanwhile than half of either");
         }
 
-        /// <summary>A server that finds its resolution out says too much of it now and then.</summary>
+        /// <summary>A server that estimates its own resolution may overstate it for a short time.</summary>
         [TestCase("lan", 0.1)]
         [TestCase("wifi", 0.1)]
         [TestCase("lan", 3)]

@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Sync
                 for (var s = 0.0; s < 30; s += 2 * random.NextDouble() / callsPerSecond)
                 {
                     var now = HeadsetTime.FromSeconds(s);
-                    // What has arrived may be handed over a little late: the network's thread need not run at once.
+                    // A reply may be handed over up to 1 ms after its arrival, because the network thread need not run at once.
                     if (underway?.T4 <= now - Lengths.Ms(random.NextDouble()))
                     {
                         clock.Add(underway.Value, out _);

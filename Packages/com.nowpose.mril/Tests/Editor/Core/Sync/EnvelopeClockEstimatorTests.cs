@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>The default estimator beside the paper's on the same exchanges; none of the seeds was used to choose its constants.</summary>
+    /// <summary>The default estimator and the paper's on the same exchanges. No seed here was used to choose the constants.</summary>
     public class EnvelopeClockEstimatorTests
     {
         const int FirstSeed = 100, Seeds = 4;
@@ -93,7 +93,7 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void Error_ControlClockFlooredToItsCycle_IsUnbiased()
         {
-            // At a skew of 5 ppm the exchanges would meet the same part of the cycle for minutes.
+            // With a skew of 5 ppm the exchanges fall into the same part of the cycle for minutes.
             var link = Link("lan", FirstSeed + 3);
             link.Resolution = TimeSpan.FromMilliseconds(1);
 

@@ -6,7 +6,7 @@ using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Exchanges as the client does: the next when the pace says so, but not before the last one has ended.</summary>
+    /// <summary>Runs exchanges like the client: each starts at the time that the pace gives, but not before the previous one has ended.</summary>
     sealed class PacedRun
     {
         static readonly TimeSpan Usual = TimeSpan.FromMilliseconds(200);
@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Sync
         readonly double _latestMs;
         double _now;
 
-        /// <param name="latestMs">The thread wakes up to this much late, uniformly.</param>
+        /// <param name="latestMs">Maximum delay of the thread's wake-up, uniformly distributed.</param>
         public PacedRun(double usualMs = 200, int seed = 1, double latestMs = 0)
         {
             _pace = new ExchangePace(Lengths.Ms(usualMs), TimeSpan.FromSeconds(2), new Random(seed));

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Changes of a path's least delay, as when a headset roams to another access point, with the default estimator.</summary>
+    /// <summary>Changes of a path's minimum delay, as when a headset roams to another access point, with the default estimator.</summary>
     [Category("Study")]
     public class PathChangeTests
     {

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>The limits are 1.3 times what an independent implementation of the same method reached on the same networks.</summary>
+    /// <summary>Limits are 1.3 times the errors of an independent implementation of the same method on the same networks.</summary>
     public class RansacClockEstimatorTests
     {
         static (double P95, double Max) Worst(NetworkProfile network, double loss, double after, Func<double, Random, (double, double)> load = null)

@@ -7,8 +7,8 @@ namespace Nowpose.Tests.Core.Sync
 {
     /// <summary>A headset and a control system with known clocks and a network between them, in virtual time.</summary>
     /// <remarks>
-    /// The constants of the default estimator were chosen with another program on other seeds, so any seed here checks it. Tests
-    /// of accuracy use 100 and up, those of steps 200 and up.
+    /// The constants of the default estimator were chosen with another program on other seeds, so every seed here is independent.
+    /// Accuracy tests use seeds from 100, step tests from 200.
     /// </remarks>
     sealed class SimulatedLink
     {
@@ -31,24 +31,24 @@ namespace Nowpose.Tests.Core.Sync
             _controlStart = ControlTime.FromSeconds(controlEpoch);
         }
 
-        /// <summary>Extra queueing up and down, given seconds since the start.</summary>
+        /// <summary>Additional queueing delay up and down, as a function of seconds since the start.</summary>
         public Func<double, Random, (double UpMs, double DownMs)> Load { get; set; } = (s, r) => (0, 0);
 
-        /// <summary>The load of a busy network: queues in 20 s of each minute, longer ones towards the headset.</summary>
+        /// <summary>The load of a busy network: queues during 20 s of each minute, longer ones towards the headset.</summary>
         public static (double UpMs, double DownMs) Queues(double seconds, Random random) => seconds % 60 < 20
             ? (-2 * Math.Log(1 - random.NextDouble()), -15 * Math.Log(1 - random.NextDouble()))
             : (0, 0);
 
-        /// <summary>Added to the way up from now on, ms: a path that changes.</summary>
+        /// <summary>Additional delay of the way up from now on, ms: a change of the path.</summary>
         public double LongerUpMs { get; set; }
 
-        /// <summary>The same for the way down.</summary>
+        /// <summary>Additional delay of the way down from now on, ms.</summary>
         public double LongerDownMs { get; set; }
 
         /// <summary>Added to the control clock from now on.</summary>
         public TimeSpan Step { get; set; }
 
-        /// <summary>The headset clock as a function of the control clock's true progress: skew plus a slow drift of the skew.</summary>
+        /// <summary>The true offset at a headset time: skew plus a slow variation of the skew.</summary>
         public ClockOffset TrueOffset(HeadsetTime t)
         {
             var s = t.SinceEpoch.TotalSeconds;
@@ -56,16 +56,16 @@ namespace Nowpose.Tests.Core.Sync
             return new ClockOffset(TimeSpan.FromTicks((long)((_skew * s + wander) * TimeSpan.TicksPerSecond)) - _controlStart.SinceEpoch - Step);
         }
 
-        /// <summary>Steps in which the control clock advances, floored and said in each exchange.</summary>
+        /// <summary>Resolution of the control clock: its times are floored to it, and each exchange states it.</summary>
         public TimeSpan Resolution { get; set; }
 
-        /// <summary>What the exchanges say of it where that is not true; null where it is.</summary>
+        /// <summary>The resolution that exchanges state if it is not the true one; otherwise null.</summary>
         public TimeSpan? SaidResolution { get; set; }
 
-        /// <summary>The server clock's error and the server's stated bound of it, ms, given seconds since the start.</summary>
+        /// <summary>Error of the server's clock and the error bound that the server states, ms, as a function of seconds since the start.</summary>
         public Func<double, (double AheadMs, double SaidMs)> Server { get; set; } = s => (0, 0);
 
-        /// <returns>False when the exchange was lost.</returns>
+        /// <returns>False if the exchange was lost.</returns>
         public bool TryExchange(HeadsetTime at, out SyncExchange exchange)
         {
             var load = Load(at.SinceEpoch.TotalSeconds, _random);

@@ -8,7 +8,7 @@ using Random = System.Random;
 
 namespace Nowpose.Tests.Unity.Import
 {
-    /// <summary>The package's own .urdf files as the editor has imported them.</summary>
+    /// <summary>The package's own .urdf files as imported by the Editor.</summary>
     public class ImportedRobotTests
     {
         const string Robots = "Packages/com.nowpose.mril/Runtime/Robots/";

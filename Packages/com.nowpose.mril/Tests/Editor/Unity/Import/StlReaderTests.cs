@@ -145,7 +145,7 @@ namespace Nowpose.Tests.Unity.Import
             var corners = (float[])Upper.Clone();
             corners[4] = bad;
 
-            // 84 bytes of header, 50 of the first triangle, 12 of the normal, 16 of the four numbers before it.
+            // 84 bytes of header, 50 of the first triangle, 12 of the normal, and 16 of the four preceding numbers.
             Refuses(Binary("exported", Lower, corners), "a.stl, byte 162: triangle 2 has a corner that is not a finite number");
         }
 

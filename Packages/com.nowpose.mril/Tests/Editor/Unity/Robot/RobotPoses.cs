@@ -7,12 +7,12 @@ using Random = System.Random;
 
 namespace Nowpose.Tests.Unity.Robot
 {
-    /// <summary>Random joint positions of a robot, and whether a rig stands as Core computes.</summary>
+    /// <summary>Creates random joint positions and compares a rig's pose with the one that Core computes.</summary>
     static class RobotPoses
     {
         const double ToleranceMetres = 1e-5;
 
-        /// <summary>Beyond the limits too, mimic joints completed.</summary>
+        /// <summary>Random positions, also beyond the limits, with mimic joints completed.</summary>
         public static double[] Any(RobotModel model, Random random)
         {
             var positions = new double[model.MovingJoints.Count];
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Unity.Robot
             return positions;
         }
 
-        /// <summary>Compares four points of each link, the farthest half a metre from its origin, in the rig's axes.</summary>
+        /// <summary>Compares four points of each link, up to half a metre from its origin, in the rig's axes.</summary>
         public static void RequireAgreement(RobotRig rig, double[] positions, string message)
         {
             var poses = new RigidTransform[rig.Model.Links.Count];

@@ -243,12 +243,12 @@ namespace Nowpose.Tests.Unity.Robot
 
             rig.Bind(UrdfFiles.Robot("youbot"));
 
-            // A box of 0.19 × 0.13 × 0.024 m forward, left and up, 12 mm up.
+            // A box of 0.19 × 0.13 × 0.024 m (forward, left, up) whose centre is 12 mm above the origin.
             var plate = rig.Link("arm_link_0").GetChild(0);
             Assert.That(plate.name, Is.EqualTo("visual"));
             Assert.That(Vector3.Distance(plate.localScale, new Vector3(0.13f, 0.024f, 0.19f)), Is.LessThan(1e-6));
             Assert.That(Vector3.Distance(plate.localPosition, new Vector3(0, 0.012f, 0)), Is.LessThan(1e-6));
-            // A cylinder of 72 mm: the engine's is 2 m high.
+            // A cylinder of 72 mm height: Unity's own cylinder is 2 m high.
             var cylinder = rig.Link("arm_link_0").GetChild(1);
             Assert.That(Vector3.Distance(cylinder.localScale, new Vector3(0.12f, 0.036f, 0.12f)), Is.LessThan(1e-6));
             Assert.That(MaterialOf(rig, "arm_link_5"), Is.SameAs(arm));

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity.Robot
 {
-    /// <summary>Objects that a test makes in edit mode, and takes away again.</summary>
+    /// <summary>Objects that a test creates in edit mode and destroys at its end.</summary>
     sealed class SceneObjects
     {
         readonly List<Object> _made = new List<Object>();
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Robot
             return material;
         }
 
-        /// <summary>An object per link, nested as the robot's links, all at their parents' places.</summary>
+        /// <summary>Creates one object per link, nested like the robot's links, all at the positions of their parents.</summary>
         public Dictionary<string, Transform> Links(RobotModel model, Transform rig)
         {
             var links = new Dictionary<string, Transform>();

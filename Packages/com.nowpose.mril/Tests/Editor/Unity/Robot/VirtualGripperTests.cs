@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Unity.Robot
             _rig = _scene.New<RobotRig>("Robot");
             _rig.transform.SetPositionAndRotation(new Vector3(1, 2, 3), Quaternion.Euler(0, 40, 0));
             _gripper = _scene.New<VirtualGripper>("Virtual Gripper");
-            // As the youBot's palm carries them: the left one turned by half a turn, so that both open along their own axis.
+            // Mounted as on the youBot's palm: the left finger is turned by half a turn, so both open along their own axis.
             _left = Finger("Left", new Vector3(-0.008f, 0.046f, 0.004f), 180);
             _right = Finger("Right", new Vector3(0.008f, 0.046f, 0.004f), 0);
             _gripper.With("_fingers", new List<GripperFinger> { new GripperFinger(Left, _left), new GripperFinger(Right, _right) });
@@ -167,7 +167,7 @@ namespace Nowpose.Tests.Unity.Robot
             _gripper.Unmount();
             Assert.That(_left.localPosition, Is.EqualTo(rest));
 
-            // What is left of the fingers when scripts are compiled anew while playing.
+            // The state of the fingers after scripts are recompiled in play mode.
             _gripper.With("_fingers", new List<GripperFinger> { new GripperFinger(Left, _left), new GripperFinger(Right, _right) });
             _gripper.Mount(_rig);
             Open(0.0115);

@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Tests.Unity.Setup
 {
-    /// <summary>Settings of a project that a test makes up.</summary>
+    /// <summary>Project settings whose values a test sets.</summary>
     sealed class FakeProject : IProjectSettings
     {
         public FakeProject(HeadsetPlatform platform = null) => Platform = platform ?? HeadsetPlatform.HoloLens2;

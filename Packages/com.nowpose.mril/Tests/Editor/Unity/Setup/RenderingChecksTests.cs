@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Tests.Unity.Setup
 {
-    /// <summary>The checks of what moves the visualisation latency and of the camera: good, bad, fixed, unknown.</summary>
+    /// <summary>Checks of the settings that affect the visualisation latency and of the camera: correct, wrong, fixed, unknown.</summary>
     public class RenderingChecksTests
     {
         readonly FakeProject _project = new FakeProject();

@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Unity.Status
             {
                 metres = Math.Min(8, Math.Max(0.3, metres + 0.02 * (random.NextDouble() - 0.5)));
                 if (distance.Update((float)metres)) changes++;
-                // A capital letter of Liberation Sans is 1409/2048 of the font's size.
+                // The height of a capital letter of Liberation Sans is 1409/2048 of the font size.
                 var height = 1409 / 2048.0 * LetterSize.At(distance.Metres);
 
                 Assert.That(2 * Math.Atan(height / 2 / metres) * 180 / Math.PI, Is.InRange(0.4999, 0.5 * 1.51), "seed 3, step " + i);

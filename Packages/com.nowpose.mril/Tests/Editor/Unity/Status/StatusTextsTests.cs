@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Unity.Status
 
         const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
 
-        // The setters are the session's.
+        // Uses reflection, because only the session can set these properties.
         static SessionStatistics Statistics(params (string Property, object Value)[] values)
         {
             var statistics = new SessionStatistics();

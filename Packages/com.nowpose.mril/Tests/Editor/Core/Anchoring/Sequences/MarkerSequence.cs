@@ -8,7 +8,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
-    /// <summary>What a marker source told, line by line, played to a tracker at 60 frames a second.</summary>
+    /// <summary>A recorded sequence of sightings, line by line, played to a tracker at 60 frames a second.</summary>
     sealed class MarkerSequence
     {
         const double FrameSeconds = 1 / 60.0;
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
 
         public BaseTracker Tracker { get; } = new BaseTracker(new AnchoringSettings());
 
-        /// <summary>Where the base really is.</summary>
+        /// <summary>The true pose of the base.</summary>
         public RigidTransform Base { get; }
 
         public double Seconds => _frame * FrameSeconds;
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
                 _frame++;
                 for (; _next < _told.Count && _told[_next].Time <= Seconds; _next++) _current[_told[_next].Sighting.Payload] = _told[_next];
                 _sightings.Clear();
-                // What is not told any more is gone.
+                // A sighting that the file no longer repeats has disappeared.
                 foreach (var (time, sighting) in _current.Values)
                     if (Seconds - time < 0.1) _sightings.Add(sighting);
                 Tracker.Tick(new HeadsetTime(Start + Lengths.Seconds(Seconds)), _sightings, null, null);
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             "device " + fields[1], fields[1], Pose(fields, 4), 0, new HeadsetTime(Start + Lengths.Seconds(Number(fields[3]))),
             (MarkerTracking)(int)Number(fields[2]));
 
-        /// <summary>Position and quaternion; of three numbers that are none a pose that is none.</summary>
+        /// <summary>Reads position and quaternion. Fields that are NaN give an invalid pose.</summary>
         static RigidTransform Pose(string[] fields, int at)
         {
             double x = Number(fields[at + 3]), y = Number(fields[at + 4]), z = Number(fields[at + 5]), w = Number(fields[at + 6]);

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
-    /// <summary>Two markers as a device tells of them: six readings a second, told more often, and not always what it says.</summary>
+    /// <summary>Two markers as a device reports them: six readings a second, each repeated in many frames, some of them wrong.</summary>
     public class MarkerSequenceTests
     {
         static MarkerSequence Locked(string file, double until = 4.5)
@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             return played;
         }
 
-        /// <summary>Until the end, without the base going anywhere.</summary>
+        /// <summary>Plays until the given time and asserts that the base does not move.</summary>
         static void Stays(MarkerSequence played, double until)
         {
             var before = played.Tracker.Base.Value;

@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
-    /// <summary>Makes the files of the marker sequences: two markers as a device is known to tell of them, from a seed.</summary>
+    /// <summary>Creates the files of the marker sequences from a seed: two markers, with the known behaviour of devices.</summary>
     static class SimulatedSequence
     {
         const double Frame = 1 / 15.0, NoiseMetres = 0.001, NoiseRadians = 0.004;
@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
                 ["left"] = (0.15, 0.2, 0, 0, 0, 0.1), ["right"] = (0.15, -0.2, 0, 0, 0, -0.2),
             };
 
-        /// <summary>Its lines, without comments.</summary>
+        /// <summary>Returns the lines of a file, without comments.</summary>
         public static List<string> LinesOf(string file)
         {
             var seed = 0;
@@ -37,12 +37,12 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             return lines;
         }
 
-        // Null while nothing is told.
+        // Returns null while the device reports nothing.
         static string LineOf(string file, double now, string name, Dictionary<string, (double Seen, RigidTransform Pose)> poses, Random random)
         {
             var isGone = file == "lost-and-back.txt" && now > 5 && now < 7;
             var isStale = file == "stale.txt" && now > 5;
-            // Read some six times a second.
+            // About six readings a second.
             var isRead = random.NextDouble() < 0.4;
             var noise = Noise(random);
             var isOutlier = random.NextDouble() < 0.1;
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             var (seen, pose) = poses[name];
             if (isGone && now > 6) return null;
             var tracking = file == "lost-and-back.txt" && now > 4.5 && now < 7 ? 1 : 2;
-            // Drawn along as the map is corrected.
+            // The stale pose moves with the correction of the map.
             if (isStale) pose = RigidTransform.FromXyzRpy(0.25 * Math.Min(now - 5, 1), 0.1 * Math.Min(now - 5, 1), 0, 0, 0, 0) * pose;
             var start = Text(now, "0.000") + " " + name + " " + tracking + " ";
             if (file != "origin.txt") return start + Text(seen, "0.000") + " " + Numbers(pose);
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
                 Normal(NoiseMetres), Normal(NoiseMetres), Normal(NoiseMetres), Normal(NoiseRadians), Normal(NoiseRadians), Normal(NoiseRadians));
         }
 
-        // Elsewhere, or turned about the line of sight.
+        // At another position, or turned about the line of sight.
         static RigidTransform Outlier(Random random) => random.NextDouble() < 0.5
             ? RigidTransform.FromXyzRpy(0.08, 0, 0.05, 0, 0, 0)
             : RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, 1.6);
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
 
         static string Numbers(RigidTransform p)
         {
-            // None of them is near half a turn about x or y.
+            // No pose here is near half a turn about x or y, so w is not near zero.
             var w = Math.Sqrt(1 + p.R00 + p.R11 + p.R22) / 2;
             double x = (p.R21 - p.R12) / (4 * w), y = (p.R02 - p.R20) / (4 * w), z = (p.R10 - p.R01) / (4 * w);
             return Text(p.X, "0.00000") + " " + Text(p.Y, "0.00000") + " " + Text(p.Z, "0.00000") + " " + Text(x, "0.000000") + " "

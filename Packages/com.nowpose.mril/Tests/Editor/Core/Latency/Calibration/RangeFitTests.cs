@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             Assert.That(CountNear(coarse, out var limits), Is.GreaterThanOrEqualTo(95), limits);
         }
 
-        // All of a load's pictures have nearly the same render time, so the gap that the limit lies in is a load wide.
+        // All pictures of one load have nearly the same render time, so the gap around the limit is as wide as one load step.
         [TestCase(0.001)]
         [TestCase(0.003)]
         [TestCase(0.01)]
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             }
         }
 
-        // Each frame of a display that shines all the time is seen up to half a refresh before or after its middle.
+        // On a display that is lit all the time, each frame is seen up to half a refresh before or after its middle.
         [Test]
         public void Fit_LatencyThatScattersByHalfARefresh_FindsTheLimitAllTheSame()
         {
@@ -143,7 +143,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         public void Fit_TooFewPairs_SaysHowManyAreNeeded() =>
             Assert.That(() => RangeFit.Fit(new LatencyPair[19]), Throws.TypeOf<InputException>().With.Message.Contains("19").And.Message.Contains("20"));
 
-        // A source that counts in whole milliseconds, or in frames: no limit within pairs that look alike.
+        // A source that counts whole milliseconds or frames: the limit must not lie within a group of equal render times.
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(1000 / 60.0)]
@@ -156,7 +156,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
 
                 var limit = RangeFit.Fit(pairs).LimitRenderMs;
 
-                // The last step that is all within the limit, or one more where most of it is; and of the gap behind it no more than a little.
+                // The last step entirely within the limit, or the next one if most of it is within; plus at most a small part of the gap after it.
                 var (before, after) = (Math.Floor(TrueLimitMs / stepMs) * stepMs, Math.Ceiling(TrueLimitMs / stepMs) * stepMs);
                 Assert.That(limit, Is.InRange(before - 1e-9, 1.021 * after), "seed " + seed);
             }
@@ -174,7 +174,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             }
             catch (InputException)
             {
-                // Nor would a plateau be right.
+                // A plateau would not be correct either.
             }
 
             Assert.That(limit, Is.Null);
@@ -204,7 +204,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             }
         }
 
-        // Whatever it is given: a result that makes sense, or one line that says why there is none.
+        // Any input gives either a plausible result or one line that states why there is none.
         [Test]
         public void Fit_AnyPairs_GivesAResultWithinThemOrSaysWhyNot()
         {

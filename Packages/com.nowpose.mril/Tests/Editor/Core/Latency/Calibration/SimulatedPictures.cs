@@ -7,20 +7,20 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Tests.Core.Latency.Calibration
 {
-    /// <summary>Pairs of a sweep as a camera would give them: a simulated display, one of three frames or so, now and then misread.</summary>
+    /// <summary>Pairs of a sweep as from a camera: a simulated display of which about one frame in three is pictured, some of them misread.</summary>
     sealed class SimulatedPictures
     {
         const double PlateauMs = 40;
 
-        /// <summary>Loads of the sweep, vertices.</summary>
+        /// <summary>Loads of the sweep, in vertices.</summary>
         public double[] Loads { get; set; } = Enumerable.Range(0, 21).Select(i => 100_000.0 * i).ToArray();
 
         public int PerLoad { get; set; } = 30;
 
-        /// <summary>Share of pictures whose L_visu is anything.</summary>
+        /// <summary>Share of pictures with a random L_visu.</summary>
         public double Misread { get; set; } = 0.02;
 
-        /// <summary>Standard deviation of a read L_visu, ms.</summary>
+        /// <summary>Standard deviation of a measured L_visu, ms.</summary>
         public double NoiseMs { get; set; } = 1;
 
         public DisplayPipelineSettings Display { get; set; } = new DisplayPipelineSettings(plateauMs: PlateauMs);
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
                         : frame.Visualisation.TotalMilliseconds + NoiseMs * Normal(random);
                     pairs.Add(new LatencyPair(frame.RenderTime.TotalMilliseconds, visuMs));
                 }
-            // A camera's pictures need not come sorted.
+            // The pictures of a camera may be in any order.
             return pairs.OrderBy(_ => random.Next()).ToArray();
         }
 

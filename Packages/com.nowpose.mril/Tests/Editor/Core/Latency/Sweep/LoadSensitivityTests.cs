@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         static readonly SweepPlan Usual = new SweepPlan();
         static readonly SweepPlan Upwards = new SweepPlan(goesDown: false);
 
-        /// <summary>2 ms, as a processor takes for its cameras, whatever the GPU has to do.</summary>
+        /// <summary>A camera time of 2 ms on the CPU that does not depend on the GPU's load.</summary>
         static double Flat(SimulatedSweep sweep) => 2 * (1 + 0.05 * sweep.Normal());
 
         static void AllAre(LoadSight sight, SweepPlan plan, Func<SimulatedSweep, Func<double, int, double?>> source)
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         public void Gpu_InAShortSweepOfSmallLoads_SeesLoad() =>
             AllAre(LoadSight.Seen, new SweepPlan(300_000, 5, 2, 0), sweep => (t, v) => sweep.GpuMs(t, v));
 
-        // Half a second each: too short to tell drift, which must not be held against it.
+        // Half a second per load is too short to estimate drift, which must not count against the source.
         [Test]
         public void Gpu_InASweepUpOfHalfASecondEach_SeesLoad() => AllAre(
             LoadSight.Seen, new SweepPlan(steps: 21, secondsPerLoad: 0.5, settleSeconds: 0, goesDown: false), sweep => (t, v) => sweep.GpuMs(t, v));
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         public void Gpu_ThatDriftsDownAsItGoesUp_SeesLoad() =>
             AllAre(LoadSight.Seen, Upwards, sweep => (t, v) => Math.Max(0.1, sweep.GpuMs(t, v) - 0.03 * t));
 
-        // Readbacks are looked for once a frame.
+        // Readbacks are polled once a frame.
         [TestCase(60)]
         [TestCase(90)]
         public void Completion_InWholeFrames_SeesLoad(int hertz) => AllAre(
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         public void Camera_ThatGrowsWarm_CannotSeeLoad(double timeConstantSeconds) => AllAre(
             LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + 1 - Math.Exp(-t / timeConstantSeconds));
 
-        // A processor that changes its pace: in one way through the loads it looks like an effect of the load.
+        // A processor that changes its speed. In a sweep in one direction this looks like an effect of the load.
         [TestCase(30)]
         [TestCase(60)]
         [TestCase(100)]

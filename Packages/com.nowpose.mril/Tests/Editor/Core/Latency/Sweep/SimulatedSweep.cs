@@ -6,7 +6,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Tests.Core.Latency.Sweep
 {
-    /// <summary>Rows of a sweep at 60 Hz, with a render time of each frame as something measures it. Seeded.</summary>
+    /// <summary>Rows of a sweep at 60 Hz, each frame with its measured render time. Seeded.</summary>
     sealed class SimulatedSweep
     {
         readonly SweepPlan _plan;
@@ -22,16 +22,16 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         public RenderTimeSourceKind Source { get; set; } = RenderTimeSourceKind.CameraCpu;
 
-        /// <summary>Chance that a time is far too long.</summary>
+        /// <summary>Probability that a time is far too long.</summary>
         public double Outliers { get; set; } = 0.02;
 
-        /// <summary>The GPU's own times: 4 ms and 8.5 ms per million vertices, with scatter.</summary>
+        /// <summary>The GPU's own time in ms: 4 ms plus 8.5 ms per million vertices, with scatter.</summary>
         public double GpuMs(double seconds, int vertices) => _gpu.Next(vertices).RenderTime.TotalMilliseconds;
 
-        /// <summary>A number about 0 with a standard deviation of 1.</summary>
+        /// <summary>Returns a random number of the standard normal distribution.</summary>
         public double Normal() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
 
-        /// <param name="renderMs">By seconds since the sweep began and vertices; null where a frame has none.</param>
+        /// <param name="renderMs">Render time, ms, from seconds since the sweep began and vertices; null for a frame without one.</param>
         public List<SweepRow> Rows(Func<double, int, double?> renderMs)
         {
             var rows = new List<SweepRow>();

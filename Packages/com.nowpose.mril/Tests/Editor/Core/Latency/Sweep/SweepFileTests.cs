@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             Assert.That(SweepLogReader.Read(file.Path).Count, Is.EqualTo(250));
         }
 
-        // It may be written to at this moment.
+        // Another stream may be writing to the file.
         static int RowsIn(string path)
         {
             if (!File.Exists(path)) return 0;

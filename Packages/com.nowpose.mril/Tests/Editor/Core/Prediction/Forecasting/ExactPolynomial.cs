@@ -3,7 +3,7 @@ using System.Numerics;
 
 namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
-    /// <summary>Least squares of Eq. 8 in exact rational arithmetic, from the normal equations as textbooks write them.</summary>
+    /// <summary>Computes the least squares of Eq. 8 in exact rational arithmetic, from the textbook form of the normal equations.</summary>
     static class ExactPolynomial
     {
         public static double ValueAt(double time, int degree, double[] times, double[] positions)
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
             public double ToDouble()
             {
-                // 20 decimal digits more than a double holds, whatever the size.
+                // Keeps 20 decimal digits more than a double holds, for values of any size.
                 var scale = BigInteger.Pow(10, 60);
                 return (double)(_numerator * scale / _denominator) / 1e60;
             }

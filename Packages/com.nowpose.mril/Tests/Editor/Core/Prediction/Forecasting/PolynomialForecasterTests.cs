@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                     for (var i = 0; i < times.Length; i++) predictor.Add(times[i], positions[i]);
                     var asked = times.Last() + 0.1;
 
-                    // Times from the newest: subtraction of doubles this near is exact, and keeps the fractions short.
+                    // Times relative to the newest: the subtraction of doubles this close is exact, and it keeps the fractions short.
                     var expected = ExactPolynomial.ValueAt(
                         asked - times.Last(), degree, times.Select(t => t - times.Last()).ToArray(), positions);
 
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         public void At_FewSamples_UsesTheHighestDegreeTheyAllow()
         {
             var predictor = TestPredictors.Polynomial(3, 5);
-            // The samples are t²: from three on it is exact.
+            // The samples follow t², so the forecast is exact from the third sample on.
             var expected = new[] { 0, 2, 9, 16.0 };
 
             for (var i = 0; i < expected.Length; i++)
@@ -151,7 +151,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             return times;
         }
 
-        /// <summary>Pairs of stamps a cluster's width apart, the pairs 50 ms from each other.</summary>
+        /// <summary>Pairs of stamps: <paramref name="cluster"/> (s) between the stamps of a pair, 50 ms between pairs.</summary>
         static double[] Clustered(Random random, int count, double cluster)
         {
             var times = new double[count];

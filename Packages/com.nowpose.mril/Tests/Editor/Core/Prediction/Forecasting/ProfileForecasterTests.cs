@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         static readonly PredictionLimits Limits = new PredictionLimits(
             horizonCap: 10, maximumGap: 10, velocity: 1000, acceleration: 5000, jerk: 50_000);
 
-        // Also strokes too short to reach the velocity, or the acceleration.
+        // Includes strokes too short to reach the velocity or the acceleration limit.
         [TestCase(500)]
         [TestCase(-500)]
         [TestCase(150)]
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             var predictor = TestPredictors.Of(new ProfileForecaster(Limits), Limits);
             for (var t = 0.0; t < Start + 0.1; t += Interval) predictor.Add(t, move.PositionAt(t - Start));
 
-            // The whole of the acceleration is known after two samples; the braking cannot be.
+            // Two samples determine the whole acceleration phase, but not the braking.
             var last = Start + 0.25;
             Assert.That(predictor.At(last).Position, Is.EqualTo(move.PositionAt(last - Start)).Within(0.05));
         }

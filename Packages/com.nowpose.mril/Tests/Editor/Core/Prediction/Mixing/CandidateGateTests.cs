@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
 
         static double Truth(double t) => Math.Sin(3 * t);
 
-        // Hold and a line.
+        // Mixes hold and a line.
         static Mixer Mixer(params CandidateGate[] candidates) => new Mixer(
             PredictionLimits.Unlimited, PredictionParts.All, new[] { new MixedForecaster(new PolynomialForecaster(1, 1), 1, 1) }, candidates);
 
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
             }
         }
 
-        // Knows the motion, or that there is none.
+        // Returns the true motion, or a constant position.
         sealed class Oracle : Forecaster
         {
             double _newest;

@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
 
         const double Interval = 0.05;
 
-        // At 1 m/s, from the third sample on; also after another velocity, where the samples before the change say nothing.
+        // Moves at 1 m/s. In some cases the joint had another velocity before; samples before the change must not affect the prediction.
         [TestCase(double.NaN)]
         [TestCase(-0.5)]
         [TestCase(2)]
@@ -147,7 +147,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
             Assert.That(predictor.At(t + 399 * Interval + 0.05).Position, Is.EqualTo(Wave(399 * Interval + 0.05)).Within(0.05), "it recovers");
         }
 
-        // The window straddles an emergency stop: a polynomial through it swings out, the shock cuts it.
+        // The window straddles an emergency stop: a polynomial through it overshoots, while the change point detector cuts the window.
         [Test]
         public void At_RightAfterAnEmergencyStop_ErrsFarLessThanAQuadratic()
         {
@@ -159,7 +159,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
             Assert.That(Math.Abs(stacked.At(t0).Position - 2.512), Is.LessThan(0.25 * Math.Abs(quadratic.At(t0).Position - 2.512)));
         }
 
-        // What is displayed at rest must not tremble: extrapolated noise is what a quadratic makes fifteen times of.
+        // The displayed joint must not tremble at rest. A quadratic amplifies the noise fifteen times when it extrapolates.
         [TestCase(0.05, 0.0001)]
         [TestCase(0.02, 0.0005)]
         public void At_NoisyRestAfterMotion_IsNearlyAsQuietAsTheSamples(double interval, double noise)
@@ -225,7 +225,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
 
         static JointPredictor Fed(int samples, Func<double, double> motion) => Fed(Mixed(), samples, motion);
 
-        // Displayed at 100 ms ahead all the time, so that this is the horizon it learns for.
+        // The display is always 100 ms ahead, so this is the horizon that the mixer learns.
         static JointPredictor Fed(JointPredictor predictor, int samples, Func<double, double> motion)
         {
             for (var k = 0; k < samples; k++) predictor.Add(new JointSample(k * Interval, motion(k * Interval)), (k - 1) * Interval + 0.1 + 2 / 60.0);

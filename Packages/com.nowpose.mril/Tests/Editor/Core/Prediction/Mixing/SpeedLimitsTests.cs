@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         [Test]
         public void At_SpeedLimit_NoPredictionIsFaster()
         {
-            // It accelerates until it reaches its limit just after the newest sample.
+            // The joint accelerates and reaches its limit just after the newest sample.
             var free = Fed(PredictionLimits.Unlimited);
             var limited = Fed(With(velocity: 1.0));
             var newest = free.NewestTime;
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         {
             var limited = Fed(With(acceleration: 0.2));
             var newest = limited.NewestTime;
-            // The mean speed before the newest sample was 0.975 and lies 25 ms back, the one asked for 287.5 ms ahead.
+            // The mean speed before the newest sample was 0.975, at 25 ms before it. The requested speed is that at 287.5 ms after it.
             var speedThen = (limited.At(newest + 0.3).Position - limited.At(newest + 0.275).Position) / 0.025;
 
             Assert.That(speedThen, Is.LessThan(0.975 + 0.2 * (0.025 + 0.2875) + 1e-9));
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
             new PredictionLimits(
                 horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity, velocity: velocity, acceleration: acceleration);
 
-        // Uniform acceleration of 1 per second squared for a second.
+        // Constant acceleration of 1 rad/s² for one second.
         static JointPredictor Fed(PredictionLimits limits) => Predictors.Adaptive(limits, MixerTests.WithoutRepetition)
             .Fed(Enumerable.Range(0, 21).Select(k => k * Interval), t => 0.5 * t * t);
     }

@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         static JointPredictor NewJoint() => TestPredictors.Polynomial(2, 4);
 
-        // Up to two seconds, in order.
+        // Samples up to two seconds, in order.
         static JointPredictor FedJoint()
         {
             var joint = NewJoint();
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var joint = FedJoint();
             var needed = 0;
 
-            // Where the joint is goes on; only its stamps are less.
+            // The positions continue; only the stamps jump back.
             var outcome = SampleOutcome.Accepted;
             for (var i = 1; outcome != SampleOutcome.StartedAnew && i < 10; i++, needed++)
                 outcome = joint.Add(new JointSample((Newest + i) * Interval - seconds, PositionAt((Newest + i) * Interval)));
@@ -119,7 +119,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(joint.Add(Sample(0.9)), Is.EqualTo(SampleOutcome.Duplicate));
         }
 
-        // One count of an encoder, at rest after a move.
+        // At rest after a move; the overtaken samples differ by one encoder count.
         [Test]
         public void Add_OvertakenAtRestByOneCount_NeverStartsAnew()
         {
@@ -139,7 +139,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             const int pairs = 2000;
             var random = new Random(77);
             var joint = TestPredictors.Polynomial(2, 4, new PredictionLimits(isEndless: isEndless));
-            // Noise about π comes back from −π.
+            // Noise around π wraps to −π.
             double Position()
             {
                 var position = (isEndless ? Math.PI : 0) + 1e-3 * (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5);

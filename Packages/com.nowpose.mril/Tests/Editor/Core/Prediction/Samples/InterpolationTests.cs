@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 {
     public class InterpolationTests
     {
-        // Uneven on purpose.
+        // Deliberately uneven.
         static readonly double[] Times = { 10, 10.05, 10.09, 10.16, 10.2, 10.24, 10.31, 10.35 };
 
         static JointPredictor New(int degree = 2, int history = 2, PredictionLimits limits = null) =>
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         {
             Func<double, double> motion = t => Math.Sin(5 * t);
 
-            // A straight line over 70 ms errs by 5²·0.07²/8 = 0.0153.
+            // The error of a straight line over 70 ms is up to 5²·0.07²/8 = 0.0153.
             Assert.That(MaxError(Of(motion), motion), Is.InRange(1e-5, 0.0153 / 10));
         }
 
@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [Test]
         public void At_WhereTheDisplayOvertakesTheSamples_DoesNotJump()
         {
-            // A least squares section does not go through its newest sample.
+            // A section fitted by least squares does not pass through its newest sample.
             Func<double, double> motion = t => Math.Sin(30 * t);
             var predictor = Of(motion, history: 4);
             var bare = TestPredictors.Polynomial(2, 4).Fed(Times, motion);
@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(predictor.At(Times[3]).Position, Is.EqualTo(motion(Times[3])).Within(1e-12));
         }
 
-        // Stamps in error may come in another order than the samples; the curve leaves out what goes back.
+        // Wrong stamps may be in another order than the samples. The curve leaves out samples whose stamp goes back.
         [Test]
         public void At_StampsOutOfOrder_StaysFinite()
         {

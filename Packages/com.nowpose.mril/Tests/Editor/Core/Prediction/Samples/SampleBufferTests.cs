@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(buffer.NewestTime, Is.EqualTo(99 * interval));
         }
 
-        // Scatter alone can make a corrected stamp older than the one before; the stamp itself is kept.
+        // Scatter alone can make a corrected stamp older than the previous one, so the newest sample keeps its own stamp.
         [Test]
         public void Add_ScatteredStamps_TheNewestIsAsItCame()
         {

@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(0.0333, 0.004, 0.02)]
         public void Correct_PeriodicSourceWithScatteredStamps_TakesMostOfTheScatterAway(double interval, double scatter, double loss)
         {
-            // Uniform scatter has a deviation of its half-width over the root of three.
+            // The standard deviation of uniform scatter is its half-width divided by √3.
             Assert.That(RmsErrorOfTheLast200(interval, scatter, 0, loss), Is.LessThan(0.32 * scatter / Math.Sqrt(3)), "seed " + Seed);
         }
 
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 if (Correct(t, t) != t) touched++;
             }
 
-            // Eight stamps at random may look like a beat by chance, until the ninth.
+            // Eight random stamps can look regular by chance; the ninth shows that they are not.
             Assert.That(touched, Is.LessThan(25), "seed " + Seed);
         }
 
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         double Correct(double told, double time) => _stamps.Correct(told, Motion(time), isNewest: true);
 
-        // Of the samples after the first ones.
+        // The worst error of the samples after the first ones.
         double WorstError(int samples, int first, Func<int, double> timeOf, Func<double, double> toldAt)
         {
             var worst = 0.0;

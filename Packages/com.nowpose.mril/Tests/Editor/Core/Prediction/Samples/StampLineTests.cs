@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         readonly StampLine _line = new StampLine();
         readonly Random _random = new Random(Seed);
 
-        // Sums that only ever forget must not gather rounding errors; numbers are those of a day at 10 Hz and of three hours at 100.
+        // The sums are updated with a forgetting factor and must not accumulate rounding errors: a day at 10 Hz, three hours at 100 Hz.
         [TestCase(0.1, 900_000)]
         [TestCase(0.01, 1_000_000)]
         [TestCase(1 / 30.0, 300_000)]
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 count++;
             }
 
-            // A line through n stamps errs at its end by twice their scatter over √n; with a forgetting factor of 0.99 n is 125.
+            // The error at the end of a line through n stamps is twice their scatter divided by √n; a forgetting factor of 0.99 gives n = 125.
             Assert.That(Math.Sqrt(squares / count), Is.LessThan(1.2 * 2 / Math.Sqrt(125) * 0.2 * interval / Math.Sqrt(3)), "seed " + Seed);
             Assert.That(_line.Interval, Is.EqualTo(interval).Within(1e-3 * interval), "seed " + Seed);
             Assert.That(_line.Deviation, Is.EqualTo(0.2 * interval / Math.Sqrt(3)).Within(0.2 * 0.2 * interval / Math.Sqrt(3)), "seed " + Seed);
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 _line.Add(time += interval);
             }
 
-            // What 100 stamps' memory is behind a drift: 0.5 ns a stamp, times its square.
+            // Lag of a memory of 100 stamps behind a drift of 0.5 ns per stamp: the drift times 100².
             Assert.That(_line.Newest, Is.EqualTo(time).Within(1e-5));
             Assert.That(_line.Interval, Is.EqualTo(interval).Within(2e-7));
         }
