@@ -1,6 +1,6 @@
 namespace Nowpose.Latency.Conditions
 {
-    /// <summary>Something that changes L_visu, the visualisation latency.</summary>
+    /// <summary>A condition that affects L_visu, the visualisation latency.</summary>
     enum DisplayCondition
     {
         /// <summary>Model of the headset.</summary>

@@ -16,7 +16,7 @@ namespace Nowpose.Latency.Conditions
         internal const double MaxDisplayHz = 1000;
         internal const string On = "on", Off = "off";
 
-        /// <summary>Rates this close belong to the same display: 60 Hz is also reported as 59.94 Hz.</summary>
+        /// <summary>Maximum difference of rates of the same display: 60 Hz is also reported as 59.94 Hz.</summary>
         const double RateToleranceHz = 1;
 
         static readonly CultureInfo Culture = CultureInfo.InvariantCulture;
@@ -78,8 +78,8 @@ namespace Nowpose.Latency.Conditions
         /// <summary>The condition as text, without a unit; null when it is not known.</summary>
         public string this[DisplayCondition condition] => _values[(int)condition];
 
-        /// <summary>The conditions that are known on both sides and differ. These conditions are those of a calibration.</summary>
-        /// <param name="actual">Conditions of the device that uses it.</param>
+        /// <summary>Returns the conditions that are known on both sides and differ. This instance holds the conditions of a calibration.</summary>
+        /// <param name="actual">Conditions of the device that uses the calibration.</param>
         /// <returns>In the order of <see cref="DisplayCondition"/>; empty when nothing differs.</returns>
         public IReadOnlyList<ConditionMismatch> MismatchesWith(DisplayConditions actual)
         {
@@ -89,7 +89,7 @@ namespace Nowpose.Latency.Conditions
             return found;
         }
 
-        /// <summary>Takes from other conditions what is not known here.</summary>
+        /// <summary>Returns these conditions, with unknown values taken from <paramref name="other"/>.</summary>
         public DisplayConditions Or(DisplayConditions other) => new DisplayConditions(
             Device ?? other.Device, DisplayHz ?? other.DisplayHz, GraphicsApi ?? other.GraphicsApi, GraphicsJobs ?? other.GraphicsJobs,
             RenderPipeline ?? other.RenderPipeline, RewritesBeforeRender ?? other.RewritesBeforeRender,
@@ -101,7 +101,7 @@ namespace Nowpose.Latency.Conditions
 
         public override int GetHashCode() => (Device, GraphicsApi, RenderPipeline, Reprojection).GetHashCode();
 
-        /// <summary>Reads conditions from texts, one by one.</summary>
+        /// <summary>Parses each condition from its text.</summary>
         /// <param name="valueOf">The text of a condition as the indexer gives it; null or empty when it is not known.</param>
         /// <exception cref="InputException">A text cannot be used; the message begins with the name of its field.</exception>
         internal static DisplayConditions Parse(Func<DisplayCondition, string> valueOf) => new DisplayConditions(
