@@ -20,7 +20,7 @@ namespace Nowpose.Sync
         /// </summary>
         public const double SlewRate = 5e-3;
 
-        /// <summary>Maximum correction while coarse, in s/s: the first estimates' error of a few milliseconds is gone in a tenth of a second.</summary>
+        /// <summary>Maximum correction while coarse, in s/s: removes an initial error of a few milliseconds in a tenth of a second.</summary>
         public const double CoarseSlewRate = 0.05;
 
         /// <summary>Maximum correction before, in s/s: the first offsets may be off by tens of milliseconds, and no pose is current yet.</summary>
