@@ -47,7 +47,7 @@ namespace Nowpose.Anchoring
         /// <summary>The state and the required action in one line. The same object as long as the text is the same.</summary>
         public string Words => _words.Text;
 
-        /// <summary>Base in the room frame; null when it was placed by a person or a script.</summary>
+        /// <summary>Base in the room frame; null while the placement by a person or a script applies.</summary>
         /// <remarks>During a new search, the previous pose.</remarks>
         public RigidTransform? Base { get; private set; }
 

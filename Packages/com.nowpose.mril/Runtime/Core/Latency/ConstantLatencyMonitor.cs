@@ -13,7 +13,7 @@ namespace Nowpose.Latency
         const int Window = 15;
         const int FramesToJudge = 8;
 
-        /// <summary>Hysteresis: share of the limit below which a frame counts towards the return to the range.</summary>
+        /// <summary>Hysteresis: share of the limit below which the median must stay for <see cref="FramesToReturn"/> frames.</summary>
         const double ClearlyInside = 0.94;
         const int FramesToReturn = 30;
 

@@ -53,7 +53,7 @@ namespace Nowpose.Session
         /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
         public RangeState Range { get; private set; }
 
-        /// <summary>What is shown while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
+        /// <summary>Display of the robot while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
         public OutsideRangeResponse OutsideRange { get; }
 
         /// <summary>Whether the runtime's display times contradict the calibration, see <see cref="DisplayTimeCheck"/>.</summary>

@@ -37,7 +37,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// 1 − <see cref="Rms"/> ÷ <see cref="HoldRms"/>: 0.8 when a fifth of the error remains, negative when the error has increased. Null
-        /// while the robot is at rest, because there is no error to reduce.
+        /// while the robot is at rest and the hold has practically no error.
         /// </summary>
         public double? Reduction { get; }
 

@@ -11,7 +11,7 @@ namespace Nowpose.Sync
         /// <param name="t3">Control time of sending the reply.</param>
         /// <param name="t4">Headset time of its arrival.</param>
         /// <param name="resolution">
-        /// Resolution of the control clock, zero when unknown. A clock that rounds its time stamps down is early by half its
+        /// Resolution of the control clock, zero when unknown. If a clock rounds its time stamps down, they are early by half its
         /// resolution on average, so half the resolution is added to <paramref name="t2"/> and <paramref name="t3"/>.
         /// </param>
         /// <param name="serverErrorBound">Error bound that the server states for its own control clock.</param>

@@ -71,7 +71,7 @@ namespace Nowpose.Anchoring.Fitting
             for (var i = 0; i < count; i++)
                 if (distances[i] > reach) weights[i] = 0;
 
-            // First an approximate median of the rotations, in which outliers have no more influence, then the mean of the rotations near it.
+            // First an approximate median of the rotations, in which outliers have little influence, then the mean of the rotations near it.
             var mean = Mean(window, count, weights);
             for (var round = 0; round < Rounds; round++)
             {

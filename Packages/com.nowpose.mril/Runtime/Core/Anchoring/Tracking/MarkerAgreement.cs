@@ -31,7 +31,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Base from all markers except the wrong one.</summary>
         public RigidTransform Fitted { get; }
 
-        /// <summary>Deviation of the wrong marker or, if it cannot be determined, the distance of two markers from agreement.</summary>
+        /// <summary>Deviation of the wrong marker or, if that one is unknown, of the markers from each other.</summary>
         public double Metres { get; }
 
         public double Radians { get; }

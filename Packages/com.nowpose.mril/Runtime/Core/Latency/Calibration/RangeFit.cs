@@ -9,7 +9,7 @@ namespace Nowpose.Latency.Calibration
     /// <remarks>
     /// Schnierle &amp; Röck 2022, Fig. 11b. A pair is good when its L_visu is that of the plateau. The limit is where the share of good
     /// pairs changes, by maximum likelihood (<see cref="RangeSplit"/>), so that neither misread pictures nor frames that waited
-    /// behind a slow one move it. Without enough pairs beyond it, the result is no limit but the observed range.
+    /// behind a slow one move it. Without enough pairs beyond it, the result is the observed range instead of a limit.
     /// </remarks>
     static class RangeFit
     {

@@ -29,7 +29,7 @@ namespace Nowpose.Latency.DisplayTime
         /// <remarks>An interval of more than 0.25 s between frames restarts the second.</remarks>
         public bool IsDoubted { get; private set; }
 
-        /// <summary>Median of predicted minus calibrated display time over 60 frames, positive when the prediction is later; null before.</summary>
+        /// <summary>Median of predicted minus calibrated display time over 60 frames, positive for a later prediction; null with fewer.</summary>
         public TimeSpan? Difference => _recent.Count < Window ? (TimeSpan?)null : _recent.At(0.5);
 
         /// <summary>Adds one frame for which both display times are known.</summary>
