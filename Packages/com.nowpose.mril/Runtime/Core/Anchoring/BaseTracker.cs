@@ -69,7 +69,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
 
-        /// <summary>Why a source reports no markers, shown during a search; null without a problem.</summary>
+        /// <summary>Reason why a source reports no markers, shown during a search; null without a problem.</summary>
         public string SourceProblem { get; set; }
 
         /// <summary>Time of the newest report of any code by a source; null without one since the start of the search.</summary>
@@ -84,7 +84,7 @@ namespace Nowpose.Anchoring
         /// <summary>Name under which the device stores the position across restarts; null when it is not stored.</summary>
         public string KeptAs => _place.KeptAs;
 
-        /// <summary>Why the device does not hold or store the position, in one line; null without a problem.</summary>
+        /// <summary>Reason why the device does not hold or store the position, in one line; null without a problem.</summary>
         public string Problem => _place.Problem;
 
         /// <summary>Distance to the position that the device reports, in metres, if it is too far to be followed; otherwise 0.</summary>

@@ -39,7 +39,7 @@ namespace Nowpose.Anchoring
         /// <summary>Number of ignored sightings for each reason.</summary>
         internal SightingFaults Ignored { get; } = new SightingFaults();
 
-        /// <summary>Why the newest sighting was ignored; None when it was accepted, or without a sighting.</summary>
+        /// <summary>Reason why the newest sighting was ignored; None when it was accepted, or without a sighting.</summary>
         internal SightingFault Fault { get; private set; }
 
         /// <summary>Time of the newest accepted sighting; null without one.</summary>

@@ -95,7 +95,7 @@ namespace Nowpose.Session
         /// <summary>Whether <see cref="Robot"/> was read from the same text. Any thread.</summary>
         internal RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
 
-        /// <summary>Why the newest description could not be read, in one line; null without an error or description. Any thread.</summary>
+        /// <summary>Reason why the newest description could not be read, in one line; null without an error or description. Any thread.</summary>
         public string RobotDescriptionFault => _descriptionFault;
 
         /// <summary>

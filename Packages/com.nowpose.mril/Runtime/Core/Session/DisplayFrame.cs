@@ -65,7 +65,7 @@ namespace Nowpose.Session
         /// <summary>Displayed joint positions, one per moving joint in the robot's order, rad or m, including mimic joints.</summary>
         public ReadOnlySpan<double> Joints => _tracks.Positions;
 
-        /// <summary>How each position of <see cref="Joints"/> was computed.</summary>
+        /// <summary>Method by which each position of <see cref="Joints"/> was computed.</summary>
         public ReadOnlySpan<PredictionKind> Kinds => _tracks.Kinds;
 
         /// <summary>Joint positions that a headset without compensation would show: the newest samples.</summary>

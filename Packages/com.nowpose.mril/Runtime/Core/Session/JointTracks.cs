@@ -45,7 +45,7 @@ namespace Nowpose.Session
         public ReadOnlySpan<double> Held => _held;
 
         /// <summary>
-        /// How each position was computed. A joint without samples since a reset counts as held if it was shown before; a mimic joint
+        /// Method by which each position was computed. A joint without samples since a reset counts as held if it was shown before; a mimic joint
         /// without samples of its own has the kind of its master.
         /// </summary>
         public ReadOnlySpan<PredictionKind> Kinds => _kinds;

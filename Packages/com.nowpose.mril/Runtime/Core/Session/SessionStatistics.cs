@@ -77,7 +77,7 @@ namespace Nowpose.Session
         /// <summary>Whether L_visu has its calibrated value.</summary>
         public RangeState Range { get; internal set; }
 
-        /// <summary>Why <see cref="Range"/> is unknown.</summary>
+        /// <summary>Reason why <see cref="Range"/> is unknown.</summary>
         internal RangeDoubt RangeDoubt { get; set; }
 
         /// <summary>

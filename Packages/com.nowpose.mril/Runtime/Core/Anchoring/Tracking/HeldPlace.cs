@@ -17,7 +17,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public bool IsThere => _anchor != null;
 
-        /// <summary>Whether the device holds the position but does not know its pose, or reports one too far away to be followed.</summary>
+        /// <summary>Whether the device holds the position but its pose is unknown or too far away to be followed.</summary>
         public bool IsLost => _anchor != null && (_anchor.State == SpatialAnchorState.Lost || ElsewhereMetres > 0);
 
         /// <summary>Distance to the reported position in metres, if it is too far to be followed; otherwise 0.</summary>
@@ -26,7 +26,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Name under which the position is stored; null when it is not stored.</summary>
         public string KeptAs => _anchor?.KeptAs;
 
-        /// <summary>Why the position is not held or not stored; null without a problem.</summary>
+        /// <summary>Reason why the position is not held or not stored; null without a problem.</summary>
         public string Problem => _anchor?.Problem;
 
         /// <summary>Searches once for the position stored in an earlier run.</summary>

@@ -25,8 +25,8 @@ namespace Nowpose.Latency.Conditions
 
         /// <param name="device">Model, one line of up to 128 characters, as are the other texts; null or empty when not known.</param>
         /// <param name="displayHz">Refresh rate, up to 1000 Hz; null, 0 or NaN when not known.</param>
-        /// <param name="graphicsApi">As <c>SystemInfo.graphicsDeviceType</c> names it: Direct3D11.</param>
-        /// <param name="graphicsJobs">As <c>SystemInfo.renderingThreadingMode</c> names it: MultiThreaded without Graphics Jobs.</param>
+        /// <param name="graphicsApi">Value of <c>SystemInfo.graphicsDeviceType</c>, such as Direct3D11.</param>
+        /// <param name="graphicsJobs">Value of <c>SystemInfo.renderingThreadingMode</c>: MultiThreaded without Graphics Jobs.</param>
         /// <param name="renderPipeline">Type name of the render pipeline's asset, or "built-in".</param>
         /// <param name="rewritesBeforeRender">Whether the pose is computed a second time right before rendering.</param>
         /// <param name="latencyOptimization">OpenXR's setting: PrioritizeRendering or PrioritizeInputPolling.</param>
@@ -50,7 +50,7 @@ namespace Nowpose.Latency.Conditions
             Set(DisplayCondition.Reprojection, reprojection == ReprojectionMode.Unknown ? null : ReprojectionModeNames.NameOf(reprojection));
         }
 
-        /// <summary>Nothing is known.</summary>
+        /// <summary>An instance in which all conditions are unknown.</summary>
         public static DisplayConditions Unknown { get; } = new DisplayConditions();
 
         /// <summary>Model of the headset.</summary>
