@@ -2,18 +2,18 @@ using System;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>Which sightings of markers count, when a base is locked by them, and when a marker is said to have moved.</summary>
+    /// <summary>Conditions for using a sighting, for locking the base, and for detecting that a marker has moved.</summary>
     sealed class AnchoringSettings
     {
-        /// <param name="settleMs">How long markers are looked at, at least, before the base is locked.</param>
-        /// <param name="oldestMs">A marker that was seen longer ago is not taken for seen now.</param>
-        /// <param name="farthestMetres">From the viewer's head.</param>
-        /// <param name="mostObliqueDegrees">Between what stands out of the print and the line to the viewer's head.</param>
-        /// <param name="lockErrorMetres">Root mean square by which each marker's mean may probably be off, for a lock.</param>
-        /// <param name="lockErrorDegrees">The same of its angle.</param>
-        /// <param name="toleranceMetres">A marker that is farther from where it was when the base was locked has moved.</param>
-        /// <param name="toleranceDegrees">The same of its angle.</param>
-        /// <param name="easeMs">In which a changed lock is eased over, but for 2 % of the change; 0 for at once.</param>
+        /// <param name="settleMs">Minimum observation time of the markers before the base is locked.</param>
+        /// <param name="oldestMs">Maximum age of a sighting that counts as current.</param>
+        /// <param name="farthestMetres">Maximum distance of a marker from the viewer's head.</param>
+        /// <param name="mostObliqueDegrees">Maximum angle between the normal of the print and the line to the viewer's head.</param>
+        /// <param name="lockErrorMetres">Maximum estimated error (root mean square) of each marker's mean position for a lock.</param>
+        /// <param name="lockErrorDegrees">The same for its angle.</param>
+        /// <param name="toleranceMetres">Distance of a marker from its position at the lock above which it has moved.</param>
+        /// <param name="toleranceDegrees">The same for its angle.</param>
+        /// <param name="easeMs">Duration over which a changed lock is blended in, except for 2 % of the change; 0 for an immediate change.</param>
         /// <exception cref="InputException">A number is out of range.</exception>
         public AnchoringSettings(
             double settleMs = 1850, double oldestMs = 400, double farthestMetres = 2.5, double mostObliqueDegrees = 60,

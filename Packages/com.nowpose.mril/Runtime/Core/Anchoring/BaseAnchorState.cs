@@ -1,24 +1,24 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>How it is known where the robot's base is.</summary>
+    /// <summary>State of the position of the robot's base.</summary>
     public enum BaseAnchorState
     {
-        /// <summary>It stands where a person or a script has put it; no marker moves it.</summary>
+        /// <summary>A person or a script has placed the base; markers do not move it.</summary>
         Placed,
 
-        /// <summary>Markers have not said yet where it is.</summary>
+        /// <summary>The markers have not yet determined the position.</summary>
         Searching,
 
-        /// <summary>It stands where an earlier run had left it, as the device remembers; no marker has confirmed that yet.</summary>
+        /// <summary>The position of an earlier run, as the device stored it; not yet confirmed by a marker.</summary>
         Restored,
 
-        /// <summary>Markers have said where it is.</summary>
+        /// <summary>The markers have determined the position.</summary>
         Locked,
 
-        /// <summary>A marker is not where it was in relation to the base, which stays where it is: one of the two was moved.</summary>
+        /// <summary>A marker has moved relative to the base: either the marker or the robot was moved. The base stays in its position.</summary>
         Moved,
 
-        /// <summary>The device has lost the place that it held; the base stays where it was last.</summary>
+        /// <summary>The device has lost the stored position; the base stays in its last position.</summary>
         Lost,
     }
 }

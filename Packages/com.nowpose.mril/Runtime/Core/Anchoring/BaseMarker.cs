@@ -2,21 +2,21 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>A marker that is fixed to the robot's base, and where.</summary>
+    /// <summary>A marker that is fixed to the robot's base, with its pose.</summary>
     public sealed class BaseMarker
     {
-        /// <summary>Letters that the largest code holds.</summary>
+        /// <summary>Maximum number of characters in a code.</summary>
         const int MostLetters = 4296;
 
         const double FarthestMetres = 100;
 
-        /// <summary>Of an edge: less cannot be seen from where one stands, more is no print.</summary>
+        /// <summary>Minimum and maximum length of an edge: smaller codes are not readable from a distance, larger ones are not prints.</summary>
         const double SmallestMetres = 0.005, LargestMetres = 5;
 
-        /// <param name="payload">Text of its code, letter for letter.</param>
-        /// <param name="markerInBase">Marker frame, as of <see cref="MarkerSighting"/>, in the robot's base frame.</param>
-        /// <param name="sizeMetres">Length of an edge of the printed code; 0 for unknown.</param>
-        /// <exception cref="InputException">No text or too long a one, no pose, too far from the base, or no size.</exception>
+        /// <param name="payload">Exact text of the code.</param>
+        /// <param name="markerInBase">Marker frame (see <see cref="MarkerSighting"/>) in the robot's base frame.</param>
+        /// <param name="sizeMetres">Length of an edge of the printed code; 0 when it is unknown.</param>
+        /// <exception cref="InputException">The payload is empty or too long, or the pose, its distance or the size is out of range.</exception>
         public BaseMarker(string payload, in RigidTransform markerInBase, double sizeMetres = 0)
         {
             if (string.IsNullOrEmpty(payload)) throw new InputException("marker: its payload is empty; give the text of its code");
@@ -36,7 +36,7 @@ namespace Nowpose.Anchoring
         public string Payload { get; }
         public RigidTransform MarkerInBase { get; }
 
-        /// <summary>Length of an edge; 0 for unknown.</summary>
+        /// <summary>Length of an edge; 0 when it is unknown.</summary>
         public double SizeMetres { get; }
 
         internal bool IsSameAs(BaseMarker other) => Payload == other.Payload && SizeMetres == other.SizeMetres

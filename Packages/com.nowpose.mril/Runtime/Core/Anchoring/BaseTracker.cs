@@ -6,11 +6,11 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring
 {
     /// <summary>
-    /// Says where a robot's base is by the markers at it: locks it, hands it to the device to hold, and watches whether it still fits.
+    /// Determines the position of a robot's base from its markers: locks it, lets the device store it, and monitors whether it is still valid.
     /// </summary>
     /// <remarks>
-    /// Belongs to the frame's thread. A frame without a new lock allocates nothing, but for some kB four times a second while markers
-    /// are in view that are not part of a lock yet.
+    /// Use it on the frame's thread only. A frame without a new lock allocates nothing, except for a few kB four times a second while
+    /// markers are in view that are not yet part of a lock.
     /// </remarks>
     public sealed class BaseTracker
     {
@@ -37,60 +37,60 @@ namespace Nowpose.Anchoring
             _words = new BaseWords(settings);
         }
 
-        /// <summary>Name of the cell, under which the place is kept; empty for none.</summary>
+        /// <summary>Name of the cell, under which the position is stored; empty for none.</summary>
         public string Cell { get; private set; } = "";
 
         public IReadOnlyList<TrackedMarker> Markers => _markers;
 
         public BaseAnchorState State => IsLost ? BaseAnchorState.Lost : _state;
 
-        /// <summary>The state in one line, with what is to be done about it. The same object while it says the same.</summary>
+        /// <summary>The state and the required action in one line. The same object as long as the text is the same.</summary>
         public string Words => _words.Text;
 
-        /// <summary>Where the base is, in the room frame; null while it is where somebody has put it.</summary>
-        /// <remarks>While searching anew, where it was before.</remarks>
+        /// <summary>Base in the room frame; null while the placement by a person or a script applies.</summary>
+        /// <remarks>During a new search, the previous pose.</remarks>
         public RigidTransform? Base { get; private set; }
 
-        /// <summary>Where the base is shown, which follows <see cref="Base"/> without jumping.</summary>
+        /// <summary>Displayed pose of the base, which follows <see cref="Base"/> without jumps.</summary>
         public RigidTransform? Shown => Base.HasValue ? _shown.Pose : null;
 
-        /// <summary>What went into the newest lock; null before one by markers.</summary>
+        /// <summary>Details of the newest lock; null before the first lock by markers.</summary>
         public LockReport Lock { get; private set; }
 
-        /// <summary>How far the device has moved the base since the newest lock, by correcting its map, metres.</summary>
+        /// <summary>Distance by which the device has moved the base since the newest lock, by correcting its map, in metres.</summary>
         public double CorrectedMetres { get; private set; }
 
-        /// <summary>The same of its rotation, radians.</summary>
+        /// <summary>The same for its rotation, in radians.</summary>
         public double CorrectedRadians { get; private set; }
 
-        /// <summary>Markers that contradict each other, and by how much; null where none do.</summary>
+        /// <summary>Markers that contradict each other, with their deviation; null without a conflict.</summary>
         public MarkerQuarrel Quarrel => _attempt.Quarrel;
 
-        /// <summary>Whether the device has moved the base since the newest lock by more than a marker may be off.</summary>
+        /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
 
-        /// <summary>Why a source tells of no markers, for the words while they are looked for; null when nothing is wrong.</summary>
+        /// <summary>Reason why a source reports no markers, shown during a search; null without a problem.</summary>
         public string SourceProblem { get; set; }
 
-        /// <summary>When anything that is seen, of whatever code, was told last; null while nothing was since the search began.</summary>
+        /// <summary>Time of the newest report of any code by a source; null without one since the start of the search.</summary>
         internal HeadsetTime? Told => _told;
 
-        /// <summary>Whether somebody moves a marker by hand, and the base with it.</summary>
+        /// <summary>Whether a person is moving a marker by hand, and the base with it.</summary>
         public bool IsBeingPlaced { get; private set; }
 
-        /// <summary>Whether the device holds the place.</summary>
+        /// <summary>Whether the device holds the position.</summary>
         public bool IsHeld => _place.IsThere;
 
-        /// <summary>The name under which the device keeps the place over restarts; null while it does not.</summary>
+        /// <summary>Name under which the device stores the position across restarts; null when it is not stored.</summary>
         public string KeptAs => _place.KeptAs;
 
-        /// <summary>Why the device does not hold or keep the place, in one line; null when nothing is wrong.</summary>
+        /// <summary>Reason why the device does not hold or store the position, in one line; null without a problem.</summary>
         public string Problem => _place.Problem;
 
-        /// <summary>How far away the device says that the place is, where that is too far to be followed, metres; else 0.</summary>
+        /// <summary>Distance to the position that the device reports, in metres, if it is too far to be followed; otherwise 0.</summary>
         public double ElsewhereMetres => _place.ElsewhereMetres;
 
-        /// <summary>Whether markers are compared with where they belong.</summary>
+        /// <summary>Whether markers are compared with their expected poses.</summary>
         bool IsWatching => IsKnown && !_place.IsLost;
 
         bool IsLost => IsKnown && _place.IsLost;
@@ -98,11 +98,11 @@ namespace Nowpose.Anchoring
         bool IsKnown => Base.HasValue
             && (_state == BaseAnchorState.Locked || _state == BaseAnchorState.Restored || _state == BaseAnchorState.Moved);
 
-        /// <summary>Takes these markers from now on.</summary>
-        /// <remarks>A lock stays while the cell is the same and the markers that it was made with are among them.</remarks>
-        /// <param name="cell">Empty or null not to keep the place.</param>
-        /// <param name="markers">Empty for a base that is placed by hand.</param>
-        /// <exception cref="InputException">Two of them have the same payload, or there are too many.</exception>
+        /// <summary>Replaces the cell and the markers.</summary>
+        /// <remarks>A lock is kept if the cell is the same and all markers of the lock are in the list.</remarks>
+        /// <param name="cell">Null or empty if the position must not be stored.</param>
+        /// <param name="markers">Markers at the base; empty for a base that is placed by hand.</param>
+        /// <exception cref="InputException">Two markers have the same payload, or there are too many.</exception>
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
@@ -135,10 +135,10 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Lets the markers say anew where the base is; until they have, it stays where it is.</summary>
+        /// <summary>Starts a new search with the markers; the base stays in its position until they have determined a new one.</summary>
         /// <remarks>
-        /// Where none is in view for long, the former lock is good again. Where there are none at all, what was restored from an earlier
-        /// run is taken for right.
+        /// If no marker comes into view for a long time, the previous lock is restored. Without any markers, a position restored from an
+        /// earlier run is confirmed.
         /// </remarks>
         public void Relock()
         {
@@ -152,8 +152,8 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Somebody has put the base elsewhere: a lock is let go of. A search goes on.</summary>
-        /// <param name="at">Where, in the room frame: the next lock eases over from there. Null: not known, and it is there at once.</param>
+        /// <summary>Reports that the base was placed elsewhere and removes the lock. A search continues.</summary>
+        /// <param name="at">Pose in the room frame, from which the next lock is blended in; null if unknown: the next lock applies at once.</param>
         public void Place(RigidTransform? at = null)
         {
             _place.Release(seekAgain: false);
@@ -165,7 +165,7 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Lets go of what the device holds; what it keeps stays kept.</summary>
+        /// <summary>Releases the position that the device holds. A stored position is kept.</summary>
         public void Release()
         {
             _place.Release(seekAgain: true);
@@ -173,10 +173,10 @@ namespace Nowpose.Anchoring
             Begin();
         }
 
-        /// <summary>One frame.</summary>
-        /// <param name="sightings">Of all sources; those of other codes are passed over.</param>
-        /// <param name="head">Of the viewer in the room frame, x forward; null where it is not known, and what depends on it is not asked.</param>
-        /// <param name="anchors">What holds places; null where nothing does.</param>
+        /// <summary>Processes one frame.</summary>
+        /// <param name="sightings">Sightings of all sources; those of other codes are ignored.</param>
+        /// <param name="head">Viewer's head in the room frame, x forward; null when unknown, which omits the checks that depend on it.</param>
+        /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
         {
             if (sightings == null) throw new ArgumentNullException(nameof(sightings));
@@ -197,7 +197,7 @@ namespace Nowpose.Anchoring
             if (!Base.HasValue && isOpen) _place.Seek(anchors, Cell);
             if (IsLost != _wasLost)
             {
-                // The map is not the one that the deviations were measured in.
+                // The deviations were measured in a map that is not valid any more.
                 _wasLost = IsLost;
                 foreach (var marker in _markers) marker.ForgetSeen();
             }
@@ -214,7 +214,7 @@ namespace Nowpose.Anchoring
             CorrectedRadians = Lock.Base.AngleTo(now);
         }
 
-        /// <returns>Whether a hand moves it.</returns>
+        /// <returns>Whether the marker is being moved by hand.</returns>
         bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head)
         {
             if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting, now);
@@ -284,7 +284,7 @@ namespace Nowpose.Anchoring
             else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;
         }
 
-        // Nothing was in view: what was good before still is. A marker that comes into view says whether.
+        // No marker was in view, so the previous state is restored. The next marker in view confirms or refutes it.
         void Return(in RelockedFrom former)
         {
             _state = former.State == BaseAnchorState.Moved ? (Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored) : former.State;

@@ -1,9 +1,9 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>A source of markers that knows why it tells of none.</summary>
+    /// <summary>A source of markers that can report why it has none.</summary>
     public interface IMarkerProblem
     {
-        /// <summary>In one line; null when nothing is wrong. The same object while it says the same.</summary>
+        /// <summary>The problem in one line; null without a problem. The same object as long as the text is the same.</summary>
         string Problem { get; }
     }
 }

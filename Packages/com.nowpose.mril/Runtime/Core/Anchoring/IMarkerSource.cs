@@ -2,11 +2,11 @@ using System.Collections.Generic;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>Tells which markers are in the room: a device's finder of codes, a hand that places one, a recording.</summary>
+    /// <summary>Reports the markers in the room, for example from a device's code detection, from placement by hand, or from a recording.</summary>
     public interface IMarkerSource
     {
-        /// <summary>Adds all markers that are known at the moment, each once; what is in the list stays. Never throws.</summary>
-        /// <remarks>Asked once a frame, on its thread: quick, and without allocating where no marker is new.</remarks>
+        /// <summary>Adds all currently known markers to the list, each once, and keeps the entries in it. Must not throw.</summary>
+        /// <remarks>Called once per frame on its thread; must be fast and must not allocate when no marker is new.</remarks>
         void Read(List<MarkerSighting> markers);
     }
 }

@@ -3,24 +3,24 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>A place in the room that the device holds by its own map. Belongs to the frame's thread; never throws.</summary>
+    /// <summary>A position in the room that the device holds in its own map. Use it on the frame's thread only; never throws.</summary>
     public interface ISpatialAnchor : IDisposable
     {
         SpatialAnchorState State { get; }
 
         /// <summary>
-        /// Where it is in the room frame now, as the device corrects its map; what it was last while lost, null before it was
-        /// known.
+        /// Current pose in the room frame, with the device's corrections of its map; the last pose while tracking is lost, null before the
+        /// first pose.
         /// </summary>
         RigidTransform? Pose { get; }
 
-        /// <summary>The name under which it survives the application; null while it does not.</summary>
+        /// <summary>Name under which the anchor is stored across restarts; null when it is not stored.</summary>
         string KeptAs { get; }
 
-        /// <summary>Why it is not held, or not kept, in one line; null when nothing is wrong.</summary>
+        /// <summary>Reason why the anchor is not held or not stored, in one line; null without a problem.</summary>
         string Problem { get; }
 
-        /// <summary>Keeps it under a name once it is held, in place of what was kept under it; returns at once.</summary>
+        /// <summary>Stores the anchor under a name as soon as it is held, replacing the one stored before; returns at once.</summary>
         void Keep(string name);
     }
 }

@@ -3,25 +3,25 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring
 {
     /// <summary>
-    /// Holds places in the room by the device's own map, and keeps them over restarts. Belongs to the frame's thread; never
+    /// Holds positions in the room in the device's own map and stores them across restarts. Use it on the frame's thread only; never
     /// throws.
     /// </summary>
     interface ISpatialAnchors
     {
-        /// <summary>Whether it is known by now which anchors were kept. False for ever where the device keeps none.</summary>
+        /// <summary>Whether the stored anchors are known. Always false if the device stores none.</summary>
         bool IsReady { get; }
 
-        /// <summary>Begins to hold a place; returns at once. Disposing the anchor lets go of it, not of what is kept.</summary>
-        /// <param name="pose">In the room frame.</param>
+        /// <summary>Starts to hold a position; returns at once. Disposing the anchor releases it but does not remove a stored one.</summary>
+        /// <param name="pose">Pose in the room frame.</param>
         ISpatialAnchor Hold(in RigidTransform pose);
 
         /// <summary>
-        /// What was kept under a name in this run or before; returns at once. Null when there is none, or while not <see
-        /// cref="IsReady"/>.
+        /// Returns the anchor stored under a name in this run or an earlier one; returns at once. Null when there is none, or while
+        /// <see cref="IsReady"/> is false.
         /// </summary>
         ISpatialAnchor Find(string name);
 
-        /// <summary>Keeps nothing under a name any more. Does nothing when nothing is.</summary>
+        /// <summary>Removes the anchor stored under a name, if there is one.</summary>
         void Forget(string name);
     }
 }

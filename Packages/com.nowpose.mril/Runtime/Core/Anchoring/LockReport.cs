@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>How a base was locked.</summary>
+    /// <summary>Details of a lock.</summary>
     public sealed class LockReport
     {
         internal LockReport(
@@ -16,22 +16,22 @@ namespace Nowpose.Anchoring
             ChangeRadians = changeRadians;
         }
 
-        /// <summary>In the room frame, at that moment.</summary>
+        /// <summary>Base in the room frame at the time of the lock.</summary>
         public RigidTransform Base { get; }
 
-        /// <summary>How many went into it; 0 by hand.</summary>
+        /// <summary>Number of markers used; 0 for a lock by hand.</summary>
         public int Markers { get; }
 
-        /// <summary>Root mean square distance of the markers' poses from their means, metres; 0 by hand.</summary>
+        /// <summary>Root mean square distance of the markers' poses from their means, in metres; 0 for a lock by hand.</summary>
         public double SpreadMetres { get; }
 
-        /// <summary>Root mean square angle of the markers' poses to their means, radians.</summary>
+        /// <summary>Root mean square angle of the markers' poses to their means, in radians.</summary>
         public double SpreadRadians { get; }
 
-        /// <summary>How far it moved the base from where it was locked before, metres; 0 for the first.</summary>
+        /// <summary>Distance by which the base moved from its previous position, in metres; 0 for the first lock.</summary>
         public double ChangeMetres { get; }
 
-        /// <summary>By how much it turned it, radians.</summary>
+        /// <summary>Angle by which the base turned, in radians.</summary>
         public double ChangeRadians { get; }
     }
 }

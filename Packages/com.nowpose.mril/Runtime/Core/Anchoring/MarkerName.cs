@@ -1,6 +1,6 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>What a marker is called in a message: payloads may be long, and hold line breaks.</summary>
+    /// <summary>Formats the name of a marker for messages: shortens long payloads and replaces line breaks.</summary>
     static class MarkerName
     {
         const int Most = 24;

@@ -1,6 +1,6 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>Markers that are not in relation to each other as they were measured at the base.</summary>
+    /// <summary>Markers whose relative poses differ from those measured at the base.</summary>
     public sealed class MarkerQuarrel
     {
         internal MarkerQuarrel(BaseMarker marker, BaseMarker other, double metres, double radians)
@@ -11,16 +11,16 @@ namespace Nowpose.Anchoring
             Radians = radians;
         }
 
-        /// <summary>Whether the same markers contradict each other, by whatever.</summary>
+        /// <summary>Whether the same markers are in conflict, regardless of the amount.</summary>
         public bool IsOf(MarkerQuarrel other) => other != null && Marker == other.Marker && Other == other.Other;
 
-        /// <summary>The one that the others contradict.</summary>
+        /// <summary>The marker that contradicts the others.</summary>
         public BaseMarker Marker { get; }
 
-        /// <summary>Null where it is clear which one is wrong; else it is one of the two.</summary>
+        /// <summary>Second marker of the conflict if it is unclear which of the two is wrong; otherwise null.</summary>
         public BaseMarker Other { get; }
 
-        /// <summary>By how much it is off.</summary>
+        /// <summary>Deviation of the marker, or of the two from each other.</summary>
         public double Metres { get; }
 
         public double Radians { get; }

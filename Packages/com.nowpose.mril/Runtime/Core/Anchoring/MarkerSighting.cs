@@ -2,21 +2,21 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>What a marker source knows of one marker at the moment.</summary>
+    /// <summary>Current data of a marker source about one marker.</summary>
     /// <remarks>
-    /// Room frame: the application's origin with the axes of the URDF (x forward, y left, z up), metres. Marker frame: its origin in the
-    /// centre of the printed code, x to the right along the print, y to its upper edge, z out of the print towards who reads it.
+    /// Room frame: the application's origin with the axes of the URDF (x forward, y left, z up), in metres. Marker frame: origin at the
+    /// centre of the printed code, x to the right along the print, y to its upper edge, z out of the print towards the reader.
     /// </remarks>
     public readonly struct MarkerSighting
     {
-        /// <param name="id">Tells the marker from all others of its source for as long as the source runs.</param>
+        /// <param name="id">Identifies the marker within its source as long as the source runs.</param>
         /// <param name="payload">
-        /// Text of the code; null while it is not read. Of one put there by hand null says that its frame is the robot's base
+        /// Text of the code; null while it has not been read. For a marker placed by hand, null means that its frame is the robot's base
         /// frame.
         /// </param>
-        /// <param name="pose">Marker frame in the room frame. Not checked: devices report the origin, and numbers that are none.</param>
-        /// <param name="sizeMetres">Length of an edge; 0 where it is not known.</param>
-        /// <param name="lastSeen">When a camera saw it last, which a source may go on saying <paramref name="tracking"/> long after.</param>
+        /// <param name="pose">Marker frame in the room frame. Not validated: devices also report the origin and invalid numbers.</param>
+        /// <param name="sizeMetres">Length of an edge; 0 when it is unknown.</param>
+        /// <param name="lastSeen">Time at which a camera last saw it, which may be old although <paramref name="tracking"/> is unchanged.</param>
         public MarkerSighting(
             string id, string payload, in RigidTransform pose, double sizeMetres, HeadsetTime lastSeen, MarkerTracking tracking)
         {

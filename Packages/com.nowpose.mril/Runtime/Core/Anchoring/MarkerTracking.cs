@@ -1,20 +1,20 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>How far a source trusts the pose it gives for a marker.</summary>
+    /// <summary>Quality of a marker's pose according to its source.</summary>
     public enum MarkerTracking
     {
-        /// <summary>Not followed: the pose is an old one, or none.</summary>
+        /// <summary>Not tracked: the pose is old or missing.</summary>
         None,
 
-        /// <summary>Known roughly, or remembered.</summary>
+        /// <summary>Known approximately, or remembered.</summary>
         Limited,
 
-        /// <summary>Followed, as the source says; its pose may be stale all the same, which <see cref="MarkerSighting.LastSeen"/> tells.</summary>
+        /// <summary>Tracked according to the source; the pose may still be stale, see <see cref="MarkerSighting.LastSeen"/>.</summary>
         Tracking,
 
         /// <summary>
-        /// Put there by hand: it is where it was meant to be, whoever looks from wherever, and stays. While somebody moves it,
-        /// <see cref="MarkerSighting.LastSeen"/> goes on with the time; afterwards it is the moment at which it was put down.
+        /// Placed by hand: the pose is exact by definition and independent of the view. While a person moves it,
+        /// <see cref="MarkerSighting.LastSeen"/> advances with time; afterwards it is the time at which the marker was released.
         /// </summary>
         Placed,
     }

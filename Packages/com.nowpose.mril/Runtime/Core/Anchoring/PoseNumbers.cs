@@ -3,13 +3,13 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>Measures of poses, and of how far apart two are.</summary>
+    /// <summary>Computations with poses, such as distances and interpolation.</summary>
     static class PoseNumbers
     {
-        /// <summary>How far a row of a rotation may be from unit length: floats are off by less.</summary>
+        /// <summary>Tolerance of the unit length of a rotation's rows; the rounding errors of floats are smaller.</summary>
         const double Unit = 1e-3;
 
-        /// <summary>Whether all numbers are finite and the rotation is one.</summary>
+        /// <summary>Whether all numbers are finite and the rotation is valid.</summary>
         public static bool IsPose(this in RigidTransform pose)
         {
             var r = pose;
@@ -18,18 +18,18 @@ namespace Nowpose.Anchoring
                 && Determinant(r) > 0;
         }
 
-        /// <summary>Metres between the origins.</summary>
+        /// <summary>Returns the distance between the origins, in metres.</summary>
         public static double DistanceTo(this in RigidTransform a, in RigidTransform b) => Length(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 
-        /// <summary>Radians by which one is turned against the other, 0 to π.</summary>
+        /// <summary>Returns the angle between the rotations, 0 to π rad.</summary>
         public static double AngleTo(this in RigidTransform a, in RigidTransform b)
         {
-            // Of the rotation aᵀb the antisymmetric part is the sine: the cosine alone says nothing below 1e-8.
+            // The antisymmetric part of the rotation aᵀb gives the sine: the cosine alone is inaccurate for angles below 1e-8.
             var (x, y, z) = TwiceSine(a, b);
             return Math.Atan2(Length(x, y, z) / 2, (Trace(a, b) - 1) / 2);
         }
 
-        /// <summary>The axis it turns about, as long as the angle, radians, up to π.</summary>
+        /// <summary>Returns the rotation vector: along the axis, with the angle as its length, up to π rad.</summary>
         public static (double X, double Y, double Z) RotationVector(this in RigidTransform pose)
         {
             var (x, y, z) = TwiceSine(RigidTransform.Identity, pose);
@@ -40,7 +40,7 @@ namespace Nowpose.Anchoring
             return (x * scale, y * scale, z * scale);
         }
 
-        // The sine says nothing of the axis there: rotation and identity together are twice the axis times itself.
+        // The sine is zero at half a turn. The sum of the rotation and the identity is twice the product of the axis with itself.
         static (double X, double Y, double Z) HalfTurn(in RigidTransform r)
         {
             var (x, y, z) = r.R00 >= r.R11 && r.R00 >= r.R22 ? (r.R00 + 1, r.R10, r.R20)
@@ -49,7 +49,7 @@ namespace Nowpose.Anchoring
             return (scale * x, scale * y, scale * z);
         }
 
-        /// <summary>The rotation about an axis as long as the angle, radians.</summary>
+        /// <summary>Returns the rotation of a rotation vector, in rad.</summary>
         public static RigidTransform Turn(double x, double y, double z)
         {
             var angle = Length(x, y, z);
@@ -63,7 +63,7 @@ namespace Nowpose.Anchoring
                 0, 0, 0);
         }
 
-        /// <summary>A part of the way from one pose to another: in a straight line, turning evenly.</summary>
+        /// <summary>Interpolates between two poses: linear position, constant rate of rotation.</summary>
         /// <param name="part">0 to 1.</param>
         public static RigidTransform Between(in RigidTransform from, in RigidTransform to, double part)
         {
@@ -72,7 +72,7 @@ namespace Nowpose.Anchoring
                 from.X + (to.X - from.X) * part, from.Y + (to.Y - from.Y) * part, from.Z + (to.Z - from.Z) * part);
         }
 
-        /// <summary>The same rotation elsewhere.</summary>
+        /// <summary>Returns the same rotation with another translation.</summary>
         public static RigidTransform MovedTo(this in RigidTransform pose, double x, double y, double z) => new RigidTransform(
             pose.R00, pose.R01, pose.R02, pose.R10, pose.R11, pose.R12, pose.R20, pose.R21, pose.R22, x, y, z);
 

@@ -1,29 +1,29 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>Why a sighting of one of the base's markers does not count.</summary>
+    /// <summary>Reason why a sighting of a base's marker is ignored.</summary>
     enum SightingFault
     {
         None,
 
-        /// <summary>Its source does not follow it.</summary>
+        /// <summary>The source does not track the marker.</summary>
         NotTracked,
 
-        /// <summary>Its pose is no numbers, or no rotation.</summary>
+        /// <summary>The pose has invalid numbers or an invalid rotation.</summary>
         NoPose,
 
-        /// <summary>It is said to be at the application's origin, where devices put what they do not know.</summary>
+        /// <summary>The pose is at the application's origin, which devices report for an unknown pose.</summary>
         AtOrigin,
 
-        /// <summary>It was seen too long ago, or in the future.</summary>
+        /// <summary>The sighting is too old, or in the future.</summary>
         Old,
 
         TooFar,
         TooOblique,
 
-        /// <summary>It is behind the viewer's head, where no camera looks.</summary>
+        /// <summary>The marker is behind the viewer's head, out of view of the cameras.</summary>
         Behind,
 
-        /// <summary>Its edge is not as long as that of the marker of the base.</summary>
+        /// <summary>The length of the edge differs from that of the base's marker.</summary>
         OtherSize,
 
         /// <summary>The same code is seen in two places.</summary>

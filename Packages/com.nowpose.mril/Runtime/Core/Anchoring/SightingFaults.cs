@@ -1,6 +1,6 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>How many sightings did not count, by why.</summary>
+    /// <summary>Number of ignored sightings for each reason.</summary>
     sealed class SightingFaults
     {
         readonly long[] _counts = new long[(int)SightingFault.TwoPlaces + 1];

@@ -1,18 +1,18 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>Whether the device holds a place.</summary>
+    /// <summary>Whether the device holds a position.</summary>
     public enum SpatialAnchorState
     {
-        /// <summary>It has been asked to; nothing is known yet.</summary>
+        /// <summary>Requested; the device has not answered yet.</summary>
         Pending,
 
-        /// <summary>It holds it, and knows where it is.</summary>
+        /// <summary>The device holds the position, and its pose is known.</summary>
         Tracking,
 
-        /// <summary>It holds it, and does not know where it is at the moment: too dark, another room.</summary>
+        /// <summary>The device holds the position, but its pose is currently unknown, for example in the dark or in another room.</summary>
         Lost,
 
-        /// <summary>It does not; <see cref="ISpatialAnchor.Problem"/> says why. Final.</summary>
+        /// <summary>The device does not hold the position; see <see cref="ISpatialAnchor.Problem"/>. Final state.</summary>
         Failed,
     }
 }

@@ -5,16 +5,16 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>One of a base's markers, and what was seen of it.</summary>
+    /// <summary>One of the markers of a base, with its sightings.</summary>
     public sealed class TrackedMarker
     {
-        /// <summary>Another one of the same code is at least this far away: the two are no noise.</summary>
+        /// <summary>Minimum distance of two sightings of the same code that counts as two prints; smaller distances may be noise.</summary>
         const double ApartMetres = 0.05;
 
-        /// <summary>Fewer say nothing of how much they scatter.</summary>
+        /// <summary>Minimum number of sightings: fewer do not show the scatter.</summary>
         const int Least = 8;
 
-        /// <summary>What was seen before may be of another place.</summary>
+        /// <summary>Maximum age of sightings; older ones may be of another position.</summary>
         static readonly TimeSpan Longest = TimeSpan.FromSeconds(15);
 
         readonly AnchoringSettings _settings;
@@ -33,66 +33,66 @@ namespace Nowpose.Anchoring
 
         public BaseMarker Marker { get; }
 
-        /// <summary>Sightings that counted; a pose that a source goes on telling counts once.</summary>
+        /// <summary>Number of accepted sightings; a pose that a source reports repeatedly counts once.</summary>
         public long Sightings { get; private set; }
 
-        /// <summary>Those that did not.</summary>
+        /// <summary>Number of ignored sightings for each reason.</summary>
         internal SightingFaults Ignored { get; } = new SightingFaults();
 
-        /// <summary>Why the newest sighting did not count; None where it did, or where there is none.</summary>
+        /// <summary>Reason why the newest sighting was ignored; None when it was accepted, or without a sighting.</summary>
         internal SightingFault Fault { get; private set; }
 
-        /// <summary>When it was seen last in a way that counts; null for never.</summary>
+        /// <summary>Time of the newest accepted sighting; null without one.</summary>
         public HeadsetTime? LastSeen => _taken;
 
-        /// <summary>When a source told anything of it last; null for never.</summary>
+        /// <summary>Time of the newest report by a source, accepted or not; null without one.</summary>
         public HeadsetTime? LastTold { get; private set; }
 
-        /// <summary>Whether the lock was made with it.</summary>
+        /// <summary>Whether the marker is part of the lock.</summary>
         public bool IsPart { get; private set; }
 
-        /// <summary>Whether the other markers say that it is not where it was measured to be.</summary>
+        /// <summary>Whether the marker contradicts the other markers.</summary>
         public bool IsDoubted { get; private set; }
 
-        /// <summary>Whether it is farther from where it belongs than allowed.</summary>
+        /// <summary>Whether the deviation of the marker from its expected pose exceeds the tolerance.</summary>
         public bool HasMoved { get; private set; }
 
-        /// <summary>How far it is lately from where it belongs, metres: a median. Null while too little is seen.</summary>
+        /// <summary>Recent median deviation from the expected position, in metres; null with too few sightings.</summary>
         public double? DeviationMetres => Watch.IsKnown ? Watch.Metres : (double?)null;
 
-        /// <summary>By how much it is turned against how it belongs, radians.</summary>
+        /// <summary>Recent median deviation from the expected rotation, in radians; null with too few sightings.</summary>
         public double? DeviationRadians => Watch.IsKnown ? Watch.Radians : (double?)null;
 
-        /// <summary>Root mean square distance of its poses from their mean when this was worked out last, metres; null before.</summary>
+        /// <summary>Root mean square distance of the poses from their mean at the newest estimate, in metres; null before the first.</summary>
         public double? SpreadMetres => _mean?.SpreadMetres;
 
-        /// <summary>Root mean square angle of its poses to their mean, radians.</summary>
+        /// <summary>Root mean square angle of the poses to their mean, in radians.</summary>
         public double? SpreadRadians => _mean?.SpreadRadians;
 
         internal DeviationWatch Watch { get; } = new DeviationWatch();
 
-        /// <summary>As it was seen when the lock was made with it, in the frame of the base; only of a part.</summary>
+        /// <summary>Estimate at the lock, in the frame of the base; valid only if the marker is part of the lock.</summary>
         internal MarkerEstimate Locked { get; private set; }
 
         internal RigidTransform Pose => _pose;
 
-        /// <summary>Whether a lock may be made better by it.</summary>
+        /// <summary>Whether the marker may improve a lock.</summary>
         internal bool IsOpen => !IsPart && !IsDoubted;
 
-        /// <summary>Whether it was seen often and long enough for an estimate.</summary>
+        /// <summary>Whether there are sightings over a sufficient time for an estimate.</summary>
         internal bool IsReady => _window.Count >= Least && _window.CountOver(_settings.Settle) > 0;
 
-        /// <summary>Whether what was seen of it is new enough to be compared with what is seen of others.</summary>
+        /// <summary>Whether the sightings are recent enough for a comparison with those of other markers.</summary>
         internal bool IsRecent(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= Longest;
 
-        /// <summary>Whether it goes somewhere, as far as that is known.</summary>
+        /// <summary>Whether the newest estimate shows that the marker is moving.</summary>
         internal bool IsMoving => _mean is PoseMean mean && !mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
 
-        /// <summary>Whether it was seen lately in a way that counts.</summary>
+        /// <summary>Whether there is a current accepted sighting.</summary>
         internal bool IsFresh(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= _settings.Oldest;
 
-        /// <returns>Whether it is news that counts.</returns>
-        /// <param name="belongs">Where it belongs; null while no base is locked.</param>
+        /// <returns>Whether the sighting is new and accepted.</returns>
+        /// <param name="belongs">Expected pose; null while no base is locked.</param>
         internal bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? belongs)
         {
             LastTold = now;
@@ -106,7 +106,7 @@ namespace Nowpose.Anchoring
             if (fault == SightingFault.None) fault = JudgePlace(sighting, now, belongs);
             if (fault != SightingFault.None)
             {
-                // The same news told again is no other sighting.
+                // A repeated report of the same sighting counts once.
                 if (fault != _counted || sighting.LastSeen != _judged) Ignored.Add(fault);
                 Fault = _counted = fault;
                 _judged = sighting.LastSeen;
@@ -114,7 +114,7 @@ namespace Nowpose.Anchoring
             }
             if (_taken is HeadsetTime taken && sighting.LastSeen <= taken) return false;
             Fault = SightingFault.None;
-            // Meanwhile it may have gone elsewhere: what was seen before says nothing of it, and is no time of looking at it.
+            // After a gap the marker may be elsewhere, and the gap does not count as observation time.
             if (_window.Count > 0 && sighting.LastSeen - _window.Newest > _settings.Oldest + _settings.Oldest) ForgetSeen();
             _taken = sighting.LastSeen;
             _id = sighting.Id;
@@ -124,10 +124,10 @@ namespace Nowpose.Anchoring
             return true;
         }
 
-        /// <summary>Where it belongs.</summary>
+        /// <summary>Returns the expected pose.</summary>
         internal RigidTransform PlaceAt(in RigidTransform locked) => locked * (IsPart ? Locked.Mean : Marker.MarkerInBase);
 
-        /// <summary>Compares what was seen of it last with where it belongs.</summary>
+        /// <summary>Compares the newest sighting with the expected pose.</summary>
         internal void Compare(in RigidTransform locked)
         {
             Watch.Add(PlaceAt(locked), _pose, _taken.Value);
@@ -137,7 +137,7 @@ namespace Nowpose.Anchoring
             else if (Watch.IsWithin(metres, radians)) HasMoved = false;
         }
 
-        /// <summary>Forgets where it was seen.</summary>
+        /// <summary>Removes the sightings.</summary>
         internal void ForgetSeen()
         {
             _window.Clear();
@@ -145,15 +145,15 @@ namespace Nowpose.Anchoring
             _mean = null;
         }
 
-        /// <summary>Forgets what it was, and begins anew.</summary>
+        /// <summary>Resets the marker for a new search.</summary>
         internal void Restart()
         {
             ForgetSeen();
             IsPart = IsDoubted = HasMoved = false;
         }
 
-        /// <summary>A lock is made with it.</summary>
-        /// <param name="inBase">As it was seen, in the frame of the base.</param>
+        /// <summary>Makes the marker a part of the lock.</summary>
+        /// <param name="inBase">Its estimate in the frame of the base.</param>
         internal void Join(in MarkerEstimate inBase)
         {
             IsPart = true;
@@ -161,7 +161,7 @@ namespace Nowpose.Anchoring
             Watch.Clear();
         }
 
-        /// <summary>Other markers have shown that it is not where it was measured to be.</summary>
+        /// <summary>Excludes the marker because other markers contradict its measured pose.</summary>
         internal void Doubt()
         {
             IsPart = HasMoved = false;
@@ -169,7 +169,7 @@ namespace Nowpose.Anchoring
             Watch.Clear();
         }
 
-        /// <summary>Where it is, once that is known well enough. Allocates some kB.</summary>
+        /// <summary>Estimates the pose, if there are enough accurate sightings. Allocates a few kB.</summary>
         internal bool TryEstimate(PoseMeanSpace space, out MarkerEstimate estimate)
         {
             estimate = default;
@@ -192,7 +192,7 @@ namespace Nowpose.Anchoring
             var isOther = _id != null && sighting.Id != _id && IsFresh(now) && _pose.DistanceTo(sighting.Pose) > ApartMetres;
             if (isOther && belongs is RigidTransform place)
             {
-                // Of two prints the one at the robot goes on being watched.
+                // Of two prints with the same code, the one nearer to the expected position is monitored.
                 if (place.DistanceTo(sighting.Pose) >= place.DistanceTo(_pose)) return SightingFault.TwoPlaces;
                 ForgetSeen();
                 return SightingFault.None;

@@ -2,11 +2,11 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>L_app, sample after sample: control time of arrival minus control time of the sample, Eq. (2).</summary>
+    /// <summary>Statistics of L_app: control time of arrival minus control time of the sample, Eq. (2).</summary>
     /// <remarks>Schnierle &amp; Röck 2022, Eq. (2). Allocates nothing; not thread-safe.</remarks>
     sealed class ApplicationLatency
     {
-        /// <summary>Ten seconds of samples every 50 ms.</summary>
+        /// <summary>Window length in samples: ten seconds at one sample every 50 ms.</summary>
         const int Window = 200;
 
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
@@ -15,22 +15,22 @@ namespace Nowpose.Latency
         public long Count { get; private set; }
 
         /// <summary>
-        /// Samples that arrived before they were taken, as far as the clocks can tell. A few at the start are the clock's
-        /// error; more mean that a source does not stamp with the control clock.
+        /// Number of samples whose time stamp is later than their arrival. A few at the start come from the error of the clock
+        /// estimate; more mean that a source does not stamp with the control clock.
         /// </summary>
         public long NegativeCount { get; private set; }
 
-        /// <summary>L_app of the newest sample; negative when its stamp lies ahead of its arrival.</summary>
+        /// <summary>L_app of the newest sample; negative when its time stamp is later than its arrival.</summary>
         public TimeSpan Newest { get; private set; }
 
-        /// <summary>Median of the newest 200; null before the first.</summary>
+        /// <summary>Median of the newest 200 samples; null before the first sample.</summary>
         public TimeSpan? Median => Percentile(0.5);
 
-        /// <summary>Exceeded by one in twenty of the newest 200; null before the first.</summary>
+        /// <summary>95th percentile of the newest 200 samples; null before the first sample.</summary>
         public TimeSpan? Percentile95 => Percentile(0.95);
 
         /// <param name="arrival">Control time at which the sample reached the headset.</param>
-        /// <param name="taken">t_k.</param>
+        /// <param name="taken">Control time t_k of the sample.</param>
         public void Add(ControlTime arrival, ControlTime taken)
         {
             Newest = arrival - taken;
@@ -39,7 +39,7 @@ namespace Nowpose.Latency
             _recent.Add(Newest);
         }
 
-        /// <summary>Forgets the recent lengths, not the counts: a clock stepped.</summary>
+        /// <summary>Removes the recent values and keeps the counts. Call it after a clock step.</summary>
         public void Reset()
         {
             _recent.Reset();

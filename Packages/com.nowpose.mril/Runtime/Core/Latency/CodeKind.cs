@@ -1,12 +1,12 @@
 namespace Nowpose.Latency
 {
-    /// <summary>Who shows a code. The marks in its ring tell them apart, so that a picture's two codes are never mixed up.</summary>
+    /// <summary>The clock that a code shows. Marks in the ring distinguish the two codes of a picture.</summary>
     enum CodeKind
     {
-        /// <summary>The control system, by LEDs or by a monitor: C1(t_VLC) of Eq. (7).</summary>
+        /// <summary>Shown by the control system, on LEDs or on a monitor: C1(t_VLC) of Eq. (7).</summary>
         Control,
 
-        /// <summary>The headset, by a hologram: C2(t_MR) of Eq. (7), mapped to the control clock.</summary>
+        /// <summary>Shown by the headset as a hologram: C2(t_MR) of Eq. (7), mapped to the control clock.</summary>
         Headset,
     }
 }

@@ -27,7 +27,7 @@ namespace Nowpose.Latency
         /// <summary>Value on this device.</summary>
         public string Actual { get; }
 
-        /// <summary>Whether the profile must not be used: L_visu of another device or another rate says nothing about this one.</summary>
+        /// <summary>Whether the profile must not be used: L_visu depends on the device and on the refresh rate.</summary>
         public bool IsRefusal => Condition == DisplayCondition.Device || Condition == DisplayCondition.DisplayRate;
 
         /// <summary>One line: the condition, both values, and what to do.</summary>

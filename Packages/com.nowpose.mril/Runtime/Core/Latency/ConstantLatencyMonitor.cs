@@ -2,18 +2,18 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>Tells, frame after frame, whether the render time stands in the constant-latency range.</summary>
+    /// <summary>Detects, frame by frame, whether the render time is in the constant-latency range.</summary>
     /// <remarks>
-    /// Schnierle &amp; Röck 2022, Fig. 11b. Judges the median of the newest 15 frames, so that one slow frame is no alarm;
-    /// a load that is suddenly a tenth or more above the limit is found within 10 frames, one a little above it some frames later,
-    /// as single frames of it are below. Allocates nothing; not thread-safe.
+    /// Schnierle &amp; Röck 2022, Fig. 11b. Uses the median of the newest 15 frames, so that one slow frame changes nothing.
+    /// Detects a sudden load that is a tenth or more above the limit within 10 frames. A load slightly above the limit takes some
+    /// frames longer because single frames of it are below the limit. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class ConstantLatencyMonitor
     {
         const int Window = 15;
         const int FramesToJudge = 8;
 
-        /// <summary>Back inside only when it is clear: at the very limit the state would change with every frame.</summary>
+        /// <summary>Hysteresis: share of the limit below which the median must stay for <see cref="FramesToReturn"/> frames.</summary>
         const double ClearlyInside = 0.94;
         const int FramesToReturn = 30;
 
@@ -22,10 +22,10 @@ namespace Nowpose.Latency
         bool? _isBeyond;
         int _clearFrames;
 
-        /// <param name="range">As <see cref="Range"/>.</param>
+        /// <param name="range">Initial value of <see cref="Range"/>.</param>
         public ConstantLatencyMonitor(ConstantLatencyRange range) => _range = range;
 
-        /// <summary>Null when none is known: the state stays unknown then. Another one is judged by from the next frame on.</summary>
+        /// <summary>The range to monitor; null when no range is known, which keeps the state unknown. A change applies from the next frame.</summary>
         public ConstantLatencyRange Range
         {
             get => _range;
@@ -46,7 +46,7 @@ namespace Nowpose.Latency
             }
         }
 
-        /// <summary>Why <see cref="State"/> is unknown.</summary>
+        /// <summary>Reason why <see cref="State"/> is unknown.</summary>
         public RangeDoubt Doubt
         {
             get
@@ -59,15 +59,15 @@ namespace Nowpose.Latency
             }
         }
 
-        /// <summary>What the newest render time was measured with.</summary>
+        /// <summary>Source of the newest render time.</summary>
         public RenderTimeSourceKind Source { get; private set; }
 
-        /// <summary>The median that is judged; null while nothing measures.</summary>
+        /// <summary>Median that is compared with the limit; null before the first measurement.</summary>
         public TimeSpan? RenderTime => _recent.Count == 0 ? (TimeSpan?)null : _recent.At(0.5);
 
-        /// <summary>Takes the render time of one frame. Another source than the last frame's starts anew.</summary>
-        /// <param name="renderTime">Zero or less is no measurement and is ignored: drivers that do not measure report zero.</param>
-        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when nothing measures any more.</param>
+        /// <summary>Adds the render time of one frame. A change of the source restarts the window.</summary>
+        /// <param name="renderTime">Zero and negative values are ignored: drivers that do not measure report zero.</param>
+        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is not measured any more.</param>
         public void Add(TimeSpan renderTime, RenderTimeSourceKind source)
         {
             if (source != Source) StartAnew(source);

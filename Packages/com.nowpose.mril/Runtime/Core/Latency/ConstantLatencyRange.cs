@@ -2,14 +2,14 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>The render times up to which L_visu is constant, of one device. Immutable, checked once.</summary>
+    /// <summary>The render times of one device for which L_visu is constant. Immutable; validated by the constructor.</summary>
     /// <remarks>Schnierle &amp; Röck 2022, Fig. 11b.</remarks>
     public sealed class ConstantLatencyRange
     {
-        /// <param name="limitMs">The greatest render time with constant L_visu: 0.1 to 1000 ms.</param>
-        /// <param name="source">What the render time was measured with when the limit was found.</param>
-        /// <param name="isLimitReached">As <see cref="IsLimitReached"/>.</param>
-        /// <exception cref="InputException">Out of range, or no source.</exception>
+        /// <param name="limitMs">Maximum render time with constant L_visu: 0.1 to 1000 ms.</param>
+        /// <param name="source">Source of the render times with which the limit was found.</param>
+        /// <param name="isLimitReached">Value of <see cref="IsLimitReached"/>.</param>
+        /// <exception cref="InputException">The limit is out of range, or the source is missing.</exception>
         public ConstantLatencyRange(double limitMs, RenderTimeSourceKind source, bool isLimitReached = true)
         {
             IsLimitReached = isLimitReached;
@@ -24,7 +24,7 @@ namespace Nowpose.Latency
         public RenderTimeSourceKind Source { get; }
 
         /// <summary>
-        /// Whether L_visu is longer beyond the limit. Else no calibration went beyond it, and nobody knows what L_visu is there.
+        /// Whether L_visu is known to be longer beyond the limit. False when no calibration went beyond it: L_visu is unknown there.
         /// </summary>
         public bool IsLimitReached { get; }
     }

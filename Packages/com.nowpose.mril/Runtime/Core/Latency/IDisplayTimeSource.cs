@@ -1,15 +1,15 @@
 namespace Nowpose.Latency
 {
-    /// <summary>Tells for each frame when its light appears, as a headset's runtime may predict it.</summary>
+    /// <summary>Provides the display time of each frame, for example as predicted by a headset's runtime.</summary>
     /// <remarks>
-    /// The moment of light is the middle of the interval in which the frame is shown, as OpenXR's predicted display time is; whoever
-    /// has it on another clock, such as OpenXR's own or the performance counter, brings it to the headset clock.
+    /// The display time is the middle of the interval in which the frame is shown, like OpenXR's predicted display time. An
+    /// implementation converts times of other clocks, such as OpenXR's own or the performance counter, to the headset clock.
     /// </remarks>
     public interface IDisplayTimeSource
     {
-        /// <summary>When the light of a frame appears. Called once a frame, on its thread: quick, without allocating or throwing.</summary>
-        /// <param name="frameStart">When the frame began, never earlier than the one before.</param>
-        /// <returns>Null when it is not known for this frame.</returns>
+        /// <summary>Returns the display time of a frame. Called once per frame on its thread; must be fast and must not allocate or throw.</summary>
+        /// <param name="frameStart">Start of the frame, never earlier than that of the previous call.</param>
+        /// <returns>Null when the display time of this frame is not known.</returns>
         HeadsetTime? LightOf(HeadsetTime frameStart);
     }
 }

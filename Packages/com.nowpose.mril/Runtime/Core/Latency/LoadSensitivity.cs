@@ -6,14 +6,14 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Latency
 {
-    /// <summary>Whether the render time of a sweep moves with the load: where it does not, no limit may be taken from it.</summary>
+    /// <summary>Whether the render time of a sweep depends on the load. If it does not, the sweep yields no limit.</summary>
     /// <remarks>
-    /// Compares the lowest third of the loads with the highest, each way through the loads by itself; of several ways the least rise
-    /// counts. In a sweep that goes one way only, the drift that shows while a load stays is taken off. A tenth of the times may be outliers.
+    /// Compares the lowest third of the loads with the highest third, separately for each pass through the loads; the pass with the
+    /// smallest rise decides. With one direction only, subtracts the drift at constant load. Up to a tenth of the times may be outliers.
     /// </remarks>
     public sealed class LoadSensitivity
     {
-        /// <summary>Fewer render times of a load say nothing.</summary>
+        /// <summary>Minimum number of render times of a load; loads with fewer are ignored.</summary>
         const int FewestTimes = 15;
 
         LoadSensitivity(LoadSight sight, RenderTimeSourceKind source, string words)
@@ -25,13 +25,13 @@ namespace Nowpose.Latency
 
         internal LoadSight Sight { get; }
 
-        /// <summary>The source that most render times were measured with, of which this is said; times of others do not count.</summary>
+        /// <summary>The source of most render times, to which the result applies; times of other sources are ignored.</summary>
         public RenderTimeSourceKind Source { get; }
 
-        /// <summary>The verdict with its numbers and, unless load is seen, what to do: one line.</summary>
+        /// <summary>The result with its numbers and, unless the load is visible, the remedy, in one line.</summary>
         public string Words { get; }
 
-        /// <param name="rows">Of a whole sweep, in the order of their frames.</param>
+        /// <param name="rows">Rows of a whole sweep, in the order of their frames.</param>
         internal static LoadSensitivity Judge(IReadOnlyList<SweepRow> rows)
         {
             var source = SourceOf(rows);

@@ -1,15 +1,15 @@
 namespace Nowpose.Latency
 {
-    /// <summary>Which numbers are a measured render time, Δt_render: 0.001 to 1000 ms, wherever one is measured, logged or read.</summary>
-    /// <remarks>Drivers that do not measure report zero; a readback that waited out a pause reports seconds.</remarks>
+    /// <summary>Checks that a number is a measured render time Δt_render: 0.001 to 1000 ms, for measuring, logging and reading.</summary>
+    /// <remarks>Drivers that do not measure report zero; a readback that spans a pause reports seconds.</remarks>
     static class MeasuredRenderTime
     {
         const double LeastMs = 0.001, GreatestMs = 1000;
 
-        /// <param name="ms">Milliseconds; NaN is none.</param>
+        /// <param name="ms">Render time in ms; NaN is not a measured time.</param>
         public static bool Is(double ms) => ms >= LeastMs && ms <= GreatestMs;
 
-        /// <exception cref="InputException">Out of range, or not a number; named as the column of the files that have it.</exception>
+        /// <exception cref="InputException">Out of range, or not a number; the message uses the name of the column in files.</exception>
         internal static double RequireMs(double ms) => SettingRange.Require(ms, LeastMs, GreatestMs, "render_ms", "ms");
     }
 }

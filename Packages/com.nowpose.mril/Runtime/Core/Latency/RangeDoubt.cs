@@ -1,24 +1,24 @@
 namespace Nowpose.Latency
 {
-    /// <summary>Why a <see cref="RangeState"/> is unknown.</summary>
+    /// <summary>Reason why a <see cref="RangeState"/> is unknown.</summary>
     enum RangeDoubt
     {
-        /// <summary>It is known.</summary>
+        /// <summary>The state is known.</summary>
         None,
 
-        /// <summary>Neither settings nor calibration have a limit.</summary>
+        /// <summary>Neither the settings nor a calibration contain a limit.</summary>
         NoLimit,
 
-        /// <summary>Nothing measures the render time.</summary>
+        /// <summary>The render time is not measured.</summary>
         NoRenderTime,
 
-        /// <summary>Too few frames were measured with the present source.</summary>
+        /// <summary>Too few frames were measured with the current source.</summary>
         TooFewFrames,
 
-        /// <summary>The limit was found with another source of the render time, so it means nothing for this one.</summary>
+        /// <summary>The limit was found with another source of the render time and does not apply to this one.</summary>
         OtherSource,
 
-        /// <summary>The render time is beyond all that was calibrated, and no limit was found up to there.</summary>
+        /// <summary>The render time is beyond the calibrated range, and the calibration found no limit in it.</summary>
         BeyondMeasured,
     }
 }

@@ -2,11 +2,11 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>Decides which of several ways to measure the render time is in use.</summary>
+    /// <summary>Selects one of several render-time sources.</summary>
     /// <remarks>
-    /// What a device can measure shows only while it runs, and it may fall silent. A way is used from its thirtieth time on
-    /// while no better one has begun to give times, and given up after thirty frames without any; so the choice does not go
-    /// back and forth, which would start the judgement of the range anew each time. Allocates nothing once made; one thread.
+    /// Only a running application shows which sources a device supports, and a source may stop. A source is selected after its 30th
+    /// time if no better source has started to deliver times, and dropped after 30 frames without a time. This keeps the selection
+    /// from alternating, which would restart the range monitor each time. Allocates nothing after construction; single-threaded.
     /// </remarks>
     sealed class RenderTimeChoice
     {
@@ -17,28 +17,28 @@ namespace Nowpose.Latency
         readonly Candidate[] _candidates;
         int _inUse = None;
 
-        /// <param name="bestFirst">What each way measures.</param>
+        /// <param name="bestFirst">Kinds of the sources, in descending order of preference.</param>
         public RenderTimeChoice(params RenderTimeSourceKind[] bestFirst)
         {
             _candidates = new Candidate[bestFirst.Length];
             for (var i = 0; i < bestFirst.Length; i++) _candidates[i].Kind = bestFirst[i];
         }
 
-        /// <summary>What is in use; <see cref="RenderTimeSourceKind.None"/> before the first is trusted and after the last fell silent.</summary>
+        /// <summary>The selected source; <see cref="RenderTimeSourceKind.None"/> before the first selection and after a drop.</summary>
         public RenderTimeSourceKind Source => _inUse == None ? RenderTimeSourceKind.None : _candidates[_inUse].Kind;
 
-        /// <summary>The render time that the way in use gave in the frame that ended last; null when it gave none.</summary>
+        /// <summary>Render time that the selected source delivered in the last ended frame; null when it delivered none.</summary>
         public TimeSpan? RenderTime { get; private set; }
 
-        /// <summary>A render time that became known in this frame; of several by the same way the last counts.</summary>
-        /// <param name="candidate">Index of the way among those of the constructor.</param>
-        /// <param name="renderTime">Zero or less says nothing: so do drivers that do not measure.</param>
+        /// <summary>Reports a render time that became known in this frame. If one source reports several, the last one is used.</summary>
+        /// <param name="candidate">Index of the source in the constructor's list.</param>
+        /// <param name="renderTime">Zero and negative values are ignored: drivers that do not measure report zero.</param>
         public void Report(int candidate, TimeSpan renderTime)
         {
             if (renderTime > TimeSpan.Zero) _candidates[candidate].Newest = renderTime;
         }
 
-        /// <summary>All times of this frame were reported.</summary>
+        /// <summary>Ends the frame after all its times were reported.</summary>
         /// <returns>Whether <see cref="Source"/> has changed.</returns>
         public bool EndFrame()
         {
@@ -52,7 +52,7 @@ namespace Nowpose.Latency
             return Source != before;
         }
 
-        // One that has just begun keeps worse ones from being chosen, but not the one in use.
+        // A source that has just started prevents the selection of worse ones but does not replace the selected one.
         int FirstThatGivesTimes()
         {
             var end = _inUse == None ? _candidates.Length : _inUse;

@@ -1,21 +1,21 @@
 namespace Nowpose.Latency
 {
-    /// <summary>What a render time was measured with. Times of different sources must not be compared.</summary>
+    /// <summary>Source of a render time. Times of different sources are not comparable.</summary>
     public enum RenderTimeSourceKind
     {
-        /// <summary>Nothing measures.</summary>
+        /// <summary>The render time is not measured.</summary>
         None,
 
-        /// <summary>Time the GPU worked on the frame, as the headset's runtime reports it.</summary>
+        /// <summary>GPU time of the frame as reported by the headset's runtime.</summary>
         DisplayGpuTime,
 
-        /// <summary>The same as the engine reports it: it need not count the same work.</summary>
+        /// <summary>GPU time of the frame as reported by the engine, which may include different work.</summary>
         EngineGpuTime,
 
-        /// <summary>From the trigger of the render job until the program learns that the GPU has finished it.</summary>
+        /// <summary>Time from the trigger of the render job until the application detects that the GPU has finished it.</summary>
         GpuCompletion,
 
-        /// <summary>Time the processor spent on the camera: unverified, for it does not see how long the GPU takes.</summary>
+        /// <summary>CPU time of the camera. Unverified: it does not include the time of the GPU.</summary>
         CameraCpu,
     }
 }

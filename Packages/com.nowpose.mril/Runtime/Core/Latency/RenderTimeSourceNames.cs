@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>What render-time sources are called in files.</summary>
+    /// <summary>Names of render-time sources in files.</summary>
     static class RenderTimeSourceNames
     {
         static readonly string[] Names = { "", "display_gpu_time", "engine_gpu_time", "gpu_completion", "camera_cpu" };
@@ -18,7 +18,7 @@ namespace Nowpose.Latency
             return index >= 0;
         }
 
-        /// <summary>The names that may be written, for messages.</summary>
+        /// <summary>All names except the empty one, separated by commas, for messages.</summary>
         public static string All => string.Join(", ", Names, 1, Names.Length - 1);
     }
 }

@@ -1,9 +1,9 @@
 namespace Nowpose.Latency
 {
-    /// <summary>How the display shifts a finished frame to the newest head pose (late-stage reprojection).</summary>
+    /// <summary>Method by which the display shifts a finished frame to the newest head pose (late-stage reprojection).</summary>
     public enum ReprojectionMode
     {
-        /// <summary>Nothing reports the mode.</summary>
+        /// <summary>The mode is not reported.</summary>
         Unknown = 0,
 
         /// <summary>The frame is shown as it was rendered.</summary>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>Percentiles of the newest few lengths. Allocates nothing after construction; not thread-safe.</summary>
+    /// <summary>Percentiles of the newest time spans. Allocates nothing after construction; not thread-safe.</summary>
     sealed class RollingPercentiles
     {
         readonly long[] _byAge;
@@ -10,7 +10,7 @@ namespace Nowpose.Latency
         int _count;
         int _next;
 
-        /// <param name="window">How many lengths are remembered, 1 or more.</param>
+        /// <param name="window">Maximum number of stored values, 1 or more.</param>
         public RollingPercentiles(int window)
         {
             if (window < 1) throw new ArgumentOutOfRangeException(nameof(window), window, "window must be 1 or more");
@@ -18,7 +18,7 @@ namespace Nowpose.Latency
             _sorted = new long[window];
         }
 
-        /// <summary>Lengths remembered.</summary>
+        /// <summary>Number of stored values.</summary>
         public int Count => _count;
 
         public void Add(TimeSpan length)
@@ -29,9 +29,9 @@ namespace Nowpose.Latency
             _next = (_next + 1) % _byAge.Length;
         }
 
-        /// <summary>The length below which a fraction of the remembered ones lie, interpolated between neighbours.</summary>
-        /// <param name="fraction">0 (least) to 1 (greatest).</param>
-        /// <exception cref="InvalidOperationException">Nothing is remembered yet.</exception>
+        /// <summary>Returns the quantile of the stored values, interpolated linearly between neighbours.</summary>
+        /// <param name="fraction">0 (minimum) to 1 (maximum).</param>
+        /// <exception cref="InvalidOperationException">No value is stored yet.</exception>
         public TimeSpan At(double fraction)
         {
             if (_count == 0) throw new InvalidOperationException("no length was added yet; check Count first");

@@ -2,8 +2,8 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>L_visu: render job triggered to light, the part of L = L_app + L_visu (Eq. (1)) that no program can see.</summary>
-    /// <remarks>Calibrated, and valid while the render time stays in the constant-latency range. <c>default</c> is zero.</remarks>
+    /// <summary>L_visu: trigger of the render job to display time, the part of L = L_app + L_visu (Eq. (1)) that software cannot measure.</summary>
+    /// <remarks>A calibrated value, valid while the render time is in the constant-latency range. <c>default</c> is zero.</remarks>
     public readonly struct VisualisationLatency
     {
         const double GreatestMs = 500;
@@ -24,10 +24,10 @@ namespace Nowpose.Latency
 
         public TimeSpan Length { get; }
 
-        /// <summary>When the light of a frame begun now appears, on the headset clock.</summary>
+        /// <summary>Returns the display time of a frame that begins at <paramref name="frameStart"/>.</summary>
         public HeadsetTime LightOf(HeadsetTime frameStart) => frameStart + Length;
 
-        /// <summary>L of Eq. (1).</summary>
+        /// <summary>Returns the end-to-end latency L of Eq. (1).</summary>
         public TimeSpan EndToEnd(TimeSpan application) => application + Length;
     }
 }

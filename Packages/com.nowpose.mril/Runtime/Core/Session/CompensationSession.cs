@@ -13,12 +13,12 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>The headset runtime: synchronises the clock, measures how late samples are, and shows the robot at the moment of light.</summary>
+    /// <summary>Headset runtime: synchronises the clock, measures the latency of samples, and shows the robot's pose at the display time.</summary>
     /// <remarks>
-    /// The method of Schnierle &amp; Röck 2022. The same object runs in Unity, in the command line and in tests: it never
-    /// reads a clock in <see cref="Tick"/> and needs no network for it. <see cref="Tick"/>, <see cref="Connect"/>,
-    /// <see cref="Disconnect"/> and <see cref="Dispose"/> belong to one thread, the frame's; everything else may be called
-    /// from any. It never commands the robot.
+    /// The method of Schnierle &amp; Röck 2022. The same class runs in Unity, in the command line and in tests: <see cref="Tick"/> reads
+    /// no clock and needs no network. Call <see cref="Tick"/>, <see cref="Connect"/>, <see cref="Disconnect"/> and
+    /// <see cref="Dispose"/> on one thread, the frame's; all other members are thread-safe unless stated otherwise. The session never
+    /// commands the robot.
     /// </remarks>
     public sealed class CompensationSession : IDisposable
     {
@@ -46,14 +46,14 @@ namespace Nowpose.Session
         bool _wasKnown;
         int _steps;
 
-        /// <param name="robot">Its moving joints are matched with the samples' names.</param>
-        /// <param name="clock">Stamps what the network threads receive.</param>
+        /// <param name="robot">Robot whose moving joints are matched with the names in the samples.</param>
+        /// <param name="clock">Clock for time stamps of received messages.</param>
         public CompensationSession(SessionSettings settings, RobotModel robot, IHeadsetClock clock)
             : this(settings, robot, clock, WebSocketLinks.Create)
         {
         }
 
-        /// <param name="newLink">Makes the WebSocket of each attempt to connect.</param>
+        /// <param name="newLink">Creates the WebSocket for each connection attempt.</param>
         internal CompensationSession(
             SessionSettings settings, RobotModel robot, IHeadsetClock clock, Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink)
         {
@@ -78,82 +78,82 @@ namespace Nowpose.Session
 
         public RobotModel Robot { get; }
 
-        /// <summary>Takes what arrives over the network, and what takes its place in simulations. Any thread.</summary>
+        /// <summary>Receives messages from the network or from a simulation. Any thread.</summary>
         internal IRosbridgeListener Listener { get; }
 
-        /// <summary>The messages on their way into a frame.</summary>
+        /// <summary>Queues of messages for the next frame.</summary>
         internal SessionIntake Intake { get; }
 
         public SessionSettings Settings => _settings;
 
-        /// <summary>URDF text of the robot as the gateway describes it, the newest that could be read; null before. Any thread.</summary>
+        /// <summary>URDF text of the robot from the gateway, the newest valid one; null before. Any thread.</summary>
         public string RobotDescription => _description.Text;
 
-        /// <summary>The robot that <see cref="RobotDescription"/> describes, read already; null before. Any thread.</summary>
+        /// <summary>Robot model of <see cref="RobotDescription"/>; null before. Any thread.</summary>
         public RobotModel DescribedRobot => _description.Model;
 
         /// <summary>Whether <see cref="Robot"/> was read from the same text. Any thread.</summary>
         internal RobotDescriptionMatch RobotDescriptionMatch => _description.Match;
 
-        /// <summary>Why the newest description could not be read, in one line; null when it could, or there is none. Any thread.</summary>
+        /// <summary>Reason why the newest description could not be read, in one line; null without an error or description. Any thread.</summary>
         public string RobotDescriptionFault => _descriptionFault;
 
         /// <summary>
-        /// Joints whose samples were outside the robot's limits, so that they are drawn elsewhere than they are; in the order in which they
-        /// were found, each once. On the thread of <see cref="Tick"/>.
+        /// Joints with samples outside the robot's limits, which are therefore drawn in another position, in the order of detection, each
+        /// once. On the thread of <see cref="Tick"/>.
         /// </summary>
         public IReadOnlyList<JointBeyondLimits> BeyondLimits => _tracks.Limits.Found;
 
-        /// <summary>Takes sync exchanges; the network feeds it, and so may a test. A frame follows it without going back.</summary>
+        /// <summary>Clock synchroniser, fed by the network or a test. Frames follow it without going back in time.</summary>
         internal ClockSynchroniser Clock => _synchroniser;
 
         /// <summary>
-        /// All samples are forgotten, for the clock stepped or became known; raised within <see cref="Tick"/>, before it takes
-        /// others.
+        /// Raised when all samples are removed because the clock stepped or became known; within <see cref="Tick"/>, before new samples are
+        /// processed.
         /// </summary>
         public event Action<HeadsetTime, ClockModel> StartedAnew;
 
-        /// <summary>A frame as it was computed; raised at the end of each <see cref="Tick"/>.</summary>
+        /// <summary>Provides the computed frame; raised at the end of each <see cref="Tick"/>.</summary>
         /// <remarks>
-        /// A handler must be quick, must not throw, and must not call methods of the session but <see cref="Fill"/>; properties may be read.
+        /// A handler must be fast, must not throw, and must not call methods of the session except <see cref="Fill"/>; it may read properties.
         /// </remarks>
         public event Action<DisplayFrame> Ticked;
 
-        /// <summary>As of <see cref="HindcastMonitor.ToolJudged"/>; raised within <see cref="Tick"/>.</summary>
+        /// <summary>Forwards <see cref="HindcastMonitor.ToolJudged"/>; raised within <see cref="Tick"/>.</summary>
         internal event Action<ControlTime, PoseState, ErrorSample> ToolJudged
         {
             add => _hindcast.ToolJudged += value;
             remove => _hindcast.ToolJudged -= value;
         }
 
-        /// <summary>What was dropped, by reason.</summary>
+        /// <summary>Counts of dropped messages by reason.</summary>
         internal DropCounters Drops => Intake.Drops;
 
-        /// <summary>Sync exchanges that were dropped, by reason.</summary>
+        /// <summary>Counts of dropped sync exchanges by reason.</summary>
         internal SyncFaultCounters SyncFaults { get; } = new SyncFaultCounters();
 
-        /// <summary>L_visu as calibrated. May change while the session runs; setting it says that it comes from no profile.</summary>
+        /// <summary>Calibrated L_visu. May change while the session runs; setting it clears <see cref="Profile"/>.</summary>
         public VisualisationLatency Visualisation
         {
             get { lock (_gate) return _light.Calibrated; }
             set { lock (_gate) _light.Calibrated = value; }
         }
 
-        /// <summary>What <see cref="Visualisation"/> comes from; null when it was told as a number. Any thread.</summary>
+        /// <summary>Profile of <see cref="Visualisation"/>; null when the value was set as a number. Any thread.</summary>
         public LatencyProfile Profile
         {
             get { lock (_gate) return _light.Profile; }
         }
 
-        /// <summary>What render times are judged by: the profile's range, or else the settings'; null where neither knows one. Any thread.</summary>
+        /// <summary>Range for render times: that of the profile, or else that of the settings; null when neither has one. Any thread.</summary>
         public ConstantLatencyRange Range
         {
             get { lock (_gate) return _monitor.Range; }
         }
 
         /// <summary>
-        /// Tells when light appears, frame by frame, and is believed before <see cref="Visualisation"/>; null for none. Asked within
-        /// <see cref="Tick"/>; must not call back into the session. Any thread may set it.
+        /// Source of display times, used instead of <see cref="Visualisation"/> while it provides one; null for none. Called within
+        /// <see cref="Tick"/>; must not call the session. May be set on any thread.
         /// </summary>
         public IDisplayTimeSource DisplayTimeSource
         {
@@ -161,14 +161,14 @@ namespace Nowpose.Session
             set { lock (_gate) _light.Source = value; }
         }
 
-        /// <summary>Whether the light of the newest frame is as <see cref="DisplayTimeSource"/> told; else as calibrated. Any thread.</summary>
+        /// <summary>Whether the newest frame's display time comes from <see cref="DisplayTimeSource"/>, not the calibration. Any thread.</summary>
         public bool IsLightPredicted
         {
             get { lock (_gate) return _light.IsPredicted; }
         }
 
         /// <summary>
-        /// Newest answer of <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null while there is none. Any thread.
+        /// Newest display time from <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null without one. Any thread.
         /// </summary>
         public TimeSpan? DisplayTimeAhead
         {
@@ -176,7 +176,7 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// How the display corrects frames for head motion, as reported from outside; it does not change what a frame
+        /// Reprojection mode of the display, as reported from outside; it does not change what a frame
         /// shows. Any thread.
         /// </summary>
         public ReprojectionMode Reprojection
@@ -186,8 +186,8 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// Conditions that change L_visu. Set to those that the device reports; read with <see cref="Reprojection"/> and the settings' second
-        /// computation before rendering. They do not change what a frame shows. Any thread.
+        /// Conditions that affect L_visu. Set the conditions that the device reports; the value read also includes <see cref="Reprojection"/> and
+        /// <see cref="SessionSettings.RewriteBeforeRender"/>. They do not change what a frame shows. Any thread.
         /// </summary>
         internal DisplayConditions Conditions
         {
@@ -195,7 +195,7 @@ namespace Nowpose.Session
             set { lock (_gate) _conditions.Report(value); }
         }
 
-        /// <summary>Conditions in which <see cref="Profile"/> was measured and that are different now; empty for none. Any thread.</summary>
+        /// <summary>Conditions that differ from those at the measurement of <see cref="Profile"/>; empty for none. Any thread.</summary>
         public IReadOnlyList<ConditionMismatch> ProfileMismatches
         {
             get { lock (_gate) return _conditions.MismatchesOf(_light.Profile); }
@@ -208,38 +208,38 @@ namespace Nowpose.Session
             set { lock (_gate) _depth = value; }
         }
 
-        /// <summary>Δt_render as <see cref="Rendered"/> was told it last; null while nothing measures.</summary>
+        /// <summary>Δt_render of the newest call of <see cref="Rendered"/>; null when the render time is not measured.</summary>
         public TimeSpan? NewestRenderTime { get; private set; }
 
-        /// <summary>Completes when the connections that were ended are gone, sockets, threads and all; nobody has to wait for it.</summary>
+        /// <summary>Completes when the ended connections have released all resources, also sockets and threads; waiting is optional.</summary>
         public Task Ended => _connections.Ended;
 
-        /// <summary>Where the connection of the clock sync stands, or the exchanges of ROS's time. Any thread.</summary>
+        /// <summary>Status of the clock sync connection, or of the exchanges with ROS time. Any thread.</summary>
         public LinkStatus SyncLink => _connections.SyncLink;
 
-        /// <summary>Where the connection of the joint positions stands. Any thread.</summary>
+        /// <summary>Status of the connection for joint positions. Any thread.</summary>
         public LinkStatus SampleLink => _connections.SampleLink;
 
         /// <summary>
-        /// Starts the connections, both or, by ROS's time, one; they come up, and come back, by themselves. Does nothing while connected.
+        /// Starts the connections: two, or one with ROS time. They connect and reconnect automatically. Does nothing while connected.
         /// </summary>
-        /// <remarks>Neither this nor <see cref="Disconnect"/> nor <see cref="Dispose"/> waits for the network.</remarks>
+        /// <remarks>This method, <see cref="Disconnect"/> and <see cref="Dispose"/> do not wait for the network.</remarks>
         public void Connect() => _connections.Connect();
 
         /// <summary>
-        /// Ends the connections; returns at once. What is known stays: the pose is held, the clock goes into holdover.
+        /// Ends the connections and returns at once. The state is kept: the pose is held, and the clock goes into holdover.
         /// </summary>
         public void Disconnect() => _connections.Disconnect();
 
         public void Dispose() => _connections.Dispose();
 
-        /// <summary>Computes what a frame displays. Allocates nothing once warm.</summary>
-        /// <param name="start">Headset time at which the frame begins.</param>
+        /// <summary>Computes the frame to display. Allocates nothing after the first calls.</summary>
+        /// <param name="start">Headset time of the frame's start.</param>
         /// <param name="isLast">
-        /// False where the frame is computed once more before it is rendered, as with <see cref="SessionSettings.RewriteBeforeRender"/>.
-        /// L_visu is calibrated from the last one, so only there are predicted display times compared with it.
+        /// False if the frame is computed again before it is rendered, see <see cref="SessionSettings.RewriteBeforeRender"/>.
+        /// L_visu is calibrated from the last computation, so predicted display times are compared with it only there.
         /// </param>
-        /// <returns>The session's own frame, overwritten by the next tick.</returns>
+        /// <returns>The session's own frame, which the next tick overwrites.</returns>
         public DisplayFrame Tick(HeadsetTime start, bool isLast = true)
         {
             lock (_gate)
@@ -260,12 +260,12 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// Takes what a calibration found, from the next frame on: L_visu, and the range that render times are judged by. The
-        /// session goes on. Whether the profile is of this device is for the caller to ask. Any thread.
+        /// Applies a calibration from the next frame on: L_visu, and the range for render times. The session continues. The caller checks
+        /// that the profile is for this device. Any thread.
         /// </summary>
         /// <param name="profile">
-        /// Null goes back to what the settings say; their range also counts where the profile knows none, for what limits the render
-        /// time has nothing to do with how L_visu was found.
+        /// Null restores the values of the settings. The range of the settings is also used if the profile has none, because the limit of
+        /// the render time does not depend on how L_visu was measured.
         /// </param>
         public void Calibrate(LatencyProfile profile)
         {
@@ -276,9 +276,9 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>How long the render job of a frame took: tells whether L_visu is the calibrated one. Once a frame; any thread.</summary>
-        /// <param name="renderTime">Δt_render. Zero or less is no measurement and is ignored.</param>
-        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when nothing measures any more.</param>
+        /// <summary>Reports the render time of a frame, which shows whether L_visu has its calibrated value. Once per frame; any thread.</summary>
+        /// <param name="renderTime">Δt_render. Zero and negative values are not measurements and are ignored.</param>
+        /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is not measured any more.</param>
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
         {
             lock (_gate)
@@ -288,11 +288,11 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>A robot description; read here, which takes its time. Any thread.</summary>
+        /// <summary>Reads a received robot description, which may take some time. Any thread.</summary>
         public void Described(string urdf)
         {
             string fault = null;
-            // The same again after each reconnection.
+            // The gateway sends the same description after each reconnection.
             if (urdf != _description.Text)
             {
                 if (ReceivedDescription.TryRead(urdf, Robot, out var description, out fault)) _description = description;
@@ -301,14 +301,14 @@ namespace Nowpose.Session
             _descriptionFault = fault;
         }
 
-        /// <summary>Begins a new run for <see cref="SessionStatistics.ToolErrorOfRun"/>, with the next frame. Any thread.</summary>
+        /// <summary>Starts a new run of <see cref="SessionStatistics.ToolErrorOfRun"/> with the next frame. Any thread.</summary>
         public void RestartErrorRun()
         {
             lock (_gate) _hindcast.RestartRun();
         }
 
-        /// <summary>A snapshot for panels and reports; allocates. Any thread.</summary>
-        /// <param name="now">Headset time for the clock's offset and bound.</param>
+        /// <summary>Returns a snapshot for panels and reports; allocates. Any thread.</summary>
+        /// <param name="now">Headset time at which the clock's offset and error bound are evaluated.</param>
         public SessionStatistics Statistics(HeadsetTime now)
         {
             var statistics = new SessionStatistics();
@@ -316,8 +316,8 @@ namespace Nowpose.Session
             return statistics;
         }
 
-        /// <summary>The same snapshot into an object that is used again and again: allocates nothing. Any thread.</summary>
-        /// <param name="now">Headset time for the clock's offset and bound.</param>
+        /// <summary>Writes the same snapshot into a reusable object; allocates nothing. Any thread.</summary>
+        /// <param name="now">Headset time at which the clock's offset and error bound are evaluated.</param>
         public void Fill(SessionStatistics into, HeadsetTime now)
         {
             lock (_gate)
@@ -339,8 +339,8 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// What the newest frame shows, stamped with its moment of light; null while that is not known, a joint of the arm is missing,
-        /// or the frame was told already. Any thread: a frame does nothing for it.
+        /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown, when a joint of the
+        /// arm is missing, or when this frame was already returned. Any thread; it causes no work in a frame.
         /// </summary>
         public JointStateMessage Displayed()
         {
@@ -353,8 +353,8 @@ namespace Nowpose.Session
             }
         }
 
-        // Stamps from before a step belong to another time line, and stamps from before the first exchange were never
-        // checked: one from the future would hold the display for as long.
+        // Time stamps from before a step belong to another time line, and those from before the first exchange were not validated: one
+        // from the future would hold the pose until that time.
         void ForgetWhatAnotherClockStamped(HeadsetTime now, in ClockModel clock)
         {
             if (_steps == clock.Steps && _wasKnown == clock.IsKnown) return;

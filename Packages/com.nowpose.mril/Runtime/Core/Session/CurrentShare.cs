@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session
 {
-    /// <summary>Share of the frames of the newest ten seconds in which the pose was current. Allocates nothing once made.</summary>
+    /// <summary>Share of the frames in the newest ten seconds with a current pose. Allocates nothing after construction.</summary>
     /// <remarks>Counts whole seconds of the headset clock, so the window covers nine to ten seconds.</remarks>
     sealed class CurrentShare
     {

@@ -7,7 +7,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Session
 {
-    /// <summary>What one frame displays. The session owns it and overwrites it at the next tick: read it at once, or copy.</summary>
+    /// <summary>Data of one displayed frame. The session owns the object and overwrites it at the next tick: read it at once, or copy it.</summary>
     public sealed class DisplayFrame
     {
         readonly JointTracks _tracks;
@@ -26,46 +26,46 @@ namespace Nowpose.Session
             _armJoints = ArmJointsOf(robot, _toolLink);
         }
 
-        /// <summary>When the frame began, on the headset clock.</summary>
+        /// <summary>Start of the frame on the headset clock.</summary>
         public HeadsetTime Start { get; private set; }
 
-        /// <summary>The moment of light on the control clock, to which joints are predicted; null while the clock is unsynchronised.</summary>
+        /// <summary>Display time on the control clock, to which joints are predicted; null while the clock is unsynchronised.</summary>
         public ControlTime? DisplayTime { get; private set; }
 
         /// <summary>Display time minus the newest sample's time; null while either is unknown.</summary>
         public TimeSpan? Horizon { get; private set; }
 
-        /// <summary>Whether the display time is known well enough to show a pose as the present one.</summary>
+        /// <summary>Whether the display time is accurate enough to show a pose as current.</summary>
         public bool IsTimeTrusted { get; private set; }
 
-        /// <summary>How well the headset clock is tied to the control clock in this frame.</summary>
+        /// <summary>State of the clock synchronisation in this frame.</summary>
         public ClockState ClockState { get; private set; }
 
         /// <summary>
-        /// Estimated limit of the error of <see cref="DisplayTime"/> that comes from the clock, both ways, see
-        /// <see cref="ClockModel.EstimatedError"/>; zero while the clock is unsynchronised. Show it where
-        /// <see cref="Sync.ClockSettings.IsCoarse"/>.
+        /// Estimated error of <see cref="DisplayTime"/> due to the clock, in both directions, see
+        /// <see cref="ClockModel.EstimatedError"/>; zero while the clock is unsynchronised. Show it when
+        /// <see cref="Sync.ClockSettings.IsCoarse"/> returns true.
         /// </summary>
         public TimeSpan ClockError { get; private set; }
 
         public PoseState State { get; private set; }
 
-        /// <summary>Whether the render time of the frames before lets the moment of light be known.</summary>
+        /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
         public RangeState Range { get; private set; }
 
-        /// <summary>What is shown while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
+        /// <summary>Display of the robot while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
         public OutsideRangeResponse OutsideRange { get; }
 
-        /// <summary>Whether the runtime's display times and the calibration contradict each other, see <see cref="DisplayTimeCheck"/>.</summary>
+        /// <summary>Whether the runtime's display times contradict the calibration, see <see cref="DisplayTimeCheck"/>.</summary>
         public bool IsDisplayTimeDoubted { get; private set; }
 
         /// <summary>Whether the runtime's display times have been implausible for a second, see <see cref="SessionChange"/>.</summary>
         public bool IsDisplayTimeImplausible { get; internal set; }
 
-        /// <summary>Displayed joint positions, one per moving joint of the robot in its order, rad or m, mimic joints completed.</summary>
+        /// <summary>Displayed joint positions, one per moving joint in the robot's order, rad or m, including mimic joints.</summary>
         public ReadOnlySpan<double> Joints => _tracks.Positions;
 
-        /// <summary>How each of <see cref="Joints"/> was made.</summary>
+        /// <summary>Method by which each position of <see cref="Joints"/> was computed.</summary>
         public ReadOnlySpan<PredictionKind> Kinds => _tracks.Kinds;
 
         /// <summary>Joint positions that a headset without compensation would show: the newest samples.</summary>
@@ -74,7 +74,7 @@ namespace Nowpose.Session
         /// <summary>Poses of all links in the robot's base frame, right-handed, metres, in the order of the robot's links.</summary>
         public ReadOnlySpan<RigidTransform> LinkPoses => _linkPoses;
 
-        /// <summary>Pose of the tool centre point, or of the flange where the robot has no tool, in the robot's base frame.</summary>
+        /// <summary>Pose of the tool centre point, or of the flange if the robot has no tool, in the robot's base frame.</summary>
         public ref readonly RigidTransform ToolPose => ref _linkPoses[_toolLink];
 
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
@@ -94,7 +94,7 @@ namespace Nowpose.Session
             else _tracks.Hold();
             Horizon = displayTime - _tracks.Newest;
             State = JudgeState(isJointReportedMissing);
-            // After it was judged whether the samples would do: a pose that is held by choice is not stale.
+            // After the state is determined: a pose that is held on purpose is not stale.
             if (State == PoseState.OutsideRange && OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();
             _kinematics.Compute(_tracks.Positions, _linkPoses);
         }
@@ -113,7 +113,7 @@ namespace Nowpose.Session
             return Range == RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
         }
 
-        // A gripper that reports only when it moves must not make the arm look stale.
+        // Only joints of the arm count: a gripper that reports only its motion must not make the arm stale.
         static int[] ArmJointsOf(RobotModel robot, int toolLink)
         {
             var joints = new List<int>();

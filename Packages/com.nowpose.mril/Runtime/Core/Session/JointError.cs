@@ -9,10 +9,10 @@ namespace Nowpose.Session
             Error = error;
         }
 
-        /// <summary>Its name in the URDF.</summary>
+        /// <summary>Name of the joint in the URDF.</summary>
         public string Joint { get; }
 
-        /// <summary>In rad, or m for a prismatic joint; null while unknown.</summary>
+        /// <summary>Error in rad, or in m for a prismatic joint; null while unknown.</summary>
         public DisplayedError? Error { get; }
     }
 }

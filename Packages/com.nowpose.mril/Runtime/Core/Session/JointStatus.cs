@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>A joint whose samples do not arrive, with the state that the gateway reports or that the session sees by itself.</summary>
+    /// <summary>A joint whose samples do not arrive, with the state that the gateway reports or that the session detects.</summary>
     public readonly struct JointStatus
     {
         public JointStatus(string joint, JointDataState state, ControlTime? since, TimeSpan? age, string reason)
@@ -21,13 +21,13 @@ namespace Nowpose.Session
 
         public JointDataState State { get; }
 
-        /// <summary>When <see cref="State"/> began; null while unknown.</summary>
+        /// <summary>Start of <see cref="State"/>; null while unknown.</summary>
         public ControlTime? Since { get; }
 
         /// <summary>Time since <see cref="Since"/> at the snapshot, not negative; null while unknown.</summary>
         public TimeSpan? Age { get; }
 
-        /// <summary>Why, in one line; empty while unknown.</summary>
+        /// <summary>Reason in one line; empty while unknown.</summary>
         public string Reason { get; }
 
         /// <summary>Whether the joint has no data, so that it is not shown as current. False for a joint that is assumed at rest.</summary>
@@ -36,12 +36,12 @@ namespace Nowpose.Session
         /// <summary>State, age and reason in one line, such as "no data since 4 s: node deleted"; allocates.</summary>
         public string Description => DescriptionSince(Age.HasValue ? TextOf(Age.Value) : null);
 
-        /// <summary>The same with a time of the caller's, such as "no data since 14:03:12: node deleted"; allocates.</summary>
-        /// <param name="since">Null for none.</param>
+        /// <summary>The same with a time in the caller's format, such as "no data since 14:03:12: node deleted"; allocates.</summary>
+        /// <param name="since">Text of the time; null for none.</param>
         public string DescriptionSince(string since) =>
             WordsOf(State) + (since == null ? "" : " since " + since) + (string.IsNullOrEmpty(Reason) ? "" : ": " + Reason);
 
-        /// <summary>A length in whole seconds, minutes or hours.</summary>
+        /// <summary>Formats a duration in whole seconds, minutes or hours.</summary>
         static string TextOf(TimeSpan length)
         {
             if (length.TotalSeconds < 120) return Text(length.TotalSeconds) + " s";

@@ -4,10 +4,10 @@ using System.Text;
 
 namespace Nowpose.Session
 {
-    /// <summary>Describes several joints in one line; neighbours with the same description are named together.</summary>
+    /// <summary>Describes several joints in one line; groups neighbours with the same description.</summary>
     static class JointStatusText
     {
-        /// <summary>Returns for instance "joint a1: assumed at rest since 9 s; joints a3, a4: no data since 4 s"; empty for no joints.</summary>
+        /// <summary>Returns for example "joint a1: assumed at rest since 9 s; joints a3, a4: no data since 4 s"; empty for no joints.</summary>
         /// <param name="describe">Describes one joint without its name; null for <see cref="JointStatus.Description"/>.</param>
         public static string Of(IEnumerable<JointStatus> joints, Func<JointStatus, string> describe = null)
         {

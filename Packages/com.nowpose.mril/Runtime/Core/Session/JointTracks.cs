@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>One predictor per moving joint, fed with messages that may each carry only some of them. One thread.</summary>
+    /// <summary>Predictors of all moving joints, fed with messages that may each contain only some of the joints. Single-threaded.</summary>
     sealed class JointTracks
     {
         readonly RobotModel _robot;
@@ -35,36 +35,36 @@ namespace Nowpose.Session
             _limits = new LimitWatch(robot);
         }
 
-        /// <summary>Joints whose samples are where their limits do not let them be: their positions are drawn at the limit.</summary>
+        /// <summary>Joints with samples outside their limits; their positions are drawn at the limit.</summary>
         public LimitWatch Limits => _limits;
 
         /// <summary>Positions at the last <see cref="Predict"/>, one per moving joint, rad or m.</summary>
         public ReadOnlySpan<double> Positions => _positions;
 
-        /// <summary>The newest samples at the last <see cref="Predict"/>: what a display without compensation shows.</summary>
+        /// <summary>Newest samples at the last <see cref="Predict"/>, which a display without compensation shows.</summary>
         public ReadOnlySpan<double> Held => _held;
 
         /// <summary>
-        /// How each position was made. A joint without samples since a reset counts as held once it was shown; a mimic joint
-        /// without samples of its own is made as its master was.
+        /// Method by which each position was computed. A joint without samples since a reset counts as held if it was shown before; a mimic joint
+        /// without samples of its own has the kind of its master.
         /// </summary>
         public ReadOnlySpan<PredictionKind> Kinds => _kinds;
 
         /// <summary>Control time of the newest sample of any joint at the last <see cref="Predict"/>; null while there is none.</summary>
         public ControlTime? Newest { get; private set; }
 
-        /// <summary>Whether a joint has had a sample since the last <see cref="Reset"/>.</summary>
+        /// <summary>Whether a joint has received a sample since the last <see cref="Reset"/>.</summary>
         public bool HasSample(int joint) => !double.IsNegativeInfinity(_joints[joint].NewestTime);
 
         /// <summary>Control time of a joint's newest sample; null while there is none.</summary>
         public ControlTime? NewestOf(int joint) =>
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
 
-        /// <summary>A joint's source went back in time and its samples of before are forgotten; raised within <see cref="Add"/>.</summary>
+        /// <summary>Raised within <see cref="Add"/> when a joint's source went back in time and its earlier samples were removed.</summary>
         public event Action<int> StartedAnew;
 
         /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
-        /// <returns>Why the message was of no use; <see cref="DropReason.None"/> when a joint took its sample.</returns>
+        /// <returns>Why the message was dropped; <see cref="DropReason.None"/> when at least one joint used its sample.</returns>
         public DropReason Add(JointStateMessage message, ReadOnlySpan<int> joints)
         {
             var time = SecondsOf(message.Stamp);
@@ -82,7 +82,7 @@ namespace Nowpose.Session
             return reason;
         }
 
-        /// <summary>Takes what the control system means to do. Allocates nothing.</summary>
+        /// <summary>Applies a plan of the control system. Allocates nothing.</summary>
         public void Follow(PlannedMotion plan)
         {
             var start = SecondsOf(plan.Stamp);
@@ -95,7 +95,7 @@ namespace Nowpose.Session
         static JointSample Sample(double time, JointStateMessage message, int i) => new JointSample(
             time, message.Positions[i], time, message.Velocities?[i] ?? double.NaN, message.Accelerations?[i] ?? double.NaN);
 
-        /// <summary>All joints at a control time. Allocates nothing.</summary>
+        /// <summary>Predicts all joints to a control time. Allocates nothing.</summary>
         public void Predict(ControlTime at)
         {
             var time = ClockTicks.Seconds(at - _epoch);
@@ -112,7 +112,7 @@ namespace Nowpose.Session
             CompleteMimics();
         }
 
-        /// <summary>The newest samples as they are, all marked held: no time is known to predict to. Allocates nothing.</summary>
+        /// <summary>Shows the newest samples unchanged, marked as held, because the time to predict to is unknown. Allocates nothing.</summary>
         public void Hold()
         {
             for (var i = 0; i < _joints.Length; i++)
@@ -122,7 +122,7 @@ namespace Nowpose.Session
             CompleteMimics();
         }
 
-        /// <summary>Forgets all samples, for their times mean nothing any more; what is displayed stays.</summary>
+        /// <summary>Removes all samples because their times are not valid any more. The displayed positions are kept.</summary>
         public void Reset()
         {
             foreach (var joint in _joints) joint.Reset();
@@ -137,7 +137,7 @@ namespace Nowpose.Session
             return ClockTicks.Seconds(stamp - _epoch);
         }
 
-        // Without a sample the joint stays where it was: a robot that folds into its zero pose would be worse than a late one.
+        // Without a sample the joint keeps its position: a robot that jumps to its zero pose would be worse than a delayed one.
         void Show(int joint, PredictionKind kind, double position)
         {
             _given[joint] |= kind != PredictionKind.None;
@@ -157,7 +157,7 @@ namespace Nowpose.Session
                 if (!_given[joint]) _kinds[joint] = _kinds[master];
         }
 
-        // Along a chain of mimic joints each master is the end of the chain: the joint that has samples.
+        // In a chain of mimic joints, the master is the end of the chain: the joint with samples.
         static (int Joint, int Master)[] MimicsOf(RobotModel robot)
         {
             var mimics = new List<(int, int)>();

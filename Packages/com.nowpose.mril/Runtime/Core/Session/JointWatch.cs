@@ -5,14 +5,14 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Finds the joints whose data stopped, from their samples and from what the gateway reports.</summary>
+    /// <summary>Detects the joints without current data, from their samples and from the gateway's reports.</summary>
     /// <remarks>
-    /// A gateway knows more: it tells a joint that rests from one whose variable was deleted, and it knows at once. A server without
-    /// that topic reports nothing; then the age of the samples decides. Allocates nothing in a frame.
+    /// The gateway has more information: it distinguishes a joint at rest from one whose variable was deleted, without delay. A server
+    /// without that topic reports nothing; then the age of the samples decides. Allocates nothing in a frame.
     /// </remarks>
     sealed class JointWatch
     {
-        /// <summary>The gateway repeats its report every second while there is something to report.</summary>
+        /// <summary>Lifetime of a report. The gateway repeats it every second while there is something to report.</summary>
         static readonly TimeSpan ReportLifetime = TimeSpan.FromSeconds(5);
 
         /// <summary>A report of rest explains missing samples only while the gateway repeats it; one repetition may be lost.</summary>
@@ -24,7 +24,7 @@ namespace Nowpose.Session
         readonly bool[] _isToolJoint;
         volatile Reports _newest;
 
-        /// <param name="horizonCap">A joint whose newest sample is older than this at the display time has no data.</param>
+        /// <param name="horizonCap">Maximum age of a joint's newest sample at the display time; an older one means no data.</param>
         public JointWatch(RobotModel robot, JointTracks tracks, TimeSpan horizonCap)
         {
             _robot = robot;
@@ -34,7 +34,7 @@ namespace Nowpose.Session
             foreach (var joint in ToolJoints.Of(robot)) _isToolJoint[joint] = true;
         }
 
-        /// <summary>Takes the newest report, which replaces the one before. Any thread.</summary>
+        /// <summary>Stores the newest report, which replaces the previous one. Any thread.</summary>
         public void Take(JointStatusMessage message, HeadsetTime arrival)
         {
             var reports = new Reports(arrival, _robot.MovingJoints.Count);
@@ -43,17 +43,17 @@ namespace Nowpose.Session
                 var joint = _robot.IndexOfMovingJoint(report.Joint);
                 if (joint < 0) continue;
                 reports.OfJoint[joint] = report;
-                // A gripper may send samples only when it moves. While they have stopped for no known reason it is named, and the arm's pose stays current.
+                // A gripper may send samples only when it moves. If they stop for an unknown reason, it is listed and the arm's pose stays current.
                 reports.IsAnyMissing |= !report.State.IsGood() && (_isToolJoint[joint] || report.State != JointDataState.Stale);
             }
             _newest = reports;
         }
 
-        /// <summary>Whether the gateway reports that a joint has no data without which no pose is current.</summary>
+        /// <summary>Whether the gateway reports missing data of a joint that is required for a current pose.</summary>
         public bool IsAnyReportedMissing(HeadsetTime now) => ReportsAt(now)?.IsAnyMissing == true;
 
-        /// <summary>Replaces a list's elements with the joints that are not live, in the robot's order.</summary>
-        /// <param name="shownFor">The display time of the newest frame; null while unknown.</param>
+        /// <summary>Replaces the elements of a list with the joints that are not live, in the robot's order.</summary>
+        /// <param name="shownFor">Display time of the newest frame; null while unknown.</param>
         public void Fill(List<JointStatus> into, HeadsetTime now, in ClockModel clock, ControlTime? shownFor)
         {
             into.Clear();
@@ -95,7 +95,7 @@ namespace Nowpose.Session
 
             public HeadsetTime Arrival { get; }
 
-            /// <summary>By index of the moving joint; a joint that is not reported is live, the default.</summary>
+            /// <summary>Reports by index of the moving joint; a joint without a report is live, the default.</summary>
             public JointReport[] OfJoint { get; }
 
             public bool IsAnyMissing { get; set; }

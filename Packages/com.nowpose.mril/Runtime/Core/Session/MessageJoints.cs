@@ -4,10 +4,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Which of the robot's joints a message is about. Looked up once for each array of names, which messages share. One thread.</summary>
+    /// <summary>Maps the joint names of messages to the robot's joints. Caches the results by array of names. Single-threaded.</summary>
     sealed class MessageJoints
     {
-        /// <summary>As many as a <see cref="RosbridgeReader"/> remembers.</summary>
+        /// <summary>Cache size, the same as that of <see cref="RosbridgeReader"/>.</summary>
         const int Capacity = 4;
 
         readonly RobotModel _robot;
@@ -19,7 +19,7 @@ namespace Nowpose.Session
         /// <summary>Number of the robot's moving joints.</summary>
         public int RobotJoints => _robot.MovingJoints.Count;
 
-        /// <summary>For each name of the message the index of the moving joint, -1 for a joint that is not the robot's. Until the next call.</summary>
+        /// <summary>Returns the index of the moving joint for each name, −1 for a name of no joint. Valid until the next call.</summary>
         public ReadOnlySpan<int> Of(JointStateMessage message)
         {
             foreach (var known in _known)

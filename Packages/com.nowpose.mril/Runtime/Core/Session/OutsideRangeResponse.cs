@@ -1,18 +1,18 @@
 namespace Nowpose.Session
 {
     /// <summary>
-    /// What is shown while the render time is outside the constant-latency range, where light appears later than calibrated.
-    /// Whichever it is, <see cref="PoseState.OutsideRange"/> is said, and words and stripes tell the pose from a current one.
+    /// Display of the robot while the render time is outside the constant-latency range, where frames appear later than calibrated.
+    /// In all cases the state is <see cref="PoseState.OutsideRange"/>, and text and stripes distinguish the pose from a current one.
     /// </summary>
     public enum OutsideRangeResponse
     {
-        /// <summary>Fainter as well: the pose goes on as a current one is made.</summary>
+        /// <summary>The robot is fainter; its pose is computed as usual.</summary>
         Fade,
 
-        /// <summary>As bright as ever: the pose goes on.</summary>
+        /// <summary>The robot has its usual brightness; its pose is computed as usual.</summary>
         GoOn,
 
-        /// <summary>As faint as a held pose: the newest samples as they are, as if nothing were compensated.</summary>
+        /// <summary>The robot is as faint as a held pose and shows the newest samples without compensation.</summary>
         Hold,
     }
 }

@@ -2,7 +2,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>A message of set-points and when it arrived.</summary>
+    /// <summary>A message of set-points with its arrival time.</summary>
     readonly struct PlanArrival
     {
         public PlanArrival(JointTrajectoryMessage message, HeadsetTime at)
@@ -13,7 +13,7 @@ namespace Nowpose.Session
 
         public JointTrajectoryMessage Message { get; }
 
-        /// <summary>When its last byte was read, on the headset clock.</summary>
+        /// <summary>Headset time at which its last byte was read.</summary>
         public HeadsetTime At { get; }
     }
 }

@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>A message of set-points, sorted by the robot's joints. Made where it arrives, so that the frame has nothing to make.</summary>
+    /// <summary>Set-points of a message, sorted by the robot's joints. Created on the receiving thread to relieve the frame's thread.</summary>
     sealed class PlannedMotion
     {
         readonly int[] _joints;
@@ -18,21 +18,21 @@ namespace Nowpose.Session
             _paths = paths;
         }
 
-        /// <summary>What it was made of.</summary>
+        /// <summary>The source message.</summary>
         public PlanArrival Arrival { get; }
 
         public ControlTime Stamp => Arrival.Message.Stamp;
 
-        /// <summary>Joints of the robot that it is about: 0 for a plan of another robot.</summary>
+        /// <summary>Number of the robot's joints in the plan; 0 for a plan of another robot.</summary>
         public int Count => _joints.Length;
 
-        /// <summary>Index of the moving joint.</summary>
+        /// <summary>Returns the index of the moving joint.</summary>
         public int JointAt(int i) => _joints[i];
 
-        /// <summary>Null when the joint's plan is off.</summary>
+        /// <summary>Returns the path of the joint; null when the message ends the plan.</summary>
         public PlannedPath PathAt(int i) => _paths[i];
 
-        /// <param name="jointOf">Index of the moving joint of a name; negative where the robot has none.</param>
+        /// <param name="jointOf">Returns the index of the moving joint with a name; negative if the robot has none.</param>
         public static PlannedMotion Of(in PlanArrival arrival, Func<string, int> jointOf)
         {
             var message = arrival.Message;

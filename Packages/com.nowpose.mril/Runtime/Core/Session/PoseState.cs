@@ -1,34 +1,34 @@
 namespace Nowpose.Session
 {
-    /// <summary>Whether the displayed pose is the robot's present one. Anything but <see cref="Current"/> must look different.</summary>
+    /// <summary>Whether the displayed pose is the current one of the robot. Any state except <see cref="Current"/> must look different.</summary>
     public enum PoseState
     {
-        /// <summary>A joint between base and tool has had no sample yet; it stands at zero.</summary>
+        /// <summary>A joint between base and tool has not received a sample yet and is shown at zero.</summary>
         Incomplete,
 
         /// <summary>
-        /// The moment of light is not known well enough: the clock is unsynchronised (the newest samples are shown as they
-        /// are), still converging, or in holdover for so long that its error bound exceeds the setting.
+        /// The display time is not accurate enough: the clock is unsynchronised (the newest samples are shown unchanged), still
+        /// converging, or in holdover for so long that its error exceeds the setting.
         /// </summary>
         Unsynchronised,
 
         /// <summary>
-        /// A joint between base and tool is held: its samples are older than the horizon cap, stamped later than the light, or
-        /// too few to predict from. Or the gateway reports that a joint of the robot has no data, which it can know before the samples
-        /// are too old.
+        /// A joint between base and tool is held: its samples are older than the horizon cap, later than the display time, or too few for
+        /// a prediction. Also if the gateway reports that a joint of the robot has no data, which it may detect before the samples are too
+        /// old.
         /// </summary>
         Held,
 
         /// <summary>
-        /// The render time is outside the constant-latency range, so that the light appears later than calibrated, by nobody
-        /// knows how much. The pose is made as a current one is, unless the settings have it held, see
+        /// The render time is outside the constant-latency range, so that frames appear later than calibrated, by an unknown
+        /// amount. The pose is computed as a current one, unless the settings require a held one, see
         /// <see cref="OutsideRangeResponse"/>.
         /// </summary>
         OutsideRange,
 
         /// <summary>
-        /// Every joint between base and tool is predicted to, or interpolated at, the moment of light. When the control clock
-        /// has just stepped, it takes two sync exchanges until that is doubted.
+        /// All joints between base and tool are predicted to, or interpolated at, the display time. After a step of the control clock, this
+        /// state remains until two sync exchanges indicate the step.
         /// </summary>
         Current,
     }

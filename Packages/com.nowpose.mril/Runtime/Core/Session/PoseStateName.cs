@@ -2,10 +2,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Names of pose states as diagnostics and command line write them.</summary>
+    /// <summary>Names of pose states in diagnostics and on the command line.</summary>
     static class PoseStateName
     {
-        /// <param name="clock">The clock that the pose's display time comes from.</param>
+        /// <param name="clock">Clock that determined the display time of the pose.</param>
         public static string Of(PoseState pose, in ClockModel clock)
         {
             switch (pose)

@@ -4,37 +4,37 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Session
 {
-    /// <summary>How joints are predicted. Immutable, checked once.</summary>
+    /// <summary>Settings of the joint prediction. Immutable; validated by the constructor.</summary>
     public sealed class PredictionSettings
     {
-        /// <summary>Costs less than 5 % of RMS error, and takes a fifth to a third off the jumps; display.md has the numbers.</summary>
+        /// <summary>Increases the RMS error by less than 5 % and reduces jumps by a fifth to a third; see display.md for the numbers.</summary>
         public const double DefaultBlendMs = 14;
 
-        /// <summary>Beyond, the blend is a latency of its own.</summary>
+        /// <summary>Maximum blend time: a longer one would itself add latency.</summary>
         const double GreatestBlendMs = 200;
 
         const double LeastSpeedShare = 0.01;
         const double LeastLimit = 0.01;
         const double GreatestLimit = 1e6;
 
-        /// <summary>What suits motion nobody has seen before.</summary>
+        /// <summary>Settings for motion that is not known in advance.</summary>
         public static readonly PredictionSettings Default = new PredictionSettings();
 
         /// <param name="predictor">One of <see cref="Predictors.Names"/>.</param>
-        /// <param name="horizonCapMs">How far ahead of the newest sample is predicted at most; beyond, the value there stays, marked held.</param>
+        /// <param name="horizonCapMs">Maximum prediction beyond the newest sample; after it, the last value is kept and marked as held.</param>
         /// <param name="maximumGapMs">
-        /// A longer pause between two samples ends the history: motion before it says nothing about motion after it.
+        /// Maximum interval between two samples of the history: motion before a longer one does not predict the motion after it.
         /// </param>
         /// <param name="blendMs">
-        /// Within which the difference between two sections falls to 1/e when one replaces the other; 0 lets the joint jump.
+        /// Time in which the difference between two sections decays to 1/e when one replaces the other; with 0 the joint jumps.
         /// </param>
-        /// <param name="followPlan">Whether joints are shown by the control system's set-points ahead, where it publishes them.</param>
-        /// <param name="speedShare">What programs use of the URDF's velocity limits, above 0, at most 1: the override.</param>
+        /// <param name="followPlan">Whether to use the control system's future set-points if it publishes them.</param>
+        /// <param name="speedShare">Share of the URDF's velocity limits that programs use, above 0, at most 1: the override.</param>
         /// <param name="accelerationLimit">
-        /// rad/s², of revolute joints; infinity where it is not known. Of it and the URDF's the smaller counts. With
-        /// <paramref name="jerkLimit"/> moves from rest to rest are predicted by their profile.
+        /// Limit for revolute joints, rad/s²; infinity when unknown. The smaller one of this limit and the URDF's is used. Together with
+        /// <paramref name="jerkLimit"/>, moves from rest to rest are predicted by their profile.
         /// </param>
-        /// <param name="jerkLimit">rad/s³, of revolute joints; infinity where it is not known.</param>
+        /// <param name="jerkLimit">Limit for revolute joints, rad/s³; infinity when unknown.</param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public PredictionSettings(
             string predictor = Predictors.Default, double horizonCapMs = 300, double maximumGapMs = 500, double blendMs = DefaultBlendMs,
@@ -56,33 +56,33 @@ namespace Nowpose.Session
         public TimeSpan HorizonCap { get; }
         public TimeSpan MaximumGap { get; }
 
-        /// <summary>Time constant within which a new section takes over from the one before; 0: at once.</summary>
+        /// <summary>Time constant with which a new section replaces the previous one; 0 for an immediate change.</summary>
         public TimeSpan Blend { get; }
 
         /// <summary>Whether the set-points of /joint_trajectory are used.</summary>
         public bool FollowPlan { get; }
 
-        /// <summary>Above 0, at most 1.</summary>
+        /// <summary>Share of the URDF's velocity limits, above 0, at most 1.</summary>
         public double SpeedShare { get; }
 
-        /// <summary>rad/s²; infinity where it is not known.</summary>
+        /// <summary>Limit in rad/s²; infinity when unknown.</summary>
         public double AccelerationLimit { get; }
 
-        /// <summary>rad/s³; infinity where it is not known.</summary>
+        /// <summary>Limit in rad/s³; infinity when unknown.</summary>
         public double JerkLimit { get; }
 
-        /// <summary>Hold is what the others are compared with: the newest samples as they are, neither blended nor planned.</summary>
+        /// <summary>Whether the predictor is hold, the reference for comparisons: the newest samples, without blending and plans.</summary>
         internal bool IsHold => Predictor == "hold";
 
         internal bool FollowsPlans => FollowPlan && !IsHold;
 
-        /// <summary>A predictor for one joint, bounded by its limits.</summary>
-        /// <param name="limits">As <see cref="Bounded"/>.</param>
+        /// <summary>Creates a predictor for one joint within its limits.</summary>
+        /// <param name="limits">Result of <see cref="Bounded"/>.</param>
         public JointPredictor Create(in JointLimits limits) =>
             Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend));
 
-        /// <summary>A joint's limits with those of these settings.</summary>
-        /// <param name="isRevolute">Whether acceleration and jerk of these settings are meant for it.</param>
+        /// <summary>Combines a joint's limits with those of these settings.</summary>
+        /// <param name="isRevolute">Whether acceleration and jerk limits of these settings apply to the joint.</param>
         public JointLimits Bounded(in JointLimits limits, bool isRevolute) => new JointLimits(
             limits.Lower, limits.Upper, limits.Velocity * SpeedShare, limits.Effort,
             isRevolute ? Math.Min(limits.Acceleration, AccelerationLimit) : limits.Acceleration,

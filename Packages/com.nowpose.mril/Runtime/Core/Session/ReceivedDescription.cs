@@ -4,10 +4,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>The robot as the gateway describes it, read and compared with the one displayed. Immutable.</summary>
+    /// <summary>Robot description from the gateway, parsed and compared with the displayed robot. Immutable.</summary>
     sealed class ReceivedDescription
     {
-        /// <summary>Nothing has been described yet.</summary>
+        /// <summary>No description has been received yet.</summary>
         public static readonly ReceivedDescription None = new ReceivedDescription();
 
         ReceivedDescription() { }
@@ -16,7 +16,7 @@ namespace Nowpose.Session
         public RobotModel Model { get; private set; }
         public RobotDescriptionMatch Match { get; private set; }
 
-        /// <param name="fault">What is wrong with the text, in one line; null when nothing is.</param>
+        /// <param name="fault">Error of the text, in one line; null without an error.</param>
         public static bool TryRead(string text, RobotModel displayed, out ReceivedDescription described, out string fault)
         {
             described = null;

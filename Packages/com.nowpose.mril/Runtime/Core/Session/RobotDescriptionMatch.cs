@@ -1,14 +1,14 @@
 namespace Nowpose.Session
 {
-    /// <summary>Whether the robot that is displayed is the one the gateway describes.</summary>
+    /// <summary>Whether the displayed robot is the one that the gateway describes.</summary>
     enum RobotDescriptionMatch
     {
-        /// <summary>The gateway has sent no description that can be read.</summary>
+        /// <summary>The gateway has not sent a valid description.</summary>
         Unknown,
 
         Same,
 
-        /// <summary>Another text: other lengths, axes or names may put the displayed robot beside the real one.</summary>
+        /// <summary>The texts differ: other lengths, axes or names may cause a wrong pose of the displayed robot.</summary>
         Different,
     }
 }

@@ -2,7 +2,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>A message and when it arrived.</summary>
+    /// <summary>A message of joint samples with its arrival time.</summary>
     readonly struct SampleArrival
     {
         public SampleArrival(JointStateMessage message, HeadsetTime at)
@@ -13,7 +13,7 @@ namespace Nowpose.Session
 
         public JointStateMessage Message { get; }
 
-        /// <summary>When its last byte was read, on the headset clock.</summary>
+        /// <summary>Headset time at which its last byte was read.</summary>
         public HeadsetTime At { get; }
     }
 }

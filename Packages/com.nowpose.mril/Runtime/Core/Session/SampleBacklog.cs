@@ -3,19 +3,19 @@ using System.Collections.Concurrent;
 
 namespace Nowpose.Session
 {
-    /// <summary>The messages that wait for a frame, and which of them are worth the frame's time. Allocates nothing once made; one thread.</summary>
+    /// <summary>Messages that wait for a frame, and a selection of those to process. Allocates nothing after construction; single-threaded.</summary>
     /// <remarks>
-    /// After a frame that hung, or a network that did, a thousand messages may wait. Solving a joint's sample takes some 40 µs
-    /// with the default predictor: of seven joints, all of them would take a quarter of a second, and the next frame hung again.
+    /// After a delay of the network or of a frame, a thousand messages may wait. Processing a joint's sample takes about 40 µs with the
+    /// default predictor, so that all of them take a quarter of a second for seven joints, which would delay the next frame again.
     /// </remarks>
     sealed class SampleBacklog
     {
-        /// <summary>Up to so many messages are taken as they are: a source at 1 kHz leaves 17 for a frame at 60 Hz.</summary>
+        /// <summary>Maximum number of messages without selection: a source at 1 kHz sends 17 per frame at 60 Hz.</summary>
         const int MostOfAUsualFrame = 30;
 
         /// <summary>
-        /// Of more, only each joint's newest so many: 6 ms for seven joints. Predictions look back over fewer, and a joint that
-        /// speaks seldom, a gripper, loses nothing.
+        /// Number of newest samples of each joint that are selected from more messages: 6 ms for seven joints. Predictions use fewer, and
+        /// joints that are sent rarely, such as a gripper, lose no samples.
         /// </summary>
         const int NewestOfAJoint = 20;
 
@@ -24,7 +24,7 @@ namespace Nowpose.Session
         readonly bool[] _isWorthwhile;
         readonly int[] _samplesOfJoint;
 
-        /// <param name="capacity">So many messages at most are taken from the queue at a time.</param>
+        /// <param name="capacity">Maximum number of messages taken from the queue at a time.</param>
         public SampleBacklog(MessageJoints joints, int capacity)
         {
             _joints = joints;
@@ -35,7 +35,7 @@ namespace Nowpose.Session
 
         public int Count { get; private set; }
 
-        /// <summary>The oldest first.</summary>
+        /// <summary>Messages by index, oldest first.</summary>
         public ref readonly SampleArrival this[int index] => ref _oldestFirst[index];
 
         public bool IsWorthwhile(int index) => _isWorthwhile[index];
@@ -48,14 +48,14 @@ namespace Nowpose.Session
             for (var i = Count - 1; i >= 0; i--) _isWorthwhile[i] = Count <= MostOfAUsualFrame || HasNewSample(i);
         }
 
-        /// <summary>Lets go of the messages.</summary>
+        /// <summary>Releases the messages.</summary>
         public void Clear()
         {
             Array.Clear(_oldestFirst, 0, Count);
             Count = 0;
         }
 
-        // Counts each joint's samples from the newest back.
+        // Counts each joint's samples, starting with the newest.
         bool HasNewSample(int index)
         {
             var isNew = false;

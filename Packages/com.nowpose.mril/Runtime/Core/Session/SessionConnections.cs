@@ -5,8 +5,8 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>A session's connections: one for the clock and one for the positions, or one for both with ROS's time.</summary>
-    /// <remarks>Connected and disconnected by one thread; read by any.</remarks>
+    /// <summary>Connections of a session: one for the clock and one for joint positions, or one for both with ROS time.</summary>
+    /// <remarks>Connect and disconnect on one thread; properties can be read on any thread.</remarks>
     sealed class SessionConnections : IDisposable
     {
         readonly SessionSettings _settings;
@@ -18,10 +18,10 @@ namespace Nowpose.Session
         SyncClient _syncClient;
         RosbridgeClient _rosbridgeClient;
 
-        /// <param name="newLink">Makes the WebSocket of each attempt to connect.</param>
-        /// <param name="listener">Takes the messages.</param>
-        /// <param name="synchroniser">Takes the exchanges.</param>
-        /// <param name="faults">Exchanges that were dropped.</param>
+        /// <param name="newLink">Creates the WebSocket for each connection attempt.</param>
+        /// <param name="listener">Receives the messages.</param>
+        /// <param name="synchroniser">Receives the sync exchanges.</param>
+        /// <param name="faults">Counts of dropped exchanges.</param>
         public SessionConnections(
             SessionSettings settings, IHeadsetClock clock, Func<ConnectionSettings, IHeadsetClock, IWebSocketLink> newLink,
             IRosbridgeListener listener, ClockSynchroniser synchroniser, SyncFaultCounters faults)
@@ -34,13 +34,13 @@ namespace Nowpose.Session
             _faults = faults;
         }
 
-        /// <summary>Completes when the connections that were ended are gone.</summary>
+        /// <summary>Completes when the ended connections have released all resources.</summary>
         public Task Ended { get; private set; } = Task.CompletedTask;
 
-        /// <summary>Of the clock sync, or the exchanges of ROS's time.</summary>
+        /// <summary>Status of the clock sync connection, or of the exchanges with ROS time.</summary>
         public LinkStatus SyncLink => _syncClient?.Status ?? _rosbridgeClient?.ClockStatus ?? LinkStatus.Idle;
 
-        /// <summary>Of the joint positions.</summary>
+        /// <summary>Status of the connection for joint positions.</summary>
         public LinkStatus SampleLink => _rosbridgeClient?.Status ?? LinkStatus.Idle;
 
         public void Connect()
@@ -54,7 +54,7 @@ namespace Nowpose.Session
                 isRos ? new RosTimeExchanges(_clock, _synchroniser, _faults, pace) : null);
         }
 
-        /// <summary>Ends the connections; waits for nothing.</summary>
+        /// <summary>Ends the connections without waiting.</summary>
         public void Disconnect()
         {
             if (_rosbridgeClient == null) return;

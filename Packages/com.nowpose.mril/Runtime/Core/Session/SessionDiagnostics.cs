@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Puts statistics into the words of the diagnostics topic; what is unknown is left out.</summary>
+    /// <summary>Converts statistics to a message of the diagnostics topic; omits unknown values.</summary>
     static class SessionDiagnostics
     {
         public static DiagnosticsMessage Of(SessionStatistics statistics, string headsetName, ControlTime now)
@@ -98,7 +98,7 @@ namespace Nowpose.Session
             }
         }
 
-        // Radians, metres and parts of one.
+        // Format for radians, metres and ratios.
         static string Fine(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 
         static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);

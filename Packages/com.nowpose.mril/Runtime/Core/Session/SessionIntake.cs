@@ -8,16 +8,16 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
 {
-    /// <summary>The messages on their way from the network's threads into a frame: queued, judged, and handed to the joints.</summary>
+    /// <summary>Queues messages from network threads for the next frame, validates them, and passes them to the joints.</summary>
     sealed class SessionIntake
     {
         /// <summary>
-        /// So many messages may wait for the next frame; beyond, the oldest go. Ten seconds at 100 Hz: enough for the newest of a
-        /// joint that speaks seldom. How many of them a frame solves is for <see cref="SampleBacklog"/> to say.
+        /// Queue capacity in messages. Drops the oldest when full. Ten seconds at 100 Hz, enough for the newest sample of a joint that is
+        /// sent rarely. <see cref="SampleBacklog"/> limits how many of them a frame processes.
         /// </summary>
         const int QueueLength = 1000;
 
-        /// <summary>So many plans may wait: newer ones replace the older.</summary>
+        /// <summary>Queue capacity in plans. Drops the oldest when full, as newer plans replace older ones.</summary>
         const int PlanQueueLength = 16;
 
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
@@ -30,9 +30,9 @@ namespace Nowpose.Session
         readonly ApplicationLatency _latency;
         readonly bool _followsPlans;
 
-        /// <param name="tracks">Take the samples.</param>
-        /// <param name="hindcast">Compares them with what was shown.</param>
-        /// <param name="latency">L_app, measured with each of them.</param>
+        /// <param name="tracks">Predictors that receive the samples.</param>
+        /// <param name="hindcast">Compares the samples with displayed frames.</param>
+        /// <param name="latency">Statistics of L_app, updated with each sample.</param>
         public SessionIntake(RobotModel robot, JointTracks tracks, HindcastMonitor hindcast, ApplicationLatency latency, bool followsPlans)
         {
             _robot = robot;
@@ -44,43 +44,43 @@ namespace Nowpose.Session
             _backlog = new SampleBacklog(_messageJoints, QueueLength);
         }
 
-        /// <summary>Each message whose samples were used, with its L_app where the clock is known; raised within <see cref="CompensationSession.Tick"/>.</summary>
-        /// <remarks>A handler must be quick, must not throw, and must not call back into the session. It may keep the message.</remarks>
+        /// <summary>Reports each used message, with its L_app if the clock is known; raised within <see cref="CompensationSession.Tick"/>.</summary>
+        /// <remarks>A handler must be fast, must not throw, and must not call the session. It may keep the message.</remarks>
         public event Action<SampleArrival, TimeSpan?> SampleTaken;
 
         /// <summary>
-        /// Each message with why it was of no use, <see cref="DropReason.None"/> when it was. Raised within <see cref="CompensationSession.Tick"/>,
-        /// but where the queue was full already on the thread that received.
+        /// Reports each message with its drop reason, <see cref="DropReason.None"/> if it was used. Raised within
+        /// <see cref="CompensationSession.Tick"/>, or on the receiving thread if the queue is full.
         /// </summary>
-        /// <remarks>As of <see cref="SampleTaken"/>.</remarks>
+        /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
-        /// Each message of set-points with why it was of no use, <see cref="DropReason.None"/> when it could be, even if the settings
-        /// follow none. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, but where none of its joints is the robot's, or the
-        /// queue was full, already on the thread that received.
+        /// Reports each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if the settings do
+        /// not follow plans. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if the
+        /// message has none of the robot's joints or the queue is full.
         /// </summary>
-        /// <remarks>As of <see cref="SampleJudged"/>.</remarks>
+        /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
         public event Action<PlanArrival, DropReason> PlanJudged;
 
-        /// <summary>What was dropped, by reason.</summary>
+        /// <summary>Counts of dropped messages by reason.</summary>
         public DropCounters Drops { get; } = new DropCounters();
 
-        /// <summary>Messages whose samples were used.</summary>
+        /// <summary>Number of used messages.</summary>
         public long Samples { get; private set; }
 
-        /// <summary>A message, queued for the next frame. Any thread.</summary>
-        /// <param name="message">Checked already.</param>
-        /// <param name="arrival">When it arrived on the headset clock.</param>
+        /// <summary>Queues a message for the next frame. Any thread.</summary>
+        /// <param name="message">A validated message.</param>
+        /// <param name="arrival">Headset time of its arrival.</param>
         public void Add(JointStateMessage message, HeadsetTime arrival)
         {
             _arrivals.Enqueue(new SampleArrival(message, arrival));
             if (_arrivals.Count > QueueLength && _arrivals.TryDequeue(out var oldest)) Judged(oldest, DropReason.SlowReader);
         }
 
-        /// <summary>Set-points ahead of time, queued for the next frame that knows the control time. Any thread.</summary>
-        /// <param name="message">Checked already.</param>
-        /// <param name="arrival">When it arrived on the headset clock.</param>
+        /// <summary>Queues future set-points for the next frame with a known control time. Any thread.</summary>
+        /// <param name="message">A validated message.</param>
+        /// <param name="arrival">Headset time of its arrival.</param>
         public void Add(JointTrajectoryMessage message, HeadsetTime arrival)
         {
             var plan = PlannedMotion.Of(new PlanArrival(message, arrival), _robot.IndexOfMovingJoint);
@@ -93,7 +93,7 @@ namespace Nowpose.Session
             if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out var oldest)) Judged(oldest.Arrival, DropReason.SlowReader);
         }
 
-        /// <summary>Takes what has been queued, within a frame.</summary>
+        /// <summary>Processes the queued messages, within a frame.</summary>
         public void TakeAll(in ClockModel clock)
         {
             _backlog.TakeFrom(_arrivals);
@@ -102,15 +102,15 @@ namespace Nowpose.Session
                 var mayBeKept = HasSampleHandler;
                 if (_backlog.IsWorthwhile(i)) Take(_backlog[i], clock);
                 else Judged(_backlog[i], DropReason.SlowReader);
-                // Before and after, for handlers come and go on other threads.
+                // Checked before and after because handlers may be added and removed on other threads.
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
             _backlog.Clear();
-            // Their stamps can be judged, and mean anything, only with the clock; a source may not send them again for long.
+            // Plans wait until the clock is synchronised, as their time stamps cannot be validated before; a source may not repeat them soon.
             while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
         }
 
-        // A handler may keep the message that it gets: such a message is not reused.
+        // A handler may keep a message, so a message that was passed to one is not reused.
         bool HasSampleHandler => SampleTaken != null || SampleJudged != null;
 
         void Take(in SampleArrival arrival, in ClockModel clock)

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>What a session does for its connection: takes messages, and says what it shows and how it is. Any thread.</summary>
+    /// <summary>Connects a session to its network connection: receives messages, and provides displayed joints and diagnostics. Any thread.</summary>
     sealed class SessionListener : IRosbridgeListener
     {
         readonly CompensationSession _session;
@@ -11,7 +11,7 @@ namespace Nowpose.Session
         readonly JointWatch _joints;
         readonly IHeadsetClock _clock;
 
-        /// <param name="clock">Stamps what the headset says about itself.</param>
+        /// <param name="clock">Clock for time stamps of the diagnostics.</param>
         public SessionListener(CompensationSession session, SessionIntake intake, JointWatch joints, IHeadsetClock clock)
         {
             _session = session;
@@ -32,7 +32,7 @@ namespace Nowpose.Session
 
         public JointStateMessage Displayed() => _session.Displayed();
 
-        /// <summary>What this headset publishes about itself once a second; stamped zero until the control time is known.</summary>
+        /// <summary>Returns the diagnostics, which this headset publishes once per second; the time stamp is zero until the clock is known.</summary>
         public DiagnosticsMessage Diagnostics()
         {
             var now = _clock.Now;

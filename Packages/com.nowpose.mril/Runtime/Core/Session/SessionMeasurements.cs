@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Brings what the parts of a session measure into its statistics. Allocates nothing; as thread-safe as the parts.</summary>
+    /// <summary>Copies the measurements of a session's parts into its statistics. Allocates nothing; as thread-safe as the parts.</summary>
     sealed class SessionMeasurements
     {
         const double MillimetresPerMetre = 1000;
@@ -30,7 +30,7 @@ namespace Nowpose.Session
             _hindcast = hindcast;
         }
 
-        /// <param name="now">Headset time for the clock's offset and bound.</param>
+        /// <param name="now">Headset time at which the clock's offset and error bound are evaluated.</param>
         public void Fill(SessionStatistics into, HeadsetTime now)
         {
             FillClock(into, now);

@@ -6,25 +6,25 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Everything a session is told once. Immutable; what adapts while it runs is state of the session.</summary>
+    /// <summary>Constant settings of a session. Immutable; values that adapt at run time are part of the session's state.</summary>
     public sealed class SessionSettings
     {
-        /// <param name="connection">Where the gateway is.</param>
-        /// <param name="visualisation">L_visu of this device at the start.</param>
+        /// <param name="connection">Connection to the gateway.</param>
+        /// <param name="visualisation">Initial L_visu of this device.</param>
         /// <param name="prediction">Null for the defaults.</param>
         /// <param name="clock">Null for the defaults.</param>
-        /// <param name="ransac">Constants of the paper's clock estimator, where that is chosen; null for its own.</param>
+        /// <param name="ransac">Constants of the paper's clock estimator, used if it is selected; null for the paper's values.</param>
         /// <param name="syncIntervalMs">
-        /// From the start of one sync exchange to the next, ms; the server allows 100 requests a second. A quarter of it at
-        /// the start and after a step, five times as much on a quiet network, see <see cref="ExchangePace"/>.
+        /// Interval from the start of one sync exchange to the start of the next, ms; the server allows 100 requests per second. The pace is
+        /// up to four times as fast at the start and after a step, and up to five times slower on a quiet network, see <see cref="ExchangePace"/>.
         /// </param>
-        /// <param name="range">The constant-latency range of this device; null when none was found yet.</param>
+        /// <param name="range">The constant-latency range of this device; null when it is unknown.</param>
         /// <param name="clockEstimator">One of <see cref="ClockEstimators.Names"/>.</param>
         /// <param name="profile">
-        /// Takes the place of <paramref name="visualisation"/>, and of <paramref name="range"/> where it knows one; null for none.
+        /// Replaces <paramref name="visualisation"/>, and <paramref name="range"/> if the profile has one; null for none.
         /// </param>
-        /// <param name="outsideRange">What is shown while the render time is outside the range.</param>
-        /// <param name="rewriteBeforeRender">As <see cref="RewriteBeforeRender"/>; L_visu is calibrated with the same choice.</param>
+        /// <param name="outsideRange">Display of the robot while the render time is outside the range.</param>
+        /// <param name="rewriteBeforeRender">Value of <see cref="RewriteBeforeRender"/>; calibrate L_visu with the same setting.</param>
         public SessionSettings(
             ConnectionSettings connection, VisualisationLatency visualisation, PredictionSettings prediction = null,
             ClockSettings clock = null, RansacSettings ransac = null, double syncIntervalMs = ProtocolLimits.SyncIntervalMs,
@@ -42,9 +42,9 @@ namespace Nowpose.Session
             Clock = clock ?? ClockSettings.Default;
             Ransac = ransac ?? RansacSettings.Paper;
             ClockEstimator = clockEstimator;
-            // Says at once when there is none of that name.
+            // Throws at once if the name is unknown.
             CreateClockEstimator();
-            // Half of what the server bears.
+            // The minimum interval is half the rate that the server allows.
             SyncInterval = SettingRange.RequireMs(syncIntervalMs, 2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond, 10_000, "sync interval");
         }
 
@@ -58,27 +58,27 @@ namespace Nowpose.Session
         public string ClockEstimator { get; }
         public TimeSpan SyncInterval { get; }
 
-        /// <summary>What L_visu comes from; null when it was told as a number.</summary>
+        /// <summary>Profile of L_visu; null when the value was set as a number.</summary>
         public LatencyProfile Profile { get; }
 
         public OutsideRangeResponse OutsideRange { get; }
 
-        /// <summary>Null when none is known.</summary>
+        /// <summary>The constant-latency range; null when it is unknown.</summary>
         public ConstantLatencyRange Range { get; }
 
-        /// <summary>The same for another gateway.</summary>
+        /// <summary>Returns the same settings for another gateway.</summary>
         public SessionSettings With(ConnectionSettings connection) => new SessionSettings(
             connection, Visualisation, Prediction, Clock, Ransac, SyncInterval.TotalMilliseconds, Range, RewriteBeforeRender, ClockEstimator,
             Profile, OutsideRange);
 
-        /// <summary>A fresh estimator of the chosen kind.</summary>
+        /// <summary>Creates a new estimator of the selected kind.</summary>
         internal IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
 
-        /// <summary>When to exchange, for whoever feeds a session's clock; each caller gets one of its own.</summary>
-        /// <param name="random">As of <see cref="ExchangePace"/>.</param>
+        /// <summary>Creates a schedule of sync exchanges; each caller gets its own.</summary>
+        /// <param name="random">As in <see cref="ExchangePace"/>.</param>
         internal ExchangePace NewExchangePace(Random random) => new ExchangePace(SyncInterval, Clock.HoldoverAfter, random);
 
-        /// <summary>Whether whoever shows the pose computes and writes it once more right before rendering.</summary>
+        /// <summary>Whether the pose is computed and applied again right before rendering.</summary>
         public bool RewriteBeforeRender { get; }
     }
 }

@@ -7,7 +7,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Session
 {
-    /// <summary>How a session does, at one moment. Null stands for "not known yet"; <see cref="CompensationSession.Fill"/> overwrites it all.</summary>
+    /// <summary>Snapshot of a session. Null means that a value is unknown; <see cref="CompensationSession.Fill"/> overwrites all values.</summary>
     public sealed class SessionStatistics
     {
         readonly List<JointStatus> _jointStatuses = new List<JointStatus>();
@@ -15,12 +15,12 @@ namespace Nowpose.Session
 
         public ClockModel Clock { get; internal set; }
 
-        /// <summary>Φ at the moment of the snapshot.</summary>
+        /// <summary>Φ at the time of the snapshot.</summary>
         public ClockOffset? Offset { get; internal set; }
 
         public TimeSpan? RoundTripTime { get; internal set; }
 
-        /// <summary>Steps of a clock since the start.</summary>
+        /// <summary>Number of clock steps since the start.</summary>
         public int ClockSteps { get; internal set; }
 
         /// <summary>Median of L_app over the newest 200 samples.</summary>
@@ -29,13 +29,13 @@ namespace Nowpose.Session
         /// <summary>95th percentile of L_app over the newest 200 samples.</summary>
         public TimeSpan? ApplicationLatency95 { get; internal set; }
 
-        /// <summary>Samples that arrived, by the clocks, before they were taken.</summary>
+        /// <summary>Number of samples whose time stamp is later than their arrival.</summary>
         public long NegativeLatencies { get; internal set; }
 
-        /// <summary>Of the newest frame: as calibrated, or as the runtime predicts it.</summary>
+        /// <summary>L_visu of the newest frame: the calibrated value or the runtime's prediction.</summary>
         public TimeSpan VisualisationLatency { get; internal set; }
 
-        /// <summary>What the calibrated L_visu comes from; null when it was told as a number.</summary>
+        /// <summary>Profile of the calibrated L_visu; null when the value was set as a number.</summary>
         public LatencyProfile Profile { get; internal set; }
 
         /// <summary>Whether <see cref="VisualisationLatency"/> is the runtime's prediction.</summary>
@@ -44,24 +44,24 @@ namespace Nowpose.Session
         /// <summary>Median of predicted minus calibrated L_visu over the newest 60 frames.</summary>
         public TimeSpan? DisplayTimeDifference { get; internal set; }
 
-        /// <summary>Whether that difference lasts and is too large for both to be right, see <see cref="DisplayTimeCheck"/>.</summary>
+        /// <summary>Whether that difference lasts and is too large, see <see cref="DisplayTimeCheck"/>.</summary>
         public bool IsDisplayTimeDoubted { get; internal set; }
 
-        /// <summary>Newest answer of the display time source minus its frame's start, used or not; null while there is none.</summary>
+        /// <summary>Newest display time from the source minus its frame's start, used or not; null without one.</summary>
         public TimeSpan? DisplayTimeAhead { get; internal set; }
 
         /// <summary>
-        /// Whether the answers have been implausible for a second and not yet plausible for another: in the past, or more than 500 ms ahead.
+        /// Whether these display times have been implausible for a second (in the past, or more than 500 ms ahead) and not yet plausible again.
         /// </summary>
         public bool IsDisplayTimeImplausible { get; internal set; }
 
-        /// <summary>How the display corrects frames for head motion; unknown while nothing reports it.</summary>
+        /// <summary>Reprojection mode of the display; unknown when it is not reported.</summary>
         public ReprojectionMode Reprojection { get; internal set; }
 
-        /// <summary>Whether the depth buffer reaches the display; unknown while nothing reports it.</summary>
+        /// <summary>Whether the depth buffer reaches the display; unknown when it is not reported.</summary>
         public DepthSubmission DepthSubmission { get; internal set; }
 
-        /// <summary>Conditions in which <see cref="Profile"/> was measured and that are different now; empty when nothing differs.</summary>
+        /// <summary>Conditions that differ from those at the measurement of <see cref="Profile"/>; empty when nothing differs.</summary>
         public IReadOnlyList<ConditionMismatch> ProfileMismatches { get; internal set; } = Array.Empty<ConditionMismatch>();
 
         /// <summary>L of Eq. (1), with the median of L_app.</summary>
@@ -74,31 +74,31 @@ namespace Nowpose.Session
 
         public RenderTimeSourceKind RenderTimeSource { get; internal set; }
 
-        /// <summary>Whether the visualisation latency is the calibrated one.</summary>
+        /// <summary>Whether L_visu has its calibrated value.</summary>
         public RangeState Range { get; internal set; }
 
-        /// <summary>Why <see cref="Range"/> is unknown.</summary>
+        /// <summary>Reason why <see cref="Range"/> is unknown.</summary>
         internal RangeDoubt RangeDoubt { get; set; }
 
         /// <summary>
-        /// Distance of the displayed tool from where the samples that came later say it was, over the newest ten seconds, mm. What
-        /// those samples cannot see is not in it: an error of the clock's offset or of the visualisation latency.
+        /// Error of the displayed tool relative to its true position from later samples, over the newest ten seconds, mm. Excludes errors
+        /// that these samples cannot show: those of the clock's offset and of L_visu.
         /// </summary>
         public DisplayedError? ToolError { get; internal set; }
 
         /// <summary>The same since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm.</summary>
         public DisplayedError? ToolErrorOfRun { get; internal set; }
 
-        /// <summary>The joints that the tool hangs on, from the base on, over the newest ten seconds; rad or m.</summary>
+        /// <summary>Errors of the joints between base and tool, from the base, over the newest ten seconds; rad or m.</summary>
         public IReadOnlyList<JointError> JointErrors => _jointErrors;
 
         /// <summary>RMS of <see cref="ToolError"/>, mm.</summary>
         public double? ErrorMm => ToolError?.Rms;
 
-        /// <summary>RMS for a headset without compensation, that shows the newest sample; mm.</summary>
+        /// <summary>RMS error without compensation, when the newest sample is shown; mm.</summary>
         public double? HoldErrorMm => ToolError?.HoldRms;
 
-        /// <summary>Reduction of <see cref="ToolError"/>; null also while the robot rests.</summary>
+        /// <summary>Reduction of <see cref="ToolError"/>; also null while the robot is at rest.</summary>
         public double? ErrorReduction => ToolError?.Reduction;
 
         public PoseState Pose { get; internal set; }
@@ -107,26 +107,26 @@ namespace Nowpose.Session
         public double? CurrentShare { get; internal set; }
 
         /// <summary>
-        /// Joints that are not live, in the robot's order. A joint that the tool does not depend on is listed only where the gateway
+        /// Joints that are not live, in the robot's order. A joint that does not move the tool is listed only if the gateway
         /// reports it.
         /// </summary>
         public IReadOnlyList<JointStatus> JointStatuses => _jointStatuses;
 
-        /// <summary>What is shown outside the constant-latency range.</summary>
+        /// <summary>Display of the robot outside the constant-latency range.</summary>
         public OutsideRangeResponse OutsideRange { get; internal set; }
 
         internal RobotDescriptionMatch RobotDescriptionMatch { get; set; }
 
         /// <summary>
-        /// The first joint whose samples are outside its limits, so that it is drawn elsewhere than it is: another robot's description, or
-        /// another unit.
+        /// First joint with samples outside its limits, which is therefore drawn in another position; the description may be that of another
+        /// robot, or the samples may have another unit.
         /// </summary>
         public JointBeyondLimits BeyondLimits { get; internal set; }
 
-        /// <summary>Messages whose samples were used.</summary>
+        /// <summary>Number of used messages.</summary>
         public long Samples { get; internal set; }
 
-        /// <summary>Messages that were dropped, for whatever reason, and unusable sync exchanges.</summary>
+        /// <summary>Number of dropped messages and dropped sync exchanges.</summary>
         public long Dropped { get; internal set; }
 
         public LinkStatus SyncLink { get; internal set; } = LinkStatus.Idle;

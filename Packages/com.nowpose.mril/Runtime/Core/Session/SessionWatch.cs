@@ -3,11 +3,11 @@ using Nowpose.Latency;
 
 namespace Nowpose.Session
 {
-    /// <summary>Turns what each frame says into the few changes that are worth an event.</summary>
+    /// <summary>Detects the changes between frames that are reported as events.</summary>
     /// <remarks>
-    /// Bad news is told in the frame it comes with, good news once it has lasted half a second. So what flickers is told
-    /// once, and news of one kind alternates: no second <see cref="SessionChange.Lost"/> without a
-    /// <see cref="SessionChange.Synchronised"/> between. Allocates nothing; one thread.
+    /// A deterioration is reported in the same frame, an improvement after it has lasted half a second. So a flickering state is reported
+    /// once, and the two changes alternate: <see cref="SessionChange.Lost"/> is not reported twice without a
+    /// <see cref="SessionChange.Synchronised"/> in between. Allocates nothing; single-threaded.
     /// </remarks>
     sealed class SessionWatch
     {
@@ -18,16 +18,16 @@ namespace Nowpose.Session
 
         public SessionWatch() => Forget();
 
-        /// <summary>What has changed with a frame.</summary>
+        /// <summary>Returns the changes of a frame.</summary>
         public SessionChange Changed(DisplayFrame frame) =>
             Changed(
                 frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeDoubted, frame.IsDisplayTimeImplausible);
 
-        /// <summary>What has changed with a frame, told by its properties.</summary>
-        /// <param name="at">Not earlier than the frame before.</param>
-        /// <param name="isTimeTrusted">As <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
-        /// <param name="isDisplayTimeDoubted">Settled already, as <see cref="DisplayFrame.IsDisplayTimeDoubted"/> is.</param>
-        /// <param name="isDisplayTimeImplausible">Settled already, as <see cref="DisplayFrame.IsDisplayTimeImplausible"/> is.</param>
+        /// <summary>Returns the changes of a frame that is given by its properties.</summary>
+        /// <param name="at">Start of the frame, not earlier than that of the previous frame.</param>
+        /// <param name="isTimeTrusted">Value of <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
+        /// <param name="isDisplayTimeDoubted">Value of <see cref="DisplayFrame.IsDisplayTimeDoubted"/>, which does not flicker.</param>
+        /// <param name="isDisplayTimeImplausible">Value of <see cref="DisplayFrame.IsDisplayTimeImplausible"/>, which does not flicker.</param>
         public SessionChange Changed(
             HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range, bool isDisplayTimeDoubted = false,
             bool isDisplayTimeImplausible = false)
@@ -37,7 +37,7 @@ namespace Nowpose.Session
             if (range == RangeState.Unknown) _isInRange.Interrupt();
             else if (_isInRange.Update(at, range == RangeState.Inside, Settle))
                 changes |= range == RangeState.Inside ? SessionChange.EnteredRange : SessionChange.LeftRange;
-            // Before all joints were seen, or while their times mean nothing, nobody can tell how old the pose is.
+            // The age of the pose is unknown before all joints have samples and while the clock is not synchronised.
             if (pose == PoseState.Incomplete || pose == PoseState.Unsynchronised) _isFresh.Interrupt();
             else if (_isFresh.Update(at, pose != PoseState.Held, Settle) && pose == PoseState.Held)
                 changes |= SessionChange.Stale;
@@ -49,8 +49,8 @@ namespace Nowpose.Session
             return changes;
         }
 
-        /// <summary>The session has ended, to be followed by another or by none: forgets all that was.</summary>
-        /// <returns><see cref="SessionChange.Lost"/> if it was synchronised.</returns>
+        /// <summary>Resets the state when the session ends.</summary>
+        /// <returns><see cref="SessionChange.Lost"/> if the session was synchronised.</returns>
         public SessionChange End()
         {
             var wasSynchronised = _isSynchronised.Value == true;

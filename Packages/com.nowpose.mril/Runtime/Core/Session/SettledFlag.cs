@@ -2,13 +2,13 @@ using System;
 
 namespace Nowpose.Session
 {
-    /// <summary>Good news that may flicker: it counts once it has been true for a while, and ends at once.</summary>
+    /// <summary>A flag that becomes true after its input has been true for a while, and false at once.</summary>
     struct SettledFlag
     {
         bool _isRising;
         HeadsetTime _since;
 
-        /// <param name="value">What counts as said already; null for nothing.</param>
+        /// <param name="value">Initial value, which is not reported; null for none.</param>
         public SettledFlag(bool? value)
         {
             Value = value;
@@ -16,10 +16,10 @@ namespace Nowpose.Session
             _since = default;
         }
 
-        /// <summary>What was last said.</summary>
+        /// <summary>The last reported value.</summary>
         public bool? Value { get; private set; }
 
-        /// <returns>Whether there is news in <see cref="Value"/>.</returns>
+        /// <returns>Whether <see cref="Value"/> has changed.</returns>
         public bool Update(HeadsetTime at, bool isTrue, TimeSpan settle)
         {
             if (isTrue && !_isRising) _since = at;
@@ -29,7 +29,7 @@ namespace Nowpose.Session
             return true;
         }
 
-        /// <summary>Neither true nor false: what was said stays, but the while begins anew.</summary>
+        /// <summary>Keeps the value but restarts the waiting time, because the input is unknown.</summary>
         public void Interrupt() => _isRising = false;
     }
 }

@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Session
 {
-    /// <summary>The joints between base and tool that have samples of their own.</summary>
+    /// <summary>Finds the joints between base and tool that have samples of their own.</summary>
     static class ToolJoints
     {
         /// <summary>

@@ -4,26 +4,26 @@ using Nowpose.Kinematics;
 namespace Nowpose.Session
 {
     /// <summary>Velocity of the displayed tool centre point, from its positions at the display times of successive frames.</summary>
-    /// <remarks>It is that of the middle between two frames: half a frame late. Allocates nothing; not thread-safe.</remarks>
+    /// <remarks>It applies to the middle between two frames, half a frame earlier. Allocates nothing; not thread-safe.</remarks>
     sealed class ToolVelocity
     {
-        /// <summary>Below this a frame is the same one, computed once more; a difference would be noise.</summary>
+        /// <summary>Minimum interval: a shorter one means that the same frame was computed again, and the difference would be noise.</summary>
         static readonly TimeSpan Shortest = TimeSpan.FromMilliseconds(5);
 
-        /// <summary>After a longer pause the difference is not the velocity of now.</summary>
+        /// <summary>Maximum interval: the mean velocity over a longer one is not the current velocity.</summary>
         static readonly TimeSpan Longest = TimeSpan.FromMilliseconds(100);
 
         ControlTime? _time;
         (double X, double Y, double Z) _position;
 
-        /// <summary>In the robot's base frame, m/s; null where the pose is not current, and until two frames in a row were.</summary>
+        /// <summary>Velocity in the robot's base frame, m/s; null if the pose of this or of the previous frame was not current.</summary>
         public (double X, double Y, double Z)? Value { get; private set; }
 
-        /// <summary>Takes a frame as it was computed.</summary>
+        /// <summary>Adds a computed frame.</summary>
         public void Follow(DisplayFrame frame) => Follow(frame.State == PoseState.Current ? frame.DisplayTime : null, frame.ToolPose);
 
-        /// <param name="displayTime">Null where the pose is not current.</param>
-        /// <param name="tool">In the robot's base frame, m.</param>
+        /// <param name="displayTime">Display time; null if the pose is not current.</param>
+        /// <param name="tool">Tool pose in the robot's base frame, m.</param>
         public void Follow(ControlTime? displayTime, in RigidTransform tool)
         {
             var passed = displayTime - _time;
@@ -36,7 +36,7 @@ namespace Nowpose.Session
             _position = (tool.X, tool.Y, tool.Z);
         }
 
-        /// <summary>Forgets all: another robot or session.</summary>
+        /// <summary>Resets the state. Call it when the robot or the session changes.</summary>
         public void Reset()
         {
             _time = null;

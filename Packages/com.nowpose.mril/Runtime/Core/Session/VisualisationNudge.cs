@@ -3,15 +3,15 @@ using Nowpose.Latency;
 
 namespace Nowpose.Session
 {
-    /// <summary>Shifts a session's L_visu by hand, on top of what it is calibrated to: for an eye that sees the robot lag or lead.</summary>
+    /// <summary>Adds a manual offset to a session's calibrated L_visu, for a user who sees the displayed robot lag or lead.</summary>
     /// <remarks>
-    /// While it is not zero the session says that its L_visu comes from no profile, for nobody measured it; at zero it has its
-    /// profile again. Another calibration ends the nudge, a session that begins anew with the same one keeps it. Not
-    /// thread-safe; allocates nothing.
+    /// While the offset is not zero, the session has no profile, because the resulting L_visu was not measured; at zero, its profile is
+    /// restored. Another calibration resets the offset; a new session with the same calibration keeps it. Not thread-safe; allocates
+    /// nothing.
     /// </remarks>
     sealed class VisualisationNudge
     {
-        /// <summary>More than an error of a calibration: beyond, calibrate.</summary>
+        /// <summary>Maximum offset, larger than the error of a calibration; a larger one requires a new calibration.</summary>
         public const double GreatestMs = 50;
 
         static readonly double LongestMs = LatencyProfile.GreatestVisuMs;
@@ -24,8 +24,8 @@ namespace Nowpose.Session
         bool _hasBegun;
 
         /// <summary>
-        /// What is added, ms; positive predicts further ahead. Kept to ±<see cref="GreatestMs"/>, and to what leaves L_visu in its
-        /// range. What is no number is 0.
+        /// The offset, ms; positive predicts further ahead. Limited to ±<see cref="GreatestMs"/> and to the valid range of L_visu. NaN
+        /// becomes 0.
         /// </summary>
         public double Ms
         {
@@ -37,11 +37,11 @@ namespace Nowpose.Session
             }
         }
 
-        /// <summary>Whether L_visu is predicted by the runtime, frame by frame: the nudge changes nothing that is seen then.</summary>
+        /// <summary>Whether the runtime predicts the display time of each frame, so that the offset has no visible effect.</summary>
         public bool IsIdle => _session != null && _session.IsLightPredicted;
 
-        /// <summary>Once a frame: nudges a session that has begun, and sees whether somebody calibrated it.</summary>
-        /// <param name="session">Null while there is none: the nudge waits for the next.</param>
+        /// <summary>Call once per frame: applies the offset to a new session and detects a new calibration.</summary>
+        /// <param name="session">Null while there is none; the offset applies to the next one.</param>
         public void Follow(CompensationSession session)
         {
             var isOurs = session == _session && (session == null || IsAsApplied);
@@ -50,7 +50,7 @@ namespace Nowpose.Session
             var isKnown = _hasBegun && session.Visualisation.Length == _calibrated.Length;
             _calibrated = session.Visualisation;
             _profile = session.Profile;
-            // A shift that was seen with another L_visu says nothing of this one.
+            // An offset that was chosen for another L_visu does not apply to this one.
             if (_hasBegun && !isKnown) _ms = 0;
             _ms = Allowed(_ms);
             _hasBegun = true;

@@ -1,23 +1,23 @@
 namespace Nowpose.Sync
 {
-    /// <summary>What an exchange tells of the clocks beside their offset.</summary>
+    /// <summary>Change of the clocks that an exchange indicates, other than the offset estimate.</summary>
     enum ClockChange
     {
         None,
 
-        /// <summary>It does not go with the earlier ones; one or two more will tell why.</summary>
+        /// <summary>The exchange is inconsistent with the earlier ones. One or two more are needed to determine the cause.</summary>
         Suspected,
 
         /// <summary>
-        /// The control clock has another resolution now: its stamps lie by half of that before the moments that they are of, so that
-        /// no line goes through them and the earlier ones.
+        /// The resolution of the control clock has changed. Its time stamps are earlier than their events by half the resolution on
+        /// average, so that no line fits both these exchanges and the earlier ones.
         /// </summary>
         Resolution,
 
-        /// <summary>A clock stepped by less than a round trip: the same two clocks, which have not changed otherwise.</summary>
+        /// <summary>A clock stepped by less than a round-trip time. Both clocks are still the same ones.</summary>
         ShortStep,
 
-        /// <summary>A clock stepped, perhaps because it is another machine's now.</summary>
+        /// <summary>A clock stepped, perhaps because the control clock is that of another machine now.</summary>
         LongStep,
     }
 }

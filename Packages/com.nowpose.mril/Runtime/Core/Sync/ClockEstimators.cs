@@ -4,21 +4,21 @@ using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Sync
 {
-    /// <summary>The clock estimators by the names that settings and command lines use.</summary>
+    /// <summary>Creates clock estimators by the names used in settings and on command lines.</summary>
     static class ClockEstimators
     {
-        /// <summary>What is used where nothing is asked for: <see cref="EnvelopeClockEstimator"/>.</summary>
+        /// <summary>Name of the default estimator, <see cref="EnvelopeClockEstimator"/>.</summary>
         public const string Default = "default";
 
-        /// <summary>The paper's: <see cref="RansacClockEstimator"/>.</summary>
+        /// <summary>Name of the paper's estimator, <see cref="RansacClockEstimator"/>.</summary>
         public const string Ransac = "ransac";
 
         public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[] { Default, Ransac });
 
-        /// <summary>A fresh estimator.</summary>
+        /// <summary>Creates a new estimator.</summary>
         /// <param name="name">One of <see cref="Names"/>.</param>
-        /// <param name="ransac">Constants of the paper's, ignored by others; null for the paper's own.</param>
-        /// <exception cref="InputException">There is no estimator of that name.</exception>
+        /// <param name="ransac">Constants of the paper's estimator, ignored by others; null for the paper's values.</param>
+        /// <exception cref="InputException">The name is unknown.</exception>
         public static IClockEstimator Create(string name, RansacSettings ransac = null)
         {
             switch (name)

@@ -2,12 +2,12 @@ using System;
 
 namespace Nowpose.Sync
 {
-    /// <summary>What an estimator believes: Φ as a line over the headset clock, with its statistical uncertainty.</summary>
+    /// <summary>Result of an estimator: Φ as a line over the headset clock, with its statistical uncertainty.</summary>
     readonly struct ClockLine
     {
         /// <summary>
-        /// Two rates differ by no more: quartzes are good to 100 ppm each, and one that is slewed to a reference runs up to
-        /// 500 ppm fast or slow beside.
+        /// Maximum skew: quartz clocks are accurate to 100 ppm each, and slewing one to a reference adds up to 500 ppm in either
+        /// direction.
         /// </summary>
         internal const double GreatestSkew = 700e-6;
 
@@ -21,21 +21,21 @@ namespace Nowpose.Sync
             Exchanges = exchanges;
         }
 
-        /// <summary>Headset time of the newest exchange, at which <see cref="Offset"/> holds.</summary>
+        /// <summary>Headset time of the newest exchange, at which <see cref="Offset"/> applies.</summary>
         public HeadsetTime Reference { get; }
 
         public ClockOffset Offset { get; }
 
-        /// <summary>γ₂−1, dimensionless.</summary>
+        /// <summary>Skew γ₂−1, dimensionless.</summary>
         public double Skew { get; }
 
-        /// <summary>One standard error of <see cref="Offset"/>; zero while it cannot be told.</summary>
+        /// <summary>Standard error of <see cref="Offset"/>; zero while it is unknown.</summary>
         public TimeSpan OffsetError { get; }
 
-        /// <summary>One standard error of <see cref="Skew"/>; a third of the greatest credible skew while it cannot be told.</summary>
+        /// <summary>Standard error of <see cref="Skew"/>; a third of the maximum skew while it is unknown.</summary>
         public double SkewError { get; }
 
-        /// <summary>Exchanges seen since the start or the last reset; 0 means that the line says nothing.</summary>
+        /// <summary>Number of exchanges since the start or the last reset; with 0, the other values have no meaning.</summary>
         public int Exchanges { get; }
     }
 }

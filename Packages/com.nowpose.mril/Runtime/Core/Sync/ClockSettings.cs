@@ -2,24 +2,26 @@ using System;
 
 namespace Nowpose.Sync
 {
-    /// <summary>When a clock counts as synchronised, and what its error bound is made of.</summary>
+    /// <summary>Conditions for a synchronised clock, and parameters of its error bound.</summary>
     public sealed class ClockSettings
     {
         public static readonly ClockSettings Default = new ClockSettings();
 
-        /// <param name="exchangesToSynchronise">Exchanges before the state may be synchronised; 20 fill the paper's moving average.</param>
+        /// <param name="exchangesToSynchronise">Minimum exchanges of a synchronised clock; 20 fill the paper's moving average.</param>
         /// <param name="errorToSynchroniseMs">Maximum estimated error (three standard errors) of a synchronised clock, ms.</param>
-        /// <param name="holdoverAfterSeconds">Silence after which a coarse or synchronised clock is in holdover, s: ten missed exchanges.</param>
-        /// <param name="stepMarginMs">How far an exchange must contradict the earlier ones to count as a step, ms.</param>
-        /// <param name="startAnewAfterSeconds">Silence after which the old line is forgotten, s: the device slept, and quartzes drift.</param>
-        /// <param name="greatestHoldoverErrorMs">Estimated error up to which a pose counts as current during a holdover, ms.</param>
+        /// <param name="holdoverAfterSeconds">Time without exchanges until a coarse or synchronised clock is in holdover, s: ten missed ones.</param>
+        /// <param name="stepMarginMs">Minimum amount by which an exchange contradicts the earlier ones to count as a step, ms.</param>
+        /// <param name="startAnewAfterSeconds">
+        /// Time without exchanges after which the estimate restarts, s: the headset may have slept, and quartz clocks drift.
+        /// </param>
+        /// <param name="greatestHoldoverErrorMs">Maximum estimated error at which a pose counts as current during a holdover, ms.</param>
         /// <param name="skewDoubtPpm">
-        /// How much faster or slower a clock may run in a minute's time than its skew and the standard errors say, ppm; the
-        /// bound grows by it while no exchange arrives. Quartzes that warm up change by a few.
+        /// Change of the skew within a minute beyond its standard errors, ppm. The error bound grows at this rate while no exchange
+        /// arrives. Quartz clocks that warm up change by a few ppm.
         /// </param>
         /// <param name="coarseErrorMs">
-        /// Maximum estimated error of a coarse clock, ms. A robot at 1 m/s is then shown within 10 mm of where it is, against some
-        /// 100 mm without compensation.
+        /// Maximum estimated error of a coarse clock, ms. A robot at 1 m/s is then shown within 10 mm of its position, compared with
+        /// about 100 mm without compensation.
         /// </param>
         public ClockSettings(
             int exchangesToSynchronise = 20, double errorToSynchroniseMs = 1, double holdoverAfterSeconds = 2,
@@ -44,16 +46,16 @@ namespace Nowpose.Sync
         public TimeSpan StartAnewAfter { get; }
         public TimeSpan GreatestHoldoverError { get; }
 
-        /// <summary>Dimensionless, seconds of error a second.</summary>
+        /// <summary>Dimensionless: seconds of error per second.</summary>
         public double SkewDoubt { get; }
 
-        /// <summary>Whether a pose may be called current by this clock: coarse, synchronised, or in a holdover that is still short.</summary>
+        /// <summary>Whether a pose based on this clock counts as current: the clock is coarse, synchronised, or in a short holdover.</summary>
         public bool Trusts(in ClockModel clock) => clock.State == ClockState.Synchronised || clock.State == ClockState.Coarse
             || (clock.State == ClockState.Holdover && clock.EstimatedError <= GreatestHoldoverError);
 
         /// <summary>
-        /// Whether a display that uses this clock must show its ± too: the clock is coarse, or in a holdover with an estimated error
-        /// above <see cref="ErrorToSynchronise"/>.
+        /// Whether a display that uses this clock must also show its estimated error (±): the clock is coarse, or in a holdover with an
+        /// estimated error above <see cref="ErrorToSynchronise"/>.
         /// </summary>
         public bool IsCoarse(in ClockModel clock) => clock.State == ClockState.Coarse
             || (clock.State == ClockState.Holdover && clock.EstimatedError > ErrorToSynchronise);

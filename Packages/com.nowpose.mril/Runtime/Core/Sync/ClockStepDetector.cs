@@ -4,12 +4,12 @@ using System.Collections.Generic;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Tells a step of a clock from a slow path. A long step contradicts what the recent exchanges prove, which no path,
-    /// however slow or lopsided, ever does. A short one shows in how both bounds move. Also notices another resolution.
+    /// Distinguishes a step of a clock from a slow path. A long step contradicts the bounds of the recent exchanges, which no
+    /// path can do, however slow or asymmetric. A short step moves both bounds. Also detects a change of the resolution.
     /// </summary>
     sealed class ClockStepDetector
     {
-        /// <summary>One may be a fault of the server; three in a row that do not go with the past and agree with each other are a change.</summary>
+        /// <summary>Number of consecutive exchanges that contradict the earlier ones and agree with each other to count as a change.</summary>
         const int InARow = 3;
 
         readonly TimeSpan _margin;
@@ -19,20 +19,20 @@ namespace Nowpose.Sync
         TimeSpan _resolution;
         bool _hasContradicted;
 
-        /// <param name="skewDoubt">As of <see cref="OffsetEnvelope"/>.</param>
+        /// <param name="skewDoubt">As in <see cref="OffsetEnvelope"/>.</param>
         public ClockStepDetector(TimeSpan margin, double skewDoubt)
         {
             _margin = margin;
             _suspected = new OffsetEnvelope(skewDoubt);
         }
 
-        /// <summary>The suspects once they are a change; they are all that is known of the clock since.</summary>
+        /// <summary>Suspected exchanges; after a detected change, all exchanges since the change.</summary>
         public IReadOnlyList<SyncExchange> Suspects => _suspects;
 
-        /// <summary>By how much recent exchanges, though used, break a bound of the earlier ones: the clock may be off by as much more.</summary>
+        /// <summary>Maximum violation of an earlier bound by recent exchanges that are in use: a possible additional error of the clock.</summary>
         public TimeSpan Suspicion => _shift.Suspicion;
 
-        /// <summary>Judges an exchange that is not in the envelope and the line yet.</summary>
+        /// <summary>Classifies an exchange that is not yet in the envelope and the line.</summary>
         public ClockChange Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
         {
             if (line.Exchanges == 0) _resolution = exchange.Resolution;
@@ -44,7 +44,7 @@ namespace Nowpose.Sync
             return ClockChange.ShortStep;
         }
 
-        /// <summary>The suspects are the past from now on.</summary>
+        /// <summary>Makes the suspected exchanges the reference for further ones.</summary>
         public void Reset()
         {
             _resolution = _suspects[_suspects.Count - 1].Resolution;
@@ -65,7 +65,7 @@ namespace Nowpose.Sync
         bool GoesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0
             || (_suspected.Allows(exchange, default, _margin) && !IsOther(exchange.Resolution, _suspects[0].Resolution));
 
-        // A resolution that the server estimates varies, by less than half of it; what is below the margin matters to nobody.
+        // A resolution that the server estimates varies by less than half of its value; a difference below the margin has no effect.
         bool IsOther(TimeSpan one, TimeSpan other)
         {
             var apart = (one - other).Duration();

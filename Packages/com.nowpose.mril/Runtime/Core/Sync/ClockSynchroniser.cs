@@ -2,19 +2,19 @@ using System;
 
 namespace Nowpose.Sync
 {
-    /// <summary>Keeps the clock model: exchanges go in on any thread, the model comes out on any other.</summary>
+    /// <summary>Maintains the clock model. Exchanges can be added and the model can be read on any thread.</summary>
     sealed class ClockSynchroniser
     {
-        /// <summary>Exchanges before the state may be coarse: fewer do not tell how their delays scatter.</summary>
+        /// <summary>Minimum exchanges of a coarse clock: fewer do not show the scatter of their delays.</summary>
         const int ExchangesToBeCoarse = 5;
 
-        /// <summary>One exchange that contradicts the past may be a fault; two are reason to doubt the clock already.</summary>
+        /// <summary>Contradicting exchanges after which the clock is converging: a single one may be a fault.</summary>
         const int SuspectsToDoubt = 2;
 
         /// <summary>
-        /// What the skew may be off from before, one standard deviation: when both are the same clocks still (somebody set one, or it
-        /// has another resolution), after a long step (perhaps it is another machine's clock now), and a long silence (the headset
-        /// slept and cooled down).
+        /// Standard deviation of the change of the skew: with the same clocks (one was set, or its resolution changed), after a long
+        /// step (the control clock may be that of another machine), and after a long time without exchanges (the headset slept and
+        /// cooled down).
         /// </summary>
         const double SkewDoubtOfSameClocks = 1e-6, SkewDoubtAfterStep = 50e-6, SkewDoubtAfterSilence = 5e-6;
 
@@ -37,29 +37,29 @@ namespace Nowpose.Sync
             _synchronised = new ErrorThreshold(settings.ErrorToSynchronise);
         }
 
-        /// <summary>How often a clock stepped since the start.</summary>
+        /// <summary>Number of clock steps since the start.</summary>
         public int Steps => _belief.Steps;
 
-        /// <summary>Round-trip time of the newest exchange that was used; zero before the first.</summary>
+        /// <summary>Round-trip time of the newest exchange that was used; zero before the first one.</summary>
         public TimeSpan RoundTripTime => _belief.RoundTripTime;
 
-        /// <summary>Resolution of the control clock as the newest exchange that was used says; zero before the first, and when unknown.</summary>
+        /// <summary>Resolution of the control clock from the newest exchange that was used; zero before the first one and when unknown.</summary>
         public TimeSpan Resolution => _belief.Resolution;
 
-        /// <summary>One standard error of the offset, at the newest exchange; zero before the first.</summary>
+        /// <summary>Standard error of the offset at the newest exchange; zero before the first one.</summary>
         public TimeSpan OffsetError => _belief.Line.OffsetError;
 
-        /// <summary>Exchanges that the model rests on since the start, the newest step or the newest long silence.</summary>
+        /// <summary>Number of exchanges in the model since the start, the last step or the last long time without exchanges.</summary>
         public int Exchanges => _belief.Line.Exchanges;
 
-        /// <summary>Whether recent exchanges hint at a step. More of them, and soon, would tell.</summary>
+        /// <summary>Whether recent exchanges indicate a step that only further exchanges can confirm.</summary>
         public bool IsStepSuspected => _belief.IsStepSuspected;
 
-        /// <summary>Each exchange with what became of it, in their order; raised by <see cref="Add"/> on its thread.</summary>
-        /// <remarks>A handler must be quick, must not throw, and must not call back.</remarks>
+        /// <summary>Reports each exchange with its verdict, in order; raised by <see cref="Add"/> on the same thread.</summary>
+        /// <remarks>A handler must be fast, must not throw, and must not call this object.</remarks>
         public event SyncExchangeHandler Judged;
 
-        /// <summary>Checks and takes in one exchange.</summary>
+        /// <summary>Checks an exchange and adds it.</summary>
         public SyncVerdict Add(in SyncExchange exchange, out SyncExchangeFault fault)
         {
             lock (_gate)
@@ -70,13 +70,13 @@ namespace Nowpose.Sync
             }
         }
 
-        /// <summary>What is known at a headset time, with the bound and the state as they are by then. Allocates nothing.</summary>
+        /// <summary>Returns the model at a headset time, with error bound and state as of that time. Allocates nothing.</summary>
         /// <remarks>
-        /// The error bound is what the recent exchanges prove (at best half the least round trip: an asymmetry can hide no more), the
-        /// server's error bound, and what an uncertain skew can have added since the newest exchange. It relies on the server's
-        /// statement of its clock's resolution. A step of less than the least round trip is covered from the first exchange on that
-        /// is punctual enough to show it; one of less than about 0.3 ms can be missed, and is covered again when the exchanges
-        /// before it are a minute old.
+        /// The error bound is the sum of the bound from the recent exchanges (at most half the minimum round-trip time, the maximum
+        /// effect of an asymmetry), the server's error bound, and the growth since the newest exchange due to the uncertain skew. It
+        /// relies on the resolution that the server states. A step below the minimum round-trip time is covered from the first
+        /// exchange with a delay short enough to show it. A step below about 0.3 ms can be missed; it is covered again when the
+        /// exchanges before it are a minute old.
         /// </remarks>
         public ClockModel ModelAt(HeadsetTime now)
         {
@@ -85,7 +85,7 @@ namespace Nowpose.Sync
             if (line.Exchanges == 0) return default;
 
             var age = Math.Max(0, ClockTicks.Seconds(now - line.Reference));
-            // More than any clock's skew is error by definition: a line through two late replies can be that steep.
+            // Skew beyond the maximum of real clocks counts as error: a line through two late replies can be that steep.
             var excess = Math.Max(0, Math.Abs(line.Skew) - ClockLine.GreatestSkew);
             var grown = ClockTicks.Span((3 * line.SkewError + _settings.SkewDoubt + excess) * age);
             var isUsable = belief.State == ClockState.Synchronised || belief.State == ClockState.Coarse;
@@ -137,7 +137,7 @@ namespace Nowpose.Sync
             Publish(exchange, stepped);
         }
 
-        // The proofs stay: they are what tells whether a clock stepped meanwhile.
+        // The envelope is kept: it shows whether a clock stepped during the time without exchanges.
         void ForgetTheLine(double skewDoubt)
         {
             _estimator.Restart(skewDoubt);
@@ -145,7 +145,7 @@ namespace Nowpose.Sync
             _synchronised.Reset();
         }
 
-        // The old line stays in use with a bound that admits the contradiction, and after the first no longer as a settled one.
+        // The old line stays in use with a bound that includes the contradiction, as a converging clock if the contradiction is serious.
         void Doubt(in SyncExchange exchange, bool isSerious)
         {
             var model = ModelAt(exchange.T4);

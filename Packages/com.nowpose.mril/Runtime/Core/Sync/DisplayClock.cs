@@ -3,39 +3,39 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// The clock that the wearer sees by: follows what the synchroniser believes without ever going back. A correction is
-    /// spread over the next frames; only a step of a clock is taken over at once. One thread, the frame's; allocates nothing.
+    /// Clock for the display: follows the synchroniser's model without ever going back. A correction is spread over the next
+    /// frames; a step of a clock takes effect at once. Use it on the frame's thread only; allocates nothing.
     /// </summary>
     /// <remarks>
-    /// Control time advances by between 0.994 and 1.006 of the headset's while the clock is synchronised, by between 0.949
-    /// and 1.051 while it is coarse, and by between one half and one and a half before. It never stops or goes back. It is shown
-    /// as converging until it has caught up with the first estimate that is usable: no pose is current by a clock that is still
-    /// tens of milliseconds away from it.
+    /// Control time advances at 0.994 to 1.006 times the rate of headset time while the clock is synchronised, at 0.949 to 1.051
+    /// times while it is coarse, and at 0.5 to 1.5 times before. It never stops or goes back. The state is converging until this
+    /// clock has caught up with the first usable estimate: a pose is not current while the clock is still tens of milliseconds
+    /// away from the estimate.
     /// </remarks>
     public sealed class DisplayClock
     {
         /// <summary>
-        /// Seconds of correction a second, synchronised: a usual correction of 20 µs is done within a frame, one of 1 ms
-        /// after a silence in a fifth of a second; and a robot at 1 m/s seems to move by 5 mm/s too fast or slow meanwhile.
+        /// Maximum correction in seconds per second while synchronised. A typical correction of 20 µs takes less than a frame, one of
+        /// 1 ms after a time without exchanges a fifth of a second, in which a robot at 1 m/s appears 5 mm/s too fast or too slow.
         /// </summary>
         public const double SlewRate = 5e-3;
 
-        /// <summary>The same while coarse: the first estimates are off by a few milliseconds, which are gone in a tenth of a second.</summary>
+        /// <summary>Maximum correction while coarse, in s/s: removes an initial error of a few milliseconds in a tenth of a second.</summary>
         public const double CoarseSlewRate = 0.05;
 
-        /// <summary>The same before: the first offsets may be wrong by tens of milliseconds, and poses are not shown as current yet.</summary>
+        /// <summary>Maximum correction before, in s/s: the first offsets may be off by tens of milliseconds, and no pose is current yet.</summary>
         public const double ConvergingSlewRate = 0.5;
 
         ClockModel _shown;
         HeadsetTime _at;
         bool _isCatchingUp;
 
-        /// <summary>The model to show a frame by.</summary>
-        /// <param name="believed">What the synchroniser says at that time.</param>
-        /// <param name="now">When the frame begins. A time before the last call's is answered, but not followed.</param>
+        /// <summary>Returns the clock model for a frame.</summary>
+        /// <param name="believed">The synchroniser's model at that time.</param>
+        /// <param name="now">Start of the frame. A time before that of the last call returns the last model and changes nothing.</param>
         public ClockModel Follow(in ClockModel believed, HeadsetTime now)
         {
-            // A young line through two late replies can be so steep that following it would go back.
+            // The slope of an early line through two late replies can be so steep that time would go back.
             var skew = Math.Max(-ClockLine.GreatestSkew, Math.Min(ClockLine.GreatestSkew, believed.Skew));
             if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)
             {
@@ -48,7 +48,7 @@ namespace Nowpose.Sync
             var passed = now - _at;
             _isCatchingUp |= believed.State == ClockState.Converging;
             var allowed = (long)(passed.Ticks * RateOf(_isCatchingUp ? ClockState.Converging : believed.State));
-            // What the clocks do by themselves is no correction.
+            // The change of the offset due to the skew does not count as a correction.
             var carried = _shown.OffsetAt(_at) + new TimeSpan((long)Math.Round(passed.Ticks * skew));
             var correction = (believed.OffsetAt(now) - carried).Ticks;
             var taken = Math.Max(-allowed, Math.Min(allowed, correction));

@@ -3,29 +3,29 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// When to exchange next: quickly while there is something to find out, that is at the start, after a step or a silence
-    /// and while a step is suspected; slowly when the clock is known so well that more would not help; in between as set.
-    /// One thread.
+    /// Schedules the sync exchanges. The pace is quick at the start, after a step or a long silence, and while a step is suspected; it is
+    /// slow when the clock is known so accurately that more exchanges would not help; otherwise the configured pace applies.
+    /// Single-threaded.
     /// </summary>
     sealed class ExchangePace
     {
-        /// <summary>Least time between two exchanges that is gone down to: half of what a server bears.</summary>
+        /// <summary>Minimum interval between two exchanges: half the rate that a server accepts.</summary>
         static readonly TimeSpan Shortest = TimeSpan.FromMilliseconds(20);
 
-        /// <summary>Greatest that is gone up to: a sixth of the silence that a server bears.</summary>
+        /// <summary>Maximum interval: a sixth of the silence that a server accepts.</summary>
         static readonly TimeSpan Longest = TimeSpan.FromSeconds(10);
 
         const int QuickFactor = 4, SlowFactor = 5;
 
-        /// <summary>Quick exchanges after a start, and after a silence: five seconds, and a little more than one, at 200 ms as set.</summary>
+        /// <summary>Quick exchanges after a start (five seconds) and after a silence (about one second), for an interval of 200 ms.</summary>
         const int QuickAtStart = 100, QuickAfterSilence = 25;
 
-        /// <summary>Quick exchanges at most while the clock is not synchronised yet: 50 s at 200 ms as set, then it goes on as set.</summary>
+        /// <summary>Maximum quick exchanges before synchronisation: 50 s for an interval of 200 ms; then the configured pace applies.</summary>
         const int QuickUntilSynchronised = 1000;
 
         /// <summary>
-        /// Standard error of the offset below which it goes slowly, and above which no longer. A wired network reaches it,
-        /// WiFi hardly ever: there more exchanges do help.
+        /// Standard error of the offset below which the slow pace starts, and above which it ends. A wired network reaches it, WiFi
+        /// rarely, where more exchanges still help.
         /// </summary>
         static readonly TimeSpan Calm = ClockTicks.Span(10e-6), Uneasy = ClockTicks.Span(25e-6);
 
@@ -35,11 +35,11 @@ namespace Nowpose.Sync
         int _quickLeft;
         bool _isCalm;
 
-        /// <param name="usual">From the start of one exchange to the start of the next, as set; the others follow from it.</param>
+        /// <param name="usual">Configured interval from the start of one exchange to the start of the next.</param>
         /// <param name="silence">
-        /// A pause after which the clock is in holdover: the next exchanges are quick then, and two slow ones fit into it.
+        /// Time without exchanges after which the clock is in holdover. The next exchanges are then quick. Two slow ones fit into it.
         /// </param>
-        /// <param name="random">Spreads exchanges over the steps of a coarse control clock; this one's own.</param>
+        /// <param name="random">Spreads exchanges over the steps of a coarse control clock; not shared with other objects.</param>
         public ExchangePace(TimeSpan usual, TimeSpan silence, Random random)
         {
             _random = random;
@@ -49,9 +49,9 @@ namespace Nowpose.Sync
             _silence = silence > _slow + usual ? silence : _slow + usual;
         }
 
-        /// <summary>Time from the start of the exchange that has just ended to the start of the next.</summary>
-        /// <param name="clock">Knows that exchange already.</param>
-        /// <param name="now">Not before the last call's.</param>
+        /// <summary>Returns the time from the start of the exchange that has just ended to the start of the next.</summary>
+        /// <param name="clock">Synchroniser to which that exchange was already added.</param>
+        /// <param name="now">Not earlier than in the last call.</param>
         public TimeSpan Next(ClockSynchroniser clock, HeadsetTime now)
         {
             if (now - _last > _silence) _quickLeft = QuickAfterSilence;
@@ -63,8 +63,8 @@ namespace Nowpose.Sync
             return (isQuick ? _quick : _isCalm ? _slow : _usual) + Dither(clock.Resolution);
         }
 
-        // Exchanges that meet a coarse clock at the same part of its step again and again see its rate as their own.
-        // No more than the quick pace, lest a wild resolution make it slow: several pauses together spread over a longer step too.
+        // Without dither, exchanges may hit a coarse clock at the same part of its step each time, which biases the estimated rate.
+        // Limited to the quick interval, so that an implausible resolution does not slow the pace; several intervals cover a longer step.
         TimeSpan Dither(TimeSpan resolution) => new TimeSpan((long)(Least(resolution, _quick).Ticks * _random.NextDouble()));
 
         static TimeSpan Least(TimeSpan a, TimeSpan b) => a < b ? a : b;

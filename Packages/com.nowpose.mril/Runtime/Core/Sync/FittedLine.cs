@@ -3,7 +3,7 @@ using MathNet.Numerics.LinearRegression;
 
 namespace Nowpose.Sync
 {
-    /// <summary>A least-squares line through offsets over the headset clock, Eq. (6), anchored at a reference moment.</summary>
+    /// <summary>Least-squares line through offsets over the headset clock, Eq. (6), relative to a reference time.</summary>
     readonly struct FittedLine
     {
         FittedLine(HeadsetTime reference, ClockOffset offset, double skew, TimeSpan offsetError, double skewError)
@@ -23,7 +23,7 @@ namespace Nowpose.Sync
 
         public ClockOffset OffsetAt(HeadsetTime t) => Offset + ClockTicks.Span(ClockTicks.Seconds(t - Reference) * Skew);
 
-        /// <summary>One standard error of <see cref="OffsetAt"/>, seconds: a line through few points is worth little soon after.</summary>
+        /// <summary>Standard error of <see cref="OffsetAt"/>, s; it grows quickly for a line through few points.</summary>
         public double ErrorAt(HeadsetTime t)
         {
             var drift = SkewError * ClockTicks.Seconds(t - Reference);
@@ -33,7 +33,7 @@ namespace Nowpose.Sync
 
         /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two, not all equal.</param>
         /// <param name="y">Seconds relative to <paramref name="referenceOffset"/>.</param>
-        /// <param name="bound">How far a point may lie from the line, seconds.</param>
+        /// <param name="bound">Maximum distance of a point from the line, s.</param>
         public static FittedLine Through(double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset, double bound)
         {
             var (intercept, slope) = SimpleRegression.Fit(x, y);
@@ -45,7 +45,7 @@ namespace Nowpose.Sync
                 squares += residual * residual;
                 spread += (x[i] - meanX) * (x[i] - meanX);
             }
-            // As if one more point lay a whole bound away: two points are always on a line, which proves nothing.
+            // Adds one point at the maximum distance: the residuals of a line through two points are zero and contain no information.
             var variance = (squares + bound * bound) / (x.Length - 1);
             var offsetError = Math.Sqrt(variance * (1.0 / x.Length + meanX * meanX / spread));
             return new FittedLine(

@@ -1,18 +1,18 @@
 namespace Nowpose.Sync
 {
-    /// <summary>Turns sync exchanges into offset and skew. Not thread-safe: <see cref="ClockSynchroniser"/> sees to that.</summary>
+    /// <summary>Estimates offset and skew from sync exchanges. Not thread-safe: <see cref="ClockSynchroniser"/> serialises the calls.</summary>
     interface IClockEstimator
     {
         /// <summary>The line after the newest exchange; <see cref="ClockLine.Exchanges"/> is 0 before the first.</summary>
         ClockLine Line { get; }
 
-        /// <param name="exchange">Checked, and newer than all before.</param>
+        /// <param name="exchange">A checked exchange that is newer than all previous ones.</param>
         void Add(in SyncExchange exchange);
 
-        /// <summary>Forgets the offset: a clock stepped, or nothing was heard for long.</summary>
+        /// <summary>Removes the estimate of the offset after a clock step or a long time without exchanges.</summary>
         /// <param name="skewDoubt">
-        /// What the skew may be off from what it was, one standard deviation, dimensionless: little where the same two clocks
-        /// run on. An estimator need not make use of it.
+        /// Standard deviation of the change of the skew, dimensionless; small when the clocks are still the same. An estimator may
+        /// ignore it.
         /// </param>
         void Restart(double skewDoubt);
     }

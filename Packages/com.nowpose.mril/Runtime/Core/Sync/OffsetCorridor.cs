@@ -4,8 +4,8 @@ using Nowpose.Sync.Envelope;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Between what bounds the offset lay beside an estimated line, and how closely the packets kept to them; in seconds.
-    /// Both bounds include the least delay of their direction.
+    /// Bounds of the offset relative to an estimated line, and lateness of the packets relative to the bounds; in seconds.
+    /// Each bound includes the minimum delay of its direction.
     /// </summary>
     sealed class OffsetCorridor
     {
@@ -14,26 +14,26 @@ namespace Nowpose.Sync
         readonly int _row;
         double _sumBelow, _sumAbove, _rowBelow, _rowAbove, _slackestBelow, _slackestAbove;
 
-        /// <param name="row">Exchanges in a row of which the most punctual is looked at.</param>
+        /// <param name="row">Number of consecutive exchanges in a group, of which the tightest bounds are used.</param>
         public OffsetCorridor(int row)
         {
             _row = row;
             Clear();
         }
 
-        /// <summary>Exchanges that it was made of.</summary>
+        /// <summary>Number of exchanges added.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Greatest lower bound less the line.</summary>
+        /// <summary>Largest lower bound minus the line.</summary>
         public double Least { get; private set; }
 
-        /// <summary>Least upper bound less the line.</summary>
+        /// <summary>Smallest upper bound minus the line.</summary>
         public double Greatest { get; private set; }
 
-        /// <summary>How much later than the most punctual packet the others were on average, in the worse direction.</summary>
+        /// <summary>Mean lateness of the packets relative to the one with the shortest delay, in the worse direction.</summary>
         public double Lateness => Math.Max(Least - _sumBelow / Count, _sumAbove / Count - Greatest);
 
-        /// <summary>How much later than the most punctual request the most punctual of a row was at worst.</summary>
+        /// <summary>Maximum lateness of the best request of a group relative to the best of all requests.</summary>
         public double RowBelow => Least - _slackestBelow;
 
         /// <summary>The same for replies.</summary>
@@ -64,7 +64,7 @@ namespace Nowpose.Sync
             _rowAbove = double.PositiveInfinity;
         }
 
-        /// <summary>Both bounds of an exchange less the line, s.</summary>
+        /// <summary>Returns both bounds of an exchange minus the line, s.</summary>
         public static (double Below, double Above) Beside(in ClockLine line, in OffsetBounds bounds) => (
             Beside(line, bounds.Sent, bounds.Least), Beside(line, bounds.Received, bounds.Greatest));
 

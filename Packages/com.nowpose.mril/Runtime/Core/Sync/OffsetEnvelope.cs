@@ -3,16 +3,16 @@ using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Sync
 {
-    /// <summary>The offsets that recent exchanges leave possible, whatever the network did.</summary>
+    /// <summary>Interval of the offsets that are consistent with the recent exchanges; valid for any network.</summary>
     /// <remarks>
-    /// No packet arrives before it was sent, so each exchange proves t1 − t2 ≤ Φ ≤ t4 − t3 (widened by half the resolution
-    /// that the control clock said in it). A server that follows another clock says how wrong its own may be: bounds of the
-    /// true offset are wider by the most that it has said in that exchange or since. An older proof is carried to the present by
-    /// the estimated skew, and widened by what that may be wrong. All together leave an interval about as long as the least recent round trip.
+    /// No packet arrives before it was sent, so each exchange proves t1 − t2 ≤ Φ ≤ t4 − t3, widened by half the resolution that the
+    /// control clock stated in it. A server that follows another clock states its own error bound: the bounds of the true offset are
+    /// wider by the maximum that it stated in that exchange or later. An older bound is extrapolated to the present with the estimated
+    /// skew and widened by the error of the skew. The resulting interval is about as long as the minimum recent round-trip time.
     /// </remarks>
     sealed class OffsetEnvelope
     {
-        /// <summary>A minute of the usual exchanges: older proofs are wide, and a path that has become longer is forgotten.</summary>
+        /// <summary>Maximum number of exchanges, a minute at the usual pace: older bounds are wide, and a longer path must replace them.</summary>
         const int Window = 300;
 
         static readonly TimeSpan Oldest = TimeSpan.FromMinutes(1);
@@ -20,14 +20,14 @@ namespace Nowpose.Sync
         readonly BoundsHistory _history = new BoundsHistory(Window, Oldest);
         readonly double _skewDoubt;
 
-        /// <param name="skewDoubt">What an estimated skew may be wrong beyond its standard errors, dimensionless: clocks do not run evenly.</param>
+        /// <param name="skewDoubt">Error of an estimated skew beyond its standard errors, dimensionless: clock rates vary.</param>
         public OffsetEnvelope(double skewDoubt) => _skewDoubt = skewDoubt;
 
         public void Add(in SyncExchange exchange) => _history.Add(new OffsetBounds(exchange));
 
         public void Reset() => _history.Clear();
 
-        /// <summary>Whether the exchange and the recent ones can all be true, give or take a margin. They cannot when a clock stepped.</summary>
+        /// <summary>Whether the exchange is consistent with the recent ones within a margin. It is not when a clock stepped.</summary>
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
             var proof = new OffsetBounds(exchange);
@@ -36,8 +36,8 @@ namespace Nowpose.Sync
         }
 
         /// <summary>
-        /// How far the true offset can be from the line where it is anchored, the server's own error included: the distance to
-        /// the farther end of the interval.
+        /// Returns the maximum distance of the true offset from the line at its reference time, including the server's own error: the
+        /// distance to the farther end of the interval.
         /// </summary>
         public TimeSpan GreatestError(in ClockLine line)
         {
@@ -46,7 +46,7 @@ namespace Nowpose.Sync
             return new TimeSpan(Math.Max(Math.Abs(greatest - offset), Math.Abs(offset - least)));
         }
 
-        /// <summary>The server's error bound that counts for a line through the recent exchanges: their mean, but at least the newest.</summary>
+        /// <summary>Returns the server's error bound for a line through the recent exchanges: their mean, but at least the newest.</summary>
         public TimeSpan ServerErrorBound()
         {
             if (_history.Count == 0) return default;
@@ -55,8 +55,8 @@ namespace Nowpose.Sync
             return new TimeSpan(Math.Max(_history[0].ServerErrorBound, (long)(sum / _history.Count)));
         }
 
-        /// <summary>Where the bounds lie beside the line, without the newest few.</summary>
-        /// <param name="newest">How many to leave out; none may be left then.</param>
+        /// <summary>Adds the bounds relative to the line to a corridor, without the newest few.</summary>
+        /// <param name="newest">Number of newest exchanges to omit; the result may be empty.</param>
         public void Fill(OffsetCorridor corridor, in ClockLine line, int newest)
         {
             corridor.Clear();
@@ -67,12 +67,12 @@ namespace Nowpose.Sync
         (long Least, long Greatest) At(HeadsetTime now, in ClockLine line, bool includeServerError)
         {
             var doubt = line.Exchanges == 0 ? ClockLine.GreatestSkew : 3 * line.SkewError + _skewDoubt;
-            // Halves, so that a margin can be added to the ends of an interval that nothing bounds yet.
+            // Half of the range of long, so that adding a margin to an end without a bound does not overflow.
             long least = long.MinValue / 2, greatest = long.MaxValue / 2, serverError = 0;
             for (var i = 0; i < _history.Count; i++)
             {
                 ref readonly var proof = ref _history[i];
-                // The newest first: a server that knows its clock less well than it said before may have been wrong since.
+                // Starts with the newest: a server that states a larger error now may have had it since an earlier exchange.
                 if (includeServerError) serverError = Math.Max(serverError, proof.ServerErrorBound);
                 var margin = proof.HalfResolution + serverError;
                 least = Math.Max(least, Carried(proof.Least, now - proof.Sent, line.Skew, -doubt) - margin);

@@ -4,36 +4,36 @@ using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Sync
 {
-    /// <summary>Finds a step of a clock that is shorter than a round trip, which no exchange contradicts by itself.</summary>
+    /// <summary>Detects a clock step that is shorter than a round-trip time, which no single exchange contradicts.</summary>
     /// <remarks>
-    /// When the offset steps, both bounds move with it: several requests arrive earlier than any ever could, and all replies
-    /// later, or the other way round. A path that becomes shorter or longer moves one bound, or both apart: that is no step.
-    /// A change of both paths at once, one shorter by as much as the other is longer, looks the same to anybody.
+    /// When the offset steps, both bounds move with it: several requests arrive earlier than before, and all replies later, or the
+    /// other way round. A path that becomes shorter or longer moves one bound, or both apart, which is not a step.
+    /// If one path becomes shorter by as much as the other becomes longer, the change is not distinguishable from a step.
     /// </remarks>
     sealed class OffsetShiftWatch
     {
-        /// <summary>Exchanges looked at, and how many of them must break a bound.</summary>
+        /// <summary>Number of recent exchanges, and how many of them must break a bound.</summary>
         const int Recent = 15, Violations = 3;
 
         /// <summary>
-        /// Exchanges after which one makes the bounds itself, and how many older ones it takes to know them. Were it no more
-        /// than those looked at, a step had to be plain the very moment that all of them are of after it.
+        /// Age in exchanges after which an exchange contributes to the bounds, and minimum number of older exchanges. If the guard were
+        /// only as long as the recent exchanges, a step could be detected only at the moment when all of them are after it.
         /// </summary>
         const int Guard = 2 * Recent, FewestPast = 30;
 
-        /// <summary>Least step that counts, s, and in average latenesses divided by the number of older exchanges: how well bounds are known.</summary>
+        /// <summary>Minimum step, s; and in mean latenesses divided by the number of older exchanges, which is the accuracy of the bounds.</summary>
         const double LeastShift = 0.15e-3, LatenessShare = 10;
 
-        /// <summary>How far the other bound must have moved at least, in what it seemed to move without a step: by chance all are late.</summary>
+        /// <summary>Minimum movement of the other bound, relative to its apparent movement without a step: all packets may be late.</summary>
         const double OtherShare = 2;
 
         /// <summary>
-        /// Share of the greater of both movements that the smaller one must be: a step moves both bounds alike. Paths that change move each
-        /// by its own amount.
+        /// Minimum ratio of the smaller movement to the larger one: a step moves both bounds by the same amount, while paths change by
+        /// different amounts.
         /// </summary>
         const double CommonShare = 0.8;
 
-        /// <summary>A line whose skew is known less well carries no bound through a minute.</summary>
+        /// <summary>Maximum standard error of the skew with which a bound can be extrapolated over a minute.</summary>
         const double GreatestSkewError = 25e-6;
 
         readonly OffsetCorridor _past = new OffsetCorridor(Recent);
@@ -44,10 +44,10 @@ namespace Nowpose.Sync
         double _leastShift;
         int _first;
 
-        /// <summary>By how much a recent exchange breaks a bound, be it for a step or for a path that has become shorter; zero if none does.</summary>
+        /// <summary>Maximum violation of a bound by recent exchanges, caused by a step or by a path that has become shorter; zero for none.</summary>
         public TimeSpan Suspicion { get; private set; }
 
-        /// <summary>The exchanges since the step that <see cref="Judge"/> has found; a copy.</summary>
+        /// <summary>Copy of the exchanges since the step that <see cref="Judge"/> detected.</summary>
         public SyncExchange[] Since => _recent.GetRange(_first, _recent.Count - _first).ToArray();
 
         public void Reset()
@@ -57,8 +57,8 @@ namespace Nowpose.Sync
         }
 
         /// <returns>Whether a clock has stepped.</returns>
-        /// <param name="exchange">Not yet in the envelope.</param>
-        /// <param name="line">Without the exchange.</param>
+        /// <param name="exchange">An exchange that is not yet in the envelope.</param>
+        /// <param name="line">The line without the exchange.</param>
         public bool Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
         {
             if (_recent.Count == Recent) _recent.RemoveAt(0);
@@ -68,14 +68,14 @@ namespace Nowpose.Sync
             envelope.Fill(_past, line, Guard - 1);
             if (_past.Count < FewestPast) return false;
 
-            // Positive where the bound is broken: the offset rose, or fell.
+            // Positive when the bound is broken: the offset rose for the lower bound, or fell for the upper one.
             for (var i = 0; i < _recent.Count; i++)
             {
                 var (below, above) = OffsetCorridor.Beside(line, new OffsetBounds(_recent[i]));
                 _below[i] = below - _past.Least;
                 _above[i] = _past.Greatest - above;
             }
-            // A clock that advances in steps of its resolution seems to make one now and then.
+            // A clock with a coarse resolution appears to step by its resolution occasionally.
             _leastShift = LeastShift + ClockTicks.Seconds(exchange.Resolution);
             return HasShifted(_below, _above, _past.RowAbove) || HasShifted(_above, _below, _past.RowBelow);
         }

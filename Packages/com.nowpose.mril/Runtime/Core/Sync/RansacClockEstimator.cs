@@ -11,12 +11,12 @@ namespace Nowpose.Sync
     {
         const int FewestForALine = 3;
 
-        /// <summary>A young line's slope may follow a burst of late replies: until it rests on so many exchanges, none is believed.</summary>
+        /// <summary>Exchanges after which the slope of a line is used for its error; a burst of late replies can tilt an earlier line.</summary>
         const int MatureExchanges = 50;
 
         /// <summary>
-        /// What the skew may be wrong beyond its standard errors, which know nothing of delays that come in bursts. In
-        /// simulated outages of 30 s on a loaded WiFi, three times 80 ppm were too little once in fifty, 130 never.
+        /// Error of the skew beyond its standard errors, which do not include delays that come in bursts. In simulated outages of
+        /// 30 s on a loaded WiFi, three times 80 ppm was exceeded in one of fifty, three times 130 ppm in none.
         /// </summary>
         const double BurstError = 130e-6;
 
@@ -55,7 +55,7 @@ namespace Nowpose.Sync
         ClockLine MedianSoFar()
         {
             var newest = _points[_points.Count - 1];
-            // Of two, the mean; of one, itself.
+            // The mean of two offsets, or the only one.
             var change = new TimeSpan((_points[0].Offset - newest.Offset).Ticks / 2);
             return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.GreatestSkew / 3, _exchanges);
         }
@@ -79,10 +79,10 @@ namespace Nowpose.Sync
             return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset, bound);
         }
 
-        // Each earlier line is carried to the present by its own slope before it is averaged: averaging offsets as they
-        // were then would lag behind by half the window times the skew. A line weighs as much as its variance at the present
-        // allows: the same for all once the history is full, which is the paper's average, but little for the first ones,
-        // whose slopes through a handful of points would spoil the average for four seconds.
+        // Each earlier line is extrapolated to the present by its own slope before averaging: an average of the offsets at their own
+        // times would lag behind by half the window times the skew. The weight of a line is the inverse of its variance at the
+        // present. With a full history all weights are equal, as in the paper. The first lines, through few points, get little
+        // weight; their slopes would otherwise disturb the average for four seconds.
         ClockLine Averaged(FittedLine fitted)
         {
             _lines.Enqueue(fitted);
@@ -97,7 +97,7 @@ namespace Nowpose.Sync
                 weights += weight;
                 change += weight * ClockTicks.Seconds(line.OffsetAt(fitted.Reference) - fitted.Offset);
                 skew += weight * line.Skew;
-                // Neighbouring lines share all but one of their points: their errors do not average out.
+                // Neighbouring lines share all but one of their points, so that their errors do not average out.
                 error += weight * lineError;
                 skewError += weight * line.SkewError;
             }

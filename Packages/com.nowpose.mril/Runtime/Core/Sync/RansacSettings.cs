@@ -2,16 +2,16 @@ using System;
 
 namespace Nowpose.Sync
 {
-    /// <summary>Constants of the paper's estimator; the defaults are those of its Fig. 8.</summary>
+    /// <summary>Constants of the paper's estimator; the defaults are those of Fig. 8.</summary>
     public sealed class RansacSettings
     {
         public static readonly RansacSettings Paper = new RansacSettings();
 
-        /// <param name="history">Exchanges kept.</param>
-        /// <param name="hypotheses">Lines tried at each exchange.</param>
-        /// <param name="inlierBoundMs">Greatest distance of an inlier from the line, ms.</param>
-        /// <param name="movingAverage">Fitted lines averaged.</param>
-        /// <param name="seed">Seed of the random choice of hypotheses: the same log gives the same result.</param>
+        /// <param name="history">Number of exchanges kept.</param>
+        /// <param name="hypotheses">Number of lines tried at each exchange.</param>
+        /// <param name="inlierBoundMs">Maximum distance of an inlier from the line, ms.</param>
+        /// <param name="movingAverage">Number of fitted lines in the average.</param>
+        /// <param name="seed">Seed of the random choice of hypotheses, so that the same log gives the same result.</param>
         public RansacSettings(int history = 100, int hypotheses = 20, double inlierBoundMs = 1, int movingAverage = 20, int seed = 1)
         {
             History = SettingRange.RequireCount(history, 3, 10_000, nameof(history));

@@ -11,11 +11,11 @@ namespace Nowpose.Sync
         /// <param name="t3">Control time of sending the reply.</param>
         /// <param name="t4">Headset time of its arrival.</param>
         /// <param name="resolution">
-        /// Resolution of the control clock, zero when unknown. A clock that floors its stamps is half a step late on
-        /// average, so half the resolution is added to <paramref name="t2"/> and <paramref name="t3"/>.
+        /// Resolution of the control clock, zero when unknown. If a clock rounds its time stamps down, they are early by half its
+        /// resolution on average, so half the resolution is added to <paramref name="t2"/> and <paramref name="t3"/>.
         /// </param>
-        /// <param name="serverErrorBound">The server's bound on the error of its own control clock.</param>
-        /// <param name="serverSynchronised">False when the server says that its control clock is not synchronised.</param>
+        /// <param name="serverErrorBound">Error bound that the server states for its own control clock.</param>
+        /// <param name="serverSynchronised">False when the server states that its control clock is not synchronised.</param>
         public SyncExchange(
             HeadsetTime t1, ControlTime t2, ControlTime t3, HeadsetTime t4,
             TimeSpan resolution = default, TimeSpan serverErrorBound = default, bool serverSynchronised = true)
@@ -30,16 +30,16 @@ namespace Nowpose.Sync
             ServerSynchronised = serverSynchronised;
         }
 
-        /// <summary>Request sent.</summary>
+        /// <summary>Headset time of sending the request.</summary>
         public HeadsetTime T1 { get; }
 
-        /// <summary>Request received, half a resolution added.</summary>
+        /// <summary>Control time of receiving the request, plus half the resolution.</summary>
         public ControlTime T2 { get; }
 
-        /// <summary>Reply sent, half a resolution added.</summary>
+        /// <summary>Control time of sending the reply, plus half the resolution.</summary>
         public ControlTime T3 { get; }
 
-        /// <summary>Reply received.</summary>
+        /// <summary>Headset time of receiving the reply.</summary>
         public HeadsetTime T4 { get; }
 
         /// <summary>Resolution of the control clock; zero when unknown.</summary>
@@ -50,7 +50,7 @@ namespace Nowpose.Sync
         public bool ServerSynchronised { get; }
 
         /// <summary>
-        /// Φ* of this exchange alone, Eq. (5): exact when both ways take equally long, else wrong by at most half
+        /// Φ* of this exchange alone, Eq. (5): exact when both directions take equally long; otherwise the error is at most half of
         /// <see cref="RoundTripTime"/>.
         /// </summary>
         public ClockOffset Offset
@@ -59,12 +59,12 @@ namespace Nowpose.Sync
             {
                 var there = T1.SinceEpoch - T2.SinceEpoch;
                 var back = T4.SinceEpoch - T3.SinceEpoch;
-                // Half of each rather than half of the sum: clocks with far-apart epochs would overflow.
+                // Half of the difference instead of half of the sum, which would overflow for clocks with distant epochs.
                 return new ClockOffset(there + new TimeSpan((back - there).Ticks / 2));
             }
         }
 
-        /// <summary>Both ways together, without the time spent at the server: (t4 − t1) − (t3 − t2).</summary>
+        /// <summary>Duration of both directions without the time spent at the server: (t4 − t1) − (t3 − t2).</summary>
         public TimeSpan RoundTripTime => (T4 - T1) - (T3 - T2);
     }
 }

@@ -1,35 +1,35 @@
 namespace Nowpose.Sync
 {
-    /// <summary>Why a sync exchange was dropped.</summary>
+    /// <summary>Reason why a sync exchange was dropped or set aside.</summary>
     enum SyncExchangeFault
     {
         None,
 
-        /// <summary>The reply's sequence number is not the request's.</summary>
+        /// <summary>The sequence number of the reply differs from that of the request.</summary>
         WrongSequence,
 
-        /// <summary>The echoed t1 is not the request's.</summary>
+        /// <summary>The echoed t1 differs from that of the request.</summary>
         WrongEcho,
 
-        /// <summary>t3 before t2: the server sent before it received.</summary>
+        /// <summary>t3 is before t2: the server sent before it received.</summary>
         ControlTimeReversed,
 
-        /// <summary>t4 before t1: the headset received before it sent.</summary>
+        /// <summary>t4 is before t1: the headset received before it sent.</summary>
         HeadsetTimeReversed,
 
-        /// <summary>The server kept the request for longer than the whole exchange took, by more than its clock's resolution.</summary>
+        /// <summary>The server's processing time exceeds the duration of the exchange by more than the resolution of its clock.</summary>
         NegativeRoundTrip,
 
-        /// <summary>A timestamp beyond ±146 years of its epoch: no clock shows it, and sums with it would overflow.</summary>
+        /// <summary>A time stamp is more than 146 years from its epoch, which is implausible and would overflow sums.</summary>
         ImplausibleTime,
 
-        /// <summary>Not a frame of the protocol: wrong magic, version or kind. Ends the connection.</summary>
+        /// <summary>The data is not a protocol frame: wrong magic, version or kind. Ends the connection.</summary>
         NotAFrame,
 
-        /// <summary>Contradicts the recent exchanges: the first signs of a clock step, or a server that is not of one mind. Set aside.</summary>
+        /// <summary>The exchange contradicts the recent ones: a possible clock step, or an inconsistent server. It is set aside.</summary>
         Contradiction,
 
-        /// <summary>t4 is not after the previous exchange's: a log out of order, or a repeated line.</summary>
+        /// <summary>t4 is not after that of the previous exchange: a log out of order, or a repeated line.</summary>
         NotNewer,
     }
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Sync
 {
-    /// <summary>Is told of an exchange that was judged.</summary>
-    /// <param name="fault">Why it was dropped; none otherwise.</param>
+    /// <summary>Handles an exchange and its verdict.</summary>
+    /// <param name="fault">Reason for dropping the exchange, or <see cref="SyncExchangeFault.None"/>.</param>
     delegate void SyncExchangeHandler(in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault);
 }

@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Sync
 {
-    /// <summary>What an exchange must satisfy before an estimator may see it.</summary>
+    /// <summary>Validates an exchange before it reaches an estimator.</summary>
     static class SyncExchangeRules
     {
-        /// <summary>Half of what 64 bits of nanoseconds hold.</summary>
+        /// <summary>Maximum distance from the epoch: half the range of 64-bit nanoseconds.</summary>
         static readonly TimeSpan Farthest = new TimeSpan(long.MaxValue / 2 / ClockTicks.NanosecondsPerTick);
 
         public static SyncExchangeFault Check(in SyncExchange exchange)

@@ -1,18 +1,18 @@
 namespace Nowpose.Sync
 {
-    /// <summary>What became of an exchange that was added to a <see cref="ClockSynchroniser"/>.</summary>
+    /// <summary>Result of adding an exchange to a <see cref="ClockSynchroniser"/>.</summary>
     enum SyncVerdict
     {
-        /// <summary>Dropped: it broke a rule of the exchange itself.</summary>
+        /// <summary>The exchange was dropped because it is invalid.</summary>
         Dropped,
 
-        /// <summary>Used.</summary>
+        /// <summary>The exchange was used.</summary>
         Consistent,
 
-        /// <summary>Contradicts the recent exchanges; kept aside until it is clear whether a clock stepped.</summary>
+        /// <summary>The exchange contradicts the recent ones and is kept aside until a clock step is confirmed or ruled out.</summary>
         SetAside,
 
-        /// <summary>A clock stepped: the estimator starts anew from the exchanges set aside.</summary>
+        /// <summary>A clock stepped: the estimator restarts with the exchanges set aside.</summary>
         Step,
     }
 }

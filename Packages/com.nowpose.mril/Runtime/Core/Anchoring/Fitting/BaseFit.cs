@@ -5,21 +5,21 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>
-    /// The pose of the base that fits several markers best: the rigid transform that brings their places at the base to where they
-    /// are seen, and turns them as they are seen, each by its weight.
+    /// Fits the pose of the base to several markers: the rigid transform that maps their poses in the base frame to their measured
+    /// poses, position and rotation, with weights.
     /// </summary>
     /// <remarks>
-    /// With three markers or more that are apart, their positions say almost alone how the base is turned, since a position is known
-    /// better than the angle of a print; with one, its angle does; with two, the positions say what they can. How far three are trusted
-    /// to say it by their angles, too, is told by how well these fit.
+    /// With three or more separate markers, mainly their positions determine the rotation of the base, because a position is measured more
+    /// accurately than the angle of a print. With one marker, its angle determines the rotation; with two, both contribute. With three
+    /// or more, the weight of the angles follows from how well they fit.
     /// </remarks>
     static class BaseFit
     {
-        /// <summary>What three markers say of how much prints are askew is itself uncertain; radians.</summary>
+        /// <summary>Limits of the estimated angle error of the prints, rad, because an estimate from three markers is uncertain.</summary>
         const double LeastAskew = 0.1 * Math.PI / 180, MostAskew = 2 * Math.PI / 180;
 
-        /// <param name="markers">At least one.</param>
-        /// <param name="without">Index of one that is left out; −1 for none.</param>
+        /// <param name="markers">One marker or more.</param>
+        /// <param name="without">Index of a marker to omit; −1 for none.</param>
         /// <returns>Base frame in the room frame.</returns>
         public static RigidTransform Of(IReadOnlyList<MarkerEstimate> markers, int without = -1)
         {
@@ -28,7 +28,7 @@ namespace Nowpose.Anchoring.Fitting
             return Of(markers, without, AskewVariance(markers, without, first, Assumed));
         }
 
-        /// <summary>How much the prints are really askew, by how their angles contradict their places.</summary>
+        /// <summary>Estimates the variance of the prints' angle errors, rad², from the contradiction between angles and positions.</summary>
         static double AskewVariance(IReadOnlyList<MarkerEstimate> markers, int without, in RigidTransform fitted, double assumed)
         {
             double sum = 0;
@@ -40,7 +40,7 @@ namespace Nowpose.Anchoring.Fitting
                 sum += radians * radians / 3 - markers[i].RotationVariance;
                 count++;
             }
-            // Of one or two, the places do not say how the base is turned.
+            // The positions of one or two markers do not determine the rotation of the base.
             return count < 3 ? assumed : Math.Min(Math.Max(sum / count, LeastAskew * LeastAskew), MostAskew * MostAskew);
         }
 
@@ -71,7 +71,7 @@ namespace Nowpose.Anchoring.Fitting
             return rotation.MovedTo(here.X - moved.X, here.Y - moved.Y, here.Z - moved.Z);
         }
 
-        /// <summary>By how much a marker is not where a base would have it.</summary>
+        /// <summary>Returns the deviation of a marker from its pose according to the fitted base.</summary>
         public static (double Metres, double Radians) Misfit(in RigidTransform fitted, in MarkerEstimate marker)
         {
             var expected = fitted * marker.InBase;

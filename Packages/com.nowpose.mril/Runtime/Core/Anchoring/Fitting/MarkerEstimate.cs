@@ -2,20 +2,20 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Fitting
 {
-    /// <summary>Where a marker is by what was seen of it, and by how much that is probably wrong.</summary>
+    /// <summary>Estimated pose of a marker, with its estimated error.</summary>
     readonly struct MarkerEstimate
     {
         /// <summary>
-        /// Of one code, however long it is looked at, along and about an axis: how well its place at the base can be measured, and how
-        /// flat the print is. So much is not averaged away.
+        /// Standard deviation of a position along an axis that does not decrease with the number of sightings, m: accuracy of the measured
+        /// position at the base, and flatness of the print.
         /// </summary>
         const double PlacedMetres = 0.00025;
 
-        /// <summary>The same of its angle, where there are no other markers to tell.</summary>
+        /// <summary>The same for the angle about an axis, rad, unless other markers provide an estimate.</summary>
         public const double PlacedRadians = 0.5 * System.Math.PI / 180;
 
-        /// <param name="inBase">Where it is in the base frame, as it was measured.</param>
-        /// <param name="mean">In the room frame.</param>
+        /// <param name="inBase">Measured pose in the base frame.</param>
+        /// <param name="mean">Mean of the sightings, in the room frame.</param>
         public MarkerEstimate(in RigidTransform inBase, in RigidTransform mean, double errorMetres, double errorRadians)
         {
             InBase = inBase;
@@ -27,20 +27,20 @@ namespace Nowpose.Anchoring.Fitting
         public RigidTransform InBase { get; }
         public RigidTransform Mean { get; }
 
-        /// <summary>Root mean square of what the mean's position is probably off by.</summary>
+        /// <summary>Estimated error of the mean's position, root mean square, m.</summary>
         public double ErrorMetres { get; }
 
         public double ErrorRadians { get; }
 
         public double PositionWeight => 1 / (ErrorMetres * ErrorMetres / 3 + PlacedMetres * PlacedMetres);
 
-        /// <summary>Along an axis, what is averaged away by looking longer.</summary>
+        /// <summary>Variance of the mean's rotation about an axis, rad², which decreases with the number of sightings.</summary>
         public double RotationVariance => ErrorRadians * ErrorRadians / 3;
 
-        /// <param name="placedVariance">Square of what the angle is off by about an axis, however long it is looked at, rad².</param>
+        /// <param name="placedVariance">Variance of the angle about an axis that does not decrease with the number of sightings, rad².</param>
         public double RotationWeight(double placedVariance) => 1 / (RotationVariance + placedVariance);
 
-        /// <summary>The same, from where the room is seen otherwise.</summary>
+        /// <summary>Returns the estimate with its mean transformed by <paramref name="room"/>.</summary>
         public MarkerEstimate From(in RigidTransform room) => new MarkerEstimate(InBase, room * Mean, ErrorMetres, ErrorRadians);
     }
 }

@@ -3,22 +3,22 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Fitting
 {
-    /// <summary>The mean of poses that say the same, without those that say something else.</summary>
+    /// <summary>Mean of poses without outliers.</summary>
     /// <remarks>
-    /// What is farther away than a multiple of the median, by place or by angle, is left out as a whole; of the others position and
-    /// rotation are averaged.
+    /// A pose whose distance or angle from the centre exceeds a multiple of the median is omitted entirely. Position and rotation of the
+    /// other poses are averaged.
     /// </remarks>
     readonly struct PoseMean
     {
-        /// <summary>In medians of the distance. Of normal noise in three directions it is 3.8 of its sd along one, which 0.2 % exceed.</summary>
+        /// <summary>Outlier threshold in medians of the distance: for normal noise in three directions 3.8 sd of one, which 0.2 % exceed.</summary>
         const double Reach = 2.5;
 
-        /// <summary>What rounding makes of poses that are equal.</summary>
+        /// <summary>Minimum thresholds, for rounding errors of equal poses.</summary>
         const double LeastMetres = 1e-6, LeastRadians = 1e-6;
 
         const int Rounds = 4;
 
-        /// <summary>In standard errors: of noise alone the halves differ by more once in 100 000 times.</summary>
+        /// <summary>Maximum difference of the two halves in its standard errors: noise alone exceeds it once in 100 000 times.</summary>
         const double Sure = 3;
 
         readonly double _shiftMetres, _shiftRadians;
@@ -39,25 +39,25 @@ namespace Nowpose.Anchoring.Fitting
         public int Inliers { get; }
         public int Outliers { get; }
 
-        /// <summary>Root mean square of the distances from the mean.</summary>
+        /// <summary>Root mean square of the distances from the mean, m.</summary>
         public double SpreadMetres { get; }
 
-        /// <summary>Root mean square of the angles to the mean.</summary>
+        /// <summary>Root mean square of the angles to the mean, rad.</summary>
         public double SpreadRadians { get; }
 
-        /// <summary>What the mean's position is probably off by (root mean square), if each pose errs on its own.</summary>
+        /// <summary>Estimated error of the mean's position, root mean square, m, if the errors of the poses are independent.</summary>
         public double ErrorMetres => SpreadMetres / Math.Sqrt(Inliers);
 
-        /// <summary>What the mean's rotation is probably off by.</summary>
+        /// <summary>Estimated error of the mean's rotation, rad.</summary>
         public double ErrorRadians => SpreadRadians / Math.Sqrt(Inliers);
 
-        /// <summary>Whether the older half of the poses says the same as the newer: what moves has no mean.</summary>
-        /// <param name="metres">A difference that does not matter, however little the poses scatter.</param>
-        /// <param name="radians">The same of the angle.</param>
+        /// <summary>Whether the means of the older and the newer half of the poses agree. The mean of a moving marker has no meaning.</summary>
+        /// <param name="metres">Difference that is always allowed, even with little scatter.</param>
+        /// <param name="radians">The same for the angle.</param>
         public bool IsSteady(double metres, double radians) =>
             _shiftMetres <= Math.Max(metres, 2 * Sure * ErrorMetres) && _shiftRadians <= Math.Max(radians, 2 * Sure * ErrorRadians);
 
-        /// <param name="count">How many of the newest; at least one.</param>
+        /// <param name="count">Number of newest poses to use; one or more.</param>
         public static PoseMean Of(PoseWindow window, int count, PoseMeanSpace space)
         {
             var (distances, angles, weights) = (space.Distances, space.Angles, space.Weights);
@@ -71,7 +71,7 @@ namespace Nowpose.Anchoring.Fitting
             for (var i = 0; i < count; i++)
                 if (distances[i] > reach) weights[i] = 0;
 
-            // First a median of rotations (far ones pull no harder than near ones), then the mean of what is near to it.
+            // First an approximate median of the rotations, in which outliers have little influence, then the mean of the rotations near it.
             var mean = Mean(window, count, weights);
             for (var round = 0; round < Rounds; round++)
             {
@@ -100,14 +100,14 @@ namespace Nowpose.Anchoring.Fitting
                 metres += distance * distance;
                 radians += angle * angle;
             }
-            // Three numbers were taken from the same poses.
+            // The mean was computed from the same poses, which costs one degree of freedom per direction.
             var free = Math.Max(inliers - 1, 1);
             var (shiftMetres, shiftRadians) = Shift(window, count, weights, mean, inliers);
             return new PoseMean(
                 mean, inliers, count - inliers, Math.Sqrt(metres / free), Math.Sqrt(radians / free), shiftMetres, shiftRadians);
         }
 
-        /// <summary>How far the mean of the newer half is from that of the older.</summary>
+        /// <summary>Returns the difference between the means of the newer and the older half.</summary>
         static (double Metres, double Radians) Shift(PoseWindow window, int count, double[] weights, in RigidTransform mean, int inliers)
         {
             int newer = inliers / 2, older = inliers - newer, passed = 0;

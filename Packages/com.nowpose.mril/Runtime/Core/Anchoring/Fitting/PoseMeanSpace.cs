@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Anchoring.Fitting
 {
-    /// <summary>Where a <see cref="PoseMean"/> is worked out, so that it needs no memory of its own.</summary>
+    /// <summary>Buffers for the computation of a <see cref="PoseMean"/>, so that it does not allocate them.</summary>
     sealed class PoseMeanSpace
     {
         readonly double[] _sorted = new double[PoseWindow.Capacity];
@@ -11,7 +11,7 @@ namespace Nowpose.Anchoring.Fitting
         public double[] Angles { get; } = new double[PoseWindow.Capacity];
         public double[] Weights { get; } = new double[PoseWindow.Capacity];
 
-        /// <param name="count">At least one.</param>
+        /// <param name="count">One or more.</param>
         public double MedianOf(double[] values, int count)
         {
             Array.Copy(values, _sorted, count);

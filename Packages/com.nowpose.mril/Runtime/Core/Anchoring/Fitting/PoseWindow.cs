@@ -3,10 +3,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Fitting
 {
-    /// <summary>The newest poses of one marker, with when they were seen.</summary>
+    /// <summary>The newest poses of one marker with their times.</summary>
     sealed class PoseWindow
     {
-        /// <summary>Eight seconds of a camera's rate: more does not make a mean much better.</summary>
+        /// <summary>Eight seconds at a typical camera rate; more poses hardly improve a mean.</summary>
         public const int Capacity = 256;
 
         readonly RigidTransform[] _poses = new RigidTransform[Capacity];
@@ -15,7 +15,7 @@ namespace Nowpose.Anchoring.Fitting
 
         public int Count { get; private set; }
 
-        /// <summary>When the newest was seen; only where there is one.</summary>
+        /// <summary>Time of the newest pose; valid only if there is one.</summary>
         public HeadsetTime Newest => TimeOf(0);
 
         public void Add(in RigidTransform pose, HeadsetTime seen)
@@ -28,13 +28,13 @@ namespace Nowpose.Anchoring.Fitting
 
         public void Clear() => Count = 0;
 
-        /// <param name="back">0 for the newest, 1 for the one before, …</param>
+        /// <param name="back">0 for the newest pose, 1 for the one before, and so on.</param>
         public ref readonly RigidTransform PoseOf(int back) => ref _poses[(_next - 1 - back + Capacity) % Capacity];
 
-        /// <param name="back">0 for the newest, 1 for the one before, …</param>
+        /// <param name="back">0 for the newest pose, 1 for the one before, and so on.</param>
         public HeadsetTime TimeOf(int back) => _times[(_next - 1 - back + Capacity) % Capacity];
 
-        /// <summary>How many of the newest it takes to go back that far; 0 where they do not reach.</summary>
+        /// <summary>Returns how many of the newest poses span at least the given time; 0 when all poses together do not.</summary>
         public int CountOver(TimeSpan span)
         {
             for (var back = 1; back < Count; back++)
@@ -42,7 +42,7 @@ namespace Nowpose.Anchoring.Fitting
             return 0;
         }
 
-        /// <summary>How many of the newest were seen since.</summary>
+        /// <summary>Returns the number of poses at or after the given time.</summary>
         public int CountSince(HeadsetTime time)
         {
             var count = 0;

@@ -5,18 +5,18 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>
-    /// The rotation nearest to rotations and to pairs of directions, by weight: the eigenvector of the largest eigenvalue of a
-    /// symmetric 4×4 matrix of quaternions (Davenport; of rotations alone Markley's mean, of positions alone Horn's best fit). Never a
+    /// Fits a rotation to weighted rotations and weighted pairs of directions: the eigenvector of the largest eigenvalue of a symmetric
+    /// 4×4 matrix of quaternions (Davenport; for rotations only Markley's mean, for positions only Horn's fit). Never a
     /// reflection.
     /// </summary>
-    /// <remarks>Solving allocates about 1 kB: not for each frame.</remarks>
+    /// <remarks>Solving allocates about 1 kB; do not do it in each frame.</remarks>
     struct RotationFit
     {
-        // What the rotation is to be aligned with: the trace of its transpose times this is to be as large as possible.
+        // The matrix B of the fit: the solution R maximises the trace of RᵀB.
         double _b00, _b01, _b02, _b10, _b11, _b12, _b20, _b21, _b22;
 
-        /// <summary>A rotation that it is to be near to; of a pose its translation does not count.</summary>
-        /// <param name="weight">One over the square of the angle, rad, by which it is probably wrong about an axis.</param>
+        /// <summary>Adds a measured rotation; the translation of a pose is ignored.</summary>
+        /// <param name="weight">Inverse variance of its angle about an axis, 1/rad².</param>
         public void Add(in RigidTransform rotation, double weight)
         {
             _b00 += weight * rotation.R00; _b01 += weight * rotation.R01; _b02 += weight * rotation.R02;
@@ -24,18 +24,18 @@ namespace Nowpose.Anchoring.Fitting
             _b20 += weight * rotation.R20; _b21 += weight * rotation.R21; _b22 += weight * rotation.R22;
         }
 
-        /// <summary>A vector that is to become another one.</summary>
-        /// <param name="weight">One over the square of what the distance of the two is probably off by along an axis.</param>
+        /// <summary>Adds a vector and its image under the rotation.</summary>
+        /// <param name="weight">Inverse variance of the difference between the two along an axis.</param>
         public void Add((double X, double Y, double Z) from, (double X, double Y, double Z) to, double weight)
         {
-            // An angle squared is 3 less a trace, a distance squared is less twice one.
+            // The squared angle of a rotation is about 3 − trace(RᵀB), the squared distance of two vectors a constant − 2 trace(RᵀB).
             weight *= 2;
             _b00 += weight * to.X * from.X; _b01 += weight * to.X * from.Y; _b02 += weight * to.X * from.Z;
             _b10 += weight * to.Y * from.X; _b11 += weight * to.Y * from.Y; _b12 += weight * to.Y * from.Z;
             _b20 += weight * to.Z * from.X; _b21 += weight * to.Z * from.Y; _b22 += weight * to.Z * from.Z;
         }
 
-        /// <returns>With the translation 0.</returns>
+        /// <returns>The rotation as a transform with translation 0.</returns>
         public RigidTransform Solve()
         {
             var matrix = new DenseMatrix(4, 4, new[]

@@ -3,16 +3,16 @@ using System.Globalization;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>A tracker's state in one line.</summary>
-    /// <remarks>A new text is made only when it says something else, and where only numbers differ once a second.</remarks>
+    /// <summary>Describes a tracker's state in one line.</summary>
+    /// <remarks>Creates a new text only for a change of its content, and at most once a second if only numbers change.</remarks>
     sealed class BaseWords
     {
         static readonly TimeSpan Refresh = TimeSpan.FromSeconds(1);
 
-        /// <summary>What was told longer ago is not in view.</summary>
+        /// <summary>Maximum age of a report of a marker that is in view.</summary>
         static readonly TimeSpan InView = TimeSpan.FromSeconds(1);
 
-        /// <summary>A source that tells of no code at all for so long may not see.</summary>
+        /// <summary>Time without a report of any code after which the camera may not be working.</summary>
         static readonly TimeSpan Blind = TimeSpan.FromSeconds(10);
 
         readonly AnchoringSettings _settings;
@@ -27,7 +27,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
-            // Before the first frame, and while the application was paused, nobody looked.
+            // The time before the first frame and the time of a pause of the application do not count.
             if (now - _last > Refresh || now < _last) _searching = null;
             _last = now;
             var subject = SubjectOf(tracker, now);
@@ -175,7 +175,7 @@ namespace Nowpose.Anchoring.Tracking
             Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Quarrel, Restored, Locked, Moved, Lost,
         }
 
-        /// <summary>What a text is made of: one that is made of the same is the same.</summary>
+        /// <summary>Content of the text; equal contents have equal texts.</summary>
         readonly struct Subject
         {
             public readonly Kind Kind;
@@ -196,7 +196,7 @@ namespace Nowpose.Anchoring.Tracking
             public bool HasKindOf(in Subject other) => Kind == other.Kind && First == other.First && Second == other.Second
                 && Third == other.Third && Count == other.Count;
 
-            /// <summary>Noise makes no other text.</summary>
+            /// <summary>Whether the numbers differ by no more than noise.</summary>
             public bool IsNear(in Subject other) => Kind == Kind.Gathers ? A == other.A : Math.Abs(A - other.A) < 2 && Math.Abs(B - other.B) < 3;
         }
     }

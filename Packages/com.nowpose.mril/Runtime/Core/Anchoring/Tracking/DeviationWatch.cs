@@ -3,18 +3,18 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>How far a marker is lately from where it belongs: a median, which single wrong poses do not move.</summary>
+    /// <summary>Recent deviation of a marker from its expected pose: a median, so that single wrong poses have no effect.</summary>
     sealed class DeviationWatch
     {
         const int Capacity = 32, Least = 5, Numbers = 6;
 
-        /// <summary>Of a normal distribution, the sd in medians of the distance from the median, and that of a median in sd of a mean.</summary>
+        /// <summary>For a normal distribution: sd divided by median absolute deviation, and sd of a median divided by that of a mean.</summary>
         const double SdPerMedian = 1.4826, MedianPerMean = 1.2533;
 
-        /// <summary>Sd of the median beyond the limit: a marker at the limit does not come and go.</summary>
+        /// <summary>Excess over the limit in sd of the median, so that the state does not alternate for a marker at the limit.</summary>
         const double Sure = 3;
 
-        /// <summary>What a camera sees in it is enough; where it sees less often, the newest few have to do, unless they are too old.</summary>
+        /// <summary>Maximum age of the poses. With fewer than the minimum number, the newest ones up to the second age are used as well.</summary>
         static readonly TimeSpan Recent = TimeSpan.FromMilliseconds(600), Oldest = TimeSpan.FromSeconds(5);
 
         readonly double[] _values = new double[Capacity * Numbers];
@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring.Tracking
         int _next, _count;
         double _metresSd, _radiansSd;
 
-        /// <summary>Whether enough was seen lately to say anything; what follows means something only then.</summary>
+        /// <summary>Whether there are enough recent poses; otherwise the values below have no meaning.</summary>
         public bool IsKnown { get; private set; }
 
         public double Metres { get; private set; }
@@ -35,8 +35,8 @@ namespace Nowpose.Anchoring.Tracking
             IsKnown = false;
         }
 
-        /// <param name="expected">Where the marker belongs.</param>
-        /// <param name="seen">Where it is, in the same frame.</param>
+        /// <param name="expected">Expected pose of the marker.</param>
+        /// <param name="seen">Measured pose, in the same frame.</param>
         public void Add(in RigidTransform expected, in RigidTransform seen, HeadsetTime time)
         {
             var apart = expected.Inverse * seen;
@@ -50,11 +50,11 @@ namespace Nowpose.Anchoring.Tracking
             Update(time);
         }
 
-        /// <summary>Beyond the limits by more than its own uncertainty.</summary>
+        /// <summary>Whether the deviation exceeds the limits by more than its own uncertainty.</summary>
         public bool IsBeyond(double metres, double radians) =>
             IsKnown && (Metres > metres + Sure * _metresSd || Radians > radians + Sure * _radiansSd);
 
-        /// <summary>Clearly within the limits.</summary>
+        /// <summary>Whether the deviation is clearly within the limits.</summary>
         public bool IsWithin(double metres, double radians) => IsKnown && Metres < 0.7 * metres && Radians < 0.7 * radians;
 
         void Update(HeadsetTime now)

@@ -3,16 +3,16 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Follows a pose that may jump without jumping itself: it nears it by the same part in each span of time.</summary>
+    /// <summary>Follows a pose that may jump, without jumps: the difference decreases exponentially.</summary>
     sealed class EasedPose
     {
-        /// <summary>Time constants in the time that is given to it: 2 % are left then.</summary>
+        /// <summary>Number of time constants in the given duration, after which 2 % of the difference remain.</summary>
         const double Constants = 4;
 
-        /// <summary>Less cannot be seen.</summary>
+        /// <summary>Differences below these are not visible.</summary>
         const double NearMetres = 1e-6, NearRadians = 1e-6;
 
-        /// <summary>A pause is no way that anybody has seen: after it the way begins where it was left.</summary>
+        /// <summary>Maximum time step, so that the motion continues after a pause from where it was interrupted.</summary>
         static readonly TimeSpan LongestFrame = TimeSpan.FromMilliseconds(50);
 
         readonly TimeSpan _ease;
@@ -20,10 +20,10 @@ namespace Nowpose.Anchoring.Tracking
 
         public EasedPose(TimeSpan ease) => _ease = ease;
 
-        /// <summary>Null before it followed anything.</summary>
+        /// <summary>The eased pose; null before the first one.</summary>
         public RigidTransform? Pose { get; private set; }
 
-        /// <summary>Is there from now on, without a way to it; null to begin anew.</summary>
+        /// <summary>Sets the pose without easing; null to start again with the next pose.</summary>
         public void Jump(in RigidTransform? pose) => Pose = pose;
 
         public void Follow(in RigidTransform target, HeadsetTime now)
@@ -35,7 +35,7 @@ namespace Nowpose.Anchoring.Tracking
             else Pose = PoseNumbers.Between(pose, target, PartOf(passed));
         }
 
-        /// <summary>Time passes without anything to follow.</summary>
+        /// <summary>Lets time pass without a pose to follow.</summary>
         public void Rest(HeadsetTime now) => _last = now;
 
         double PartOf(TimeSpan passed)

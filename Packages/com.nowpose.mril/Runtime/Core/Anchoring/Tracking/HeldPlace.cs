@@ -2,14 +2,14 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>The place of the base as the device holds it.</summary>
-    /// <remarks>Looked for at the start, held from a lock on, and followed as the device corrects its map.</remarks>
+    /// <summary>The position of the base that the device holds.</summary>
+    /// <remarks>Searched for at the start, held from a lock on, and updated when the device corrects its map.</remarks>
     sealed class HeldPlace
     {
-        /// <summary>Nearer than this to the application's origin, and this far from where it was, is no place but none.</summary>
+        /// <summary>A pose is invalid if it is this close to the application's origin and this far from the previous one.</summary>
         const double OriginMetres = 0.001, JumpMetres = 0.1;
 
-        /// <summary>A correction of the map is smaller; what moves a place farther at once is another map, or another place.</summary>
+        /// <summary>Maximum correction of the map; a larger jump indicates another map or another position.</summary>
         const double MostMetres = 0.3;
 
         ISpatialAnchor _anchor, _former;
@@ -17,19 +17,19 @@ namespace Nowpose.Anchoring.Tracking
 
         public bool IsThere => _anchor != null;
 
-        /// <summary>The device knows that it holds it, and not where it is; or tells it so far away that it is not followed.</summary>
+        /// <summary>Whether the device holds the position but its pose is unknown or too far away to be followed.</summary>
         public bool IsLost => _anchor != null && (_anchor.State == SpatialAnchorState.Lost || ElsewhereMetres > 0);
 
-        /// <summary>How far away the device says that it is, where that is not followed; else 0.</summary>
+        /// <summary>Distance to the reported position in metres, if it is too far to be followed; otherwise 0.</summary>
         public double ElsewhereMetres { get; private set; }
 
-        /// <summary>The name it is kept under; null while it is not.</summary>
+        /// <summary>Name under which the position is stored; null when it is not stored.</summary>
         public string KeptAs => _anchor?.KeptAs;
 
-        /// <summary>Why it is not held or not kept; null when nothing is wrong.</summary>
+        /// <summary>Reason why the position is not held or not stored; null without a problem.</summary>
         public string Problem => _anchor?.Problem;
 
-        /// <summary>Looks once for what was kept in an earlier run.</summary>
+        /// <summary>Searches once for the position stored in an earlier run.</summary>
         public void Seek(ISpatialAnchors anchors, string name)
         {
             if (_isSought || anchors == null || name.Length == 0 || !anchors.IsReady) return;
@@ -37,9 +37,9 @@ namespace Nowpose.Anchoring.Tracking
             _anchor = anchors.Find(name);
         }
 
-        /// <summary>Holds another place from now on, and keeps it instead of the one before.</summary>
-        /// <param name="anchors">Null where the device holds none.</param>
-        /// <param name="name">Empty not to keep it.</param>
+        /// <summary>Holds another position and stores it instead of the previous one.</summary>
+        /// <param name="anchors">Anchors of the device; null if it has none.</param>
+        /// <param name="name">Name to store it under; empty if it must not be stored.</param>
         public void Hold(ISpatialAnchors anchors, in RigidTransform pose, string name)
         {
             _isSought = true;
@@ -51,8 +51,8 @@ namespace Nowpose.Anchoring.Tracking
             else if (name.Length > 0) _anchor.Keep(name);
         }
 
-        /// <summary>Lets go of it.</summary>
-        /// <param name="seekAgain">Whether an earlier run's is to be looked for again: under another name.</param>
+        /// <summary>Releases the position.</summary>
+        /// <param name="seekAgain">Whether to search again for a position of an earlier run, under another name.</param>
         public void Release(bool seekAgain)
         {
             ElsewhereMetres = 0;
@@ -61,8 +61,8 @@ namespace Nowpose.Anchoring.Tracking
             _isSought = !seekAgain;
         }
 
-        /// <param name="last">Where it was last; null before it was anywhere.</param>
-        /// <returns>Where it is; null while nobody knows.</returns>
+        /// <param name="last">Previous pose; null before the first.</param>
+        /// <returns>The current pose; null when it is unknown.</returns>
         public RigidTransform? Follow(in RigidTransform? last)
         {
             ElsewhereMetres = 0;

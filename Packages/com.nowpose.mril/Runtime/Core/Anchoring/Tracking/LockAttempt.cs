@@ -5,14 +5,14 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Finds the base by all markers that are known well enough.</summary>
-    /// <remarks>Tries now and then, while some are in view that are not part of a lock yet.</remarks>
+    /// <summary>Determines the base from all markers with a sufficiently accurate estimate.</summary>
+    /// <remarks>Attempts are made at intervals while markers are in view that are not yet part of a lock.</remarks>
     sealed class LockAttempt
     {
-        /// <summary>From one try to the next.</summary>
+        /// <summary>Minimum interval between attempts.</summary>
         static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(250);
 
-        /// <summary>For markers that came into view a few frames later.</summary>
+        /// <summary>Waiting time for markers that come into view a few frames later.</summary>
         static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(80);
 
         readonly AnchoringSettings _settings;
@@ -23,13 +23,13 @@ namespace Nowpose.Anchoring.Tracking
 
         public LockAttempt(AnchoringSettings settings) => _settings = settings;
 
-        /// <summary>Markers that contradict each other, as of the newest try; null where none do.</summary>
+        /// <summary>Markers that contradict each other in the newest attempt; null without a conflict.</summary>
         public MarkerQuarrel Quarrel { get; private set; }
 
-        /// <summary>The base by the newest try that succeeded, in the room frame.</summary>
+        /// <summary>Base from the newest successful attempt, in the room frame.</summary>
         public RigidTransform Fitted { get; private set; }
 
-        /// <summary>How many markers went into it.</summary>
+        /// <summary>Number of markers used in the attempt.</summary>
         public int Count => _estimated.Count;
 
         public void Reset()
@@ -38,8 +38,8 @@ namespace Nowpose.Anchoring.Tracking
             Quarrel = null;
         }
 
-        /// <param name="locked">The base as it is locked, for what its parts said; null while it is not.</param>
-        /// <returns>Whether there is a base to lock. The markers that made it are its parts then.</returns>
+        /// <param name="locked">The locked base, with which the estimates of its parts are used; null without a lock.</param>
+        /// <returns>Whether the attempt succeeded. The markers used are then the parts of the lock.</returns>
         public bool Make(HeadsetTime now, IReadOnlyList<TrackedMarker> markers, in RigidTransform? locked)
         {
             if (!IsTime(now, markers)) return false;
@@ -55,7 +55,7 @@ namespace Nowpose.Anchoring.Tracking
             return true;
         }
 
-        /// <summary>Root mean square over the markers of what their poses scatter.</summary>
+        /// <summary>Returns the root mean square over the markers of the scatter of their poses.</summary>
         public (double Metres, double Radians) Spread()
         {
             double metres = 0, radians = 0;
@@ -107,13 +107,13 @@ namespace Nowpose.Anchoring.Tracking
             }
         }
 
-        /// <returns>Whether the others will do.</returns>
+        /// <returns>Whether the remaining markers suffice.</returns>
         bool LeaveOut(in MarkerAgreement agreement)
         {
             var isClear = agreement.Wrong >= 0;
             var wrong = _estimated[isClear ? agreement.Wrong : 0];
             Quarrel = new MarkerQuarrel(wrong.Marker, isClear ? null : _estimated[1].Marker, agreement.Metres, agreement.Radians);
-            // What a lock was made with stands last, and is not what is doubted where two contradict each other.
+            // Parts of the lock are at the end of the list. If two markers contradict each other, the part is kept and the other one excluded.
             if (isClear || _estimated[_estimated.Count - 1].IsPart) wrong.Doubt();
             if (!isClear) return false;
             _estimates.RemoveAt(agreement.Wrong);

@@ -5,13 +5,13 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Whether markers are where they were measured to be in relation to each other, and if not, which one is not.</summary>
+    /// <summary>Whether the relative poses of markers are as measured at the base and, if not, which marker is wrong.</summary>
     readonly struct MarkerAgreement
     {
-        /// <summary>A fit shares what one marker is off among all: with two, half each.</summary>
+        /// <summary>Share of one marker's error in its own misfit: a fit distributes the error, half each with two markers.</summary>
         const double Shared = 0.5;
 
-        /// <summary>Where a print is at the base is measured less well than it is seen whether it stays there.</summary>
+        /// <summary>Factors on the tolerances: the pose of a print at the base is measured less accurately than a later movement of it.</summary>
         public const double MetresFactor = 2, AngleFactor = 4;
 
         MarkerAgreement(bool isGood, int wrong, in RigidTransform fitted, double metres, double radians)
@@ -25,18 +25,18 @@ namespace Nowpose.Anchoring.Tracking
 
         public bool IsGood { get; }
 
-        /// <summary>Index of the one that the others contradict; −1 where there is none, or where it cannot be told.</summary>
+        /// <summary>Index of the marker that the others contradict; −1 if there is none or if it cannot be determined.</summary>
         public int Wrong { get; }
 
-        /// <summary>The base by all of them, without the wrong one.</summary>
+        /// <summary>Base from all markers except the wrong one.</summary>
         public RigidTransform Fitted { get; }
 
-        /// <summary>By how much the wrong one is off, or where it cannot be told by how much two are apart.</summary>
+        /// <summary>Deviation of the wrong marker or, if that one is unknown, of the markers from each other.</summary>
         public double Metres { get; }
 
         public double Radians { get; }
 
-        /// <param name="markers">At least one.</param>
+        /// <param name="markers">One marker or more.</param>
         public static MarkerAgreement Of(IReadOnlyList<MarkerEstimate> markers, AnchoringSettings settings)
         {
             var all = BaseFit.Of(markers);
@@ -68,7 +68,7 @@ namespace Nowpose.Anchoring.Tracking
             return new MarkerAgreement(false, -1, all, metres, radians);
         }
 
-        /// <summary>Of what is allowed.</summary>
+        /// <summary>Returns the maximum misfit relative to the allowed one.</summary>
         static double Worst(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
         {
             double worst = 0;

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>What a base was when it was to be locked anew.</summary>
+    /// <summary>State of a base before a new search.</summary>
     readonly struct RelockedFrom
     {
-        /// <summary>Without a marker in view for so long nobody is about to look at one.</summary>
+        /// <summary>Time without a marker in view after which the search ends.</summary>
         static readonly TimeSpan Patience = TimeSpan.FromSeconds(15);
 
         readonly HeadsetTime _since;
@@ -20,10 +20,10 @@ namespace Nowpose.Anchoring.Tracking
 
         public BaseAnchorState State { get; }
 
-        /// <summary>Whether a hand had put it there.</summary>
+        /// <summary>Whether the base had been placed by hand.</summary>
         public bool IsHeldByHand { get; }
 
-        /// <summary>Whether no marker was seen for long.</summary>
+        /// <summary>Whether no marker has been in view for the maximum time.</summary>
         public bool IsOver(HeadsetTime now, IReadOnlyList<TrackedMarker> markers)
         {
             if (now - _since < Patience) return false;

@@ -3,26 +3,26 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Tells sightings that say where a marker is from those that only seem to.</summary>
+    /// <summary>Decides which sightings are valid measurements of a marker's pose.</summary>
     static class SightingGate
     {
-        /// <summary>A lens or a print errs by less.</summary>
+        /// <summary>Maximum relative error of the size; errors of lenses and prints are smaller.</summary>
         const double MostOfSize = 0.1;
 
-        /// <summary>No marker is so near to where the head was when the application began.</summary>
+        /// <summary>Poses this close to the origin are invalid: no marker is so close to where the head was at the start.</summary>
         const double OriginMetres = 0.001;
 
-        /// <summary>Clocks of the engine and of the headset are read one after the other.</summary>
+        /// <summary>Maximum time of a sighting in the future: the clocks of engine and headset are read one after the other.</summary>
         public static readonly TimeSpan Ahead = TimeSpan.FromMilliseconds(50);
 
-        /// <param name="head">Of the viewer in the room frame, x forward; null where it is not known.</param>
+        /// <param name="head">Viewer's head in the room frame, x forward; null when unknown.</param>
         public static SightingFault Judge(
             in MarkerSighting sighting, BaseMarker marker, HeadsetTime now, in RigidTransform? head, AnchoringSettings settings)
         {
             if (sighting.Tracking < MarkerTracking.Tracking) return SightingFault.NotTracked;
             var pose = sighting.Pose;
             if (!pose.IsPose()) return SightingFault.NoPose;
-            // What a hand has placed is where it was meant to be.
+            // A marker placed by hand is exact by definition.
             if (sighting.Tracking == MarkerTracking.Placed) return SightingFault.None;
             if (PoseNumbers.Length(pose.X, pose.Y, pose.Z) < OriginMetres) return SightingFault.AtOrigin;
             var age = now - sighting.LastSeen;

@@ -2,23 +2,23 @@ using System;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>How fast a tool moves along an axis, and whether it does so steadily, over the newest 30 frames.</summary>
+    /// <summary>Estimates the speed of a tool along an axis, and whether it is constant, over the newest 30 frames.</summary>
     /// <remarks>Allocates nothing after construction; not thread-safe.</remarks>
     sealed class AxisSpeed
     {
         const int Window = 30;
 
-        /// <summary>Both halves of the window move alike to this part, or to <see cref="AlikeMmPerS"/>.</summary>
+        /// <summary>Maximum speed difference of the two halves of the window, relative or absolute in mm/s, whichever is larger.</summary>
         const double Alike = 0.1, AlikeMmPerS = 3;
 
         readonly double[] _seconds = new double[Window], _mm = new double[Window];
         ControlTime _epoch, _newest;
         int _count;
 
-        /// <summary>By the straight line through the window; positive along the axis. Null before 30 frames.</summary>
+        /// <summary>Speed from a line fit over the window; positive along the axis. Null before 30 frames.</summary>
         public double? MmPerS => _count < Window ? (double?)null : Slope(0, Window);
 
-        /// <summary>Whether it is neither speeding up nor slowing down.</summary>
+        /// <summary>Whether the tool neither accelerates nor decelerates.</summary>
         public bool IsConstant
         {
             get
@@ -29,8 +29,8 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        /// <param name="at">When the tool is there. A second look at the same moment, or a step back, is ignored or begins anew.</param>
-        /// <param name="mm">Where it is along the axis.</param>
+        /// <param name="at">Time of the position. The same time again is ignored; an earlier time restarts the window.</param>
+        /// <param name="mm">Position along the axis.</param>
         public void Add(ControlTime at, double mm)
         {
             if (_count > 0 && at == _newest) return;
@@ -47,7 +47,7 @@ namespace Nowpose.Latency.Calibration
             _newest = at;
         }
 
-        /// <summary>Forgets all: another axis, or another robot.</summary>
+        /// <summary>Removes all positions. Call it when the axis or the robot changes.</summary>
         public void Reset() => _count = 0;
 
         double Slope(int from, int count)

@@ -2,14 +2,14 @@ using Nowpose.Latency;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>One picture of a calibration: how long the frame rendered, and how late its light was.</summary>
+    /// <summary>Render time and visualisation latency of one picture of a calibration.</summary>
     readonly struct LatencyPair
     {
-        /// <summary>A code begins anew after so long, ms: a misread picture may be off by as much, and is the fit's to leave out.</summary>
+        /// <summary>Maximum absolute value, ms: codes repeat after it, so a misread picture may be off by as much. The fit rejects it.</summary>
         const double GreatestVisuMs = TimestampCode.PeriodMs;
 
-        /// <param name="renderMs">A <see cref="MeasuredRenderTime"/>.</param>
-        /// <param name="visuMs">L_visu by Eq. (7): −65 536 to 65 536 ms, of a misread picture anything in it.</param>
+        /// <param name="renderMs">A measured render time, see <see cref="MeasuredRenderTime"/>.</param>
+        /// <param name="visuMs">L_visu by Eq. (7): −65 536 to 65 536 ms, any value in it for a misread picture.</param>
         /// <exception cref="InputException">Out of range, or not a number.</exception>
         public LatencyPair(double renderMs, double visuMs)
         {

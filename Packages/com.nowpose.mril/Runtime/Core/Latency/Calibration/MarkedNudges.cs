@@ -5,27 +5,27 @@ using System.Linq;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>Marks by eye, each with the speed that was measured with it; the direction is that of the speed.</summary>
+    /// <summary>Marks by eye with the speed measured at each; the sign of the speed is the direction.</summary>
     sealed class MarkedNudges
     {
         const double LeastSpeedMmPerS = 20;
 
-        /// <summary>Speeds of a calibration may differ by this part of the mean.</summary>
+        /// <summary>Maximum deviation of a mark's speed from the mean, relative to the mean.</summary>
         const double SameSpeed = 0.1;
 
         readonly double _toldMs;
         readonly List<(double OffsetMm, double SpeedMmPerS)> _marks = new List<(double, double)>();
 
-        /// <param name="toldMs">L_visu with which the ghost was drawn, 0 to 500 ms.</param>
+        /// <param name="toldMs">L_visu that was in use when the ghost was drawn, 0 to 500 ms.</param>
         public MarkedNudges(double toldMs) => _toldMs = toldMs;
 
         public int ForwardCount => _marks.Count(m => m.SpeedMmPerS > 0);
 
         public int BackwardCount => _marks.Count(m => m.SpeedMmPerS < 0);
 
-        /// <param name="offsetMm">By how much the ghost is shifted along the axis where it agrees.</param>
-        /// <param name="speedMmPerS">Of the tool along the axis, negative backward.</param>
-        /// <exception cref="InputException">Too slow, or a speed that is not that of the marks before.</exception>
+        /// <param name="offsetMm">Shift of the ghost along the axis at which it agrees with the robot.</param>
+        /// <param name="speedMmPerS">Speed of the tool along the axis, negative backward.</param>
+        /// <exception cref="InputException">The speed is too low or differs from that of the previous marks.</exception>
         public void Add(double offsetMm, double speedMmPerS)
         {
             if (!(Math.Abs(speedMmPerS) >= LeastSpeedMmPerS))
@@ -43,7 +43,7 @@ namespace Nowpose.Latency.Calibration
         {
             get
             {
-                // Without any mark the calibration says which direction lacks one; the speed does not matter then.
+                // Without marks, the calibration reports which direction lacks one, and the speed has no effect.
                 var nudge = new NudgeCalibration(_marks.Count == 0 ? LeastSpeedMmPerS : Speed, _toldMs);
                 foreach (var (offsetMm, speedMmPerS) in _marks)
                 {
@@ -54,7 +54,7 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        // Of both directions alike, however often each was marked: the half difference goes by the mean of the two.
+        // Both directions have equal weight regardless of their number of marks: the half difference uses the mean of the two.
         double Speed
         {
             get

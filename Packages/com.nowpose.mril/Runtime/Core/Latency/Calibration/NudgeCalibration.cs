@@ -2,14 +2,14 @@ using System;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>L_visu by eye: how far the ghost is to be shifted to agree with the robot at constant speed, forward and backward.</summary>
+    /// <summary>Measures L_visu by eye: the shift that makes the ghost agree with the robot at constant speed, forward and backward.</summary>
     /// <remarks>
-    /// With e = true L_visu − told L_visu and a base that is misplaced by d, it takes v·e + d forward and −v·e + d backward: half
-    /// the difference over the speed is e, and half the sum d. Not thread-safe.
+    /// With e = true L_visu − L_visu in use, and a base that is misplaced by d, the shift is v·e + d forward and −v·e + d
+    /// backward: half the difference divided by the speed is e, and half the sum is d. Not thread-safe.
     /// </remarks>
     sealed class NudgeCalibration
     {
-        /// <summary>No eye places a ghost better, one standard deviation, mm.</summary>
+        /// <summary>Minimum standard deviation of a mark by eye, mm.</summary>
         public const double EyeMm = 1;
 
         const double GreatestOffsetMm = 1000;
@@ -17,8 +17,8 @@ namespace Nowpose.Latency.Calibration
         readonly double _speedMmPerS, _toldMs;
         Marks _forward, _backward;
 
-        /// <param name="speedMmPerS">Of the tool along the axis, the same in both directions: 1 to 10 000 mm/s.</param>
-        /// <param name="toldMs">L_visu with which the ghost was drawn meanwhile, 0 to 500 ms.</param>
+        /// <param name="speedMmPerS">Speed of the tool along the axis, the same in both directions: 1 to 10 000 mm/s.</param>
+        /// <param name="toldMs">L_visu that was in use when the ghost was drawn, 0 to 500 ms.</param>
         /// <exception cref="InputException">Out of range.</exception>
         public NudgeCalibration(double speedMmPerS, double toldMs)
         {
@@ -33,7 +33,7 @@ namespace Nowpose.Latency.Calibration
         /// <summary>Whether there is a mark in each direction.</summary>
         public bool IsComplete => ForwardCount > 0 && BackwardCount > 0;
 
-        /// <param name="offsetMm">By how much the ghost is shifted along the axis where it agrees, −1000 to 1000 mm.</param>
+        /// <param name="offsetMm">Shift of the ghost along the axis at which it agrees with the robot, −1000 to 1000 mm.</param>
         /// <exception cref="InputException">Out of range.</exception>
         public void AddForward(double offsetMm) => _forward.Add(Required(offsetMm));
 
@@ -54,7 +54,7 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        /// <summary>How one mark scatters, one standard deviation, mm; a mark of its kind alone says nothing of that.</summary>
+        /// <summary>Standard deviation of one mark, mm; <see cref="EyeMm"/> with a single mark in each direction.</summary>
         double MarkMm
         {
             get
@@ -66,7 +66,7 @@ namespace Nowpose.Latency.Calibration
 
         static double Required(double offsetMm) => SettingRange.Require(offsetMm, -GreatestOffsetMm, GreatestOffsetMm, "nudge: offset", "mm");
 
-        /// <summary>Mean and scatter, mark by mark.</summary>
+        /// <summary>Running mean and sum of squared deviations.</summary>
         struct Marks
         {
             public int Count;

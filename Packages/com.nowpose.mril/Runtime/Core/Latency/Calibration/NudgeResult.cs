@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>What marks by eye say of L_visu.</summary>
+    /// <summary>Result of a calibration of L_visu by eye.</summary>
     readonly struct NudgeResult
     {
         internal NudgeResult(VisualisationLatency visualisation, TimeSpan spread, double offsetMm, int count)
@@ -16,15 +16,15 @@ namespace Nowpose.Latency.Calibration
         public VisualisationLatency Visualisation { get; }
 
         /// <summary>
-        /// How L_visu of one forward and one backward mark scatters, one standard deviation; never less than an eye that sees
-        /// <see cref="NudgeCalibration.EyeMm"/>.
+        /// Standard deviation of L_visu from one forward and one backward mark. It is at least that of marks with a standard deviation
+        /// of <see cref="NudgeCalibration.EyeMm"/>.
         /// </summary>
         public TimeSpan Spread { get; }
 
-        /// <summary>By how much the robot is drawn too far back along the axis whatever it does, mm: its base is misplaced.</summary>
+        /// <summary>Distance by which the drawn robot is too far back along the axis, mm, independent of its motion: its base is misplaced.</summary>
         public double OffsetMm { get; }
 
-        /// <summary>Marks it is made of, in both directions.</summary>
+        /// <summary>Number of marks in both directions.</summary>
         public int Count { get; }
     }
 }

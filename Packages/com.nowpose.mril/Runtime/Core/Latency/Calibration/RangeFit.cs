@@ -5,45 +5,45 @@ using System.Linq;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>Finds the constant-latency range in pictures taken at several loads: L_visu, and the render time up to which it is constant.</summary>
+    /// <summary>Finds the constant-latency range from pictures at several loads: L_visu, and the maximum render time with constant L_visu.</summary>
     /// <remarks>
-    /// Schnierle &amp; Röck 2022, Fig. 11b. A pair is good when its L_visu is the plateau's. The limit is where the share of good
-    /// pairs changes, chosen by the greatest likelihood (<see cref="RangeSplit"/>), so that neither misread pictures nor frames
-    /// that waited behind a slow one move it. Without enough pairs beyond it there is no limit, only a range that was seen.
+    /// Schnierle &amp; Röck 2022, Fig. 11b. A pair is good when its L_visu is that of the plateau. The limit is where the share of good
+    /// pairs changes, by maximum likelihood (<see cref="RangeSplit"/>), so that neither misread pictures nor frames that waited
+    /// behind a slow one move it. Without enough pairs beyond it, the result is the observed range instead of a limit.
     /// </remarks>
     static class RangeFit
     {
-        /// <summary>Fewer pairs tell nothing.</summary>
+        /// <summary>Minimum number of pairs.</summary>
         public const int LeastPairs = 20;
 
-        /// <summary>The lowest render times, where the plateau is looked for first.</summary>
+        /// <summary>Share of the pairs, those with the lowest render times, from which the initial plateau is estimated.</summary>
         const double SeedShare = 0.2;
 
-        /// <summary>What a camera and the milliseconds of the codes make of a constant latency, ms.</summary>
+        /// <summary>Minimum tolerance around the plateau, ms: scatter that a camera and codes of 1 ms add to a constant latency.</summary>
         const double LeastTolerance = 3;
 
-        /// <summary>So many standard deviations from the plateau are still it.</summary>
+        /// <summary>Tolerance around the plateau in standard deviations.</summary>
         const double Deviations = 3.5;
 
-        /// <summary>What scatters more, standard deviation, ms, is no plateau: a display at 30 Hz that shines all the time makes 9.6 ms.</summary>
+        /// <summary>Maximum standard deviation of a plateau, ms. A 30 Hz display that is lit continuously causes 9.6 ms.</summary>
         const double GreatestSpread = 10;
 
-        /// <summary>Further from the limit than this share of it, the next pictures leave open where it is.</summary>
+        /// <summary>Relative distance from the limit to the next pictures above which the limit is reported as uncertain.</summary>
         const double Coarse = 0.05;
 
         /// <summary>
-        /// Of the gap between the last pictures in time and the first late ones, the limit lies so far in: it may be anywhere there, and to
-        /// place it too high is three times as bad as too low. Never more than this share above what was seen.
+        /// Position of the limit in the gap between the last pictures on time and the first late ones, as a share of the gap. A limit
+        /// that is too high is three times as bad as one that is too low. The second value limits the relative excess over the last picture.
         /// </summary>
         const double IntoTheGap = 0.25, MostAbove = 0.02;
 
-        /// <summary>So many pairs beyond it may be misread.</summary>
+        /// <summary>Number of pairs beyond the limit that may be misread.</summary>
         const int Misread = 2;
 
         const int MostRounds = 8;
 
-        /// <param name="pairs"><see cref="LeastPairs"/> or more, in any order.</param>
-        /// <exception cref="InputException">Too few pairs, or L_visu is constant nowhere.</exception>
+        /// <param name="pairs">At least <see cref="LeastPairs"/> pairs, in any order.</param>
+        /// <exception cref="InputException">There are too few pairs, or L_visu is not constant at the lowest render times.</exception>
         public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)
         {
             if (pairs.Count < LeastPairs)
@@ -64,7 +64,7 @@ namespace Nowpose.Latency.Calibration
                 if (inside.Length < LeastPairs / 2)
                     throw new InputException("pairs: L_visu is not the same at the lowest render times, so there is no range; check how it was measured");
                 plateau = Plateau.Of(inside);
-                // What lies beyond the limit is nearer to what lies there than to the plateau, however wide that is.
+                // Pairs beyond the limit are closer to the median beyond it than to the plateau, so half that distance limits the tolerance.
                 if (split.IsReached) nearest = Math.Max(LeastTolerance, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
                 if (split.Count == before && round > 1) break;
             }
@@ -95,10 +95,10 @@ namespace Nowpose.Latency.Calibration
             return (sorted[sorted.Length / 2] + sorted[(sorted.Length - 1) / 2]) / 2;
         }
 
-        /// <summary>Where L_visu stands, and how much it scatters, misread pictures apart; ms.</summary>
+        /// <summary>Median and robust standard deviation of L_visu, ms.</summary>
         readonly struct Plateau
         {
-            /// <summary>Standard deviation of a normal distribution by its median absolute deviation.</summary>
+            /// <summary>Standard deviation of a normal distribution divided by its median absolute deviation.</summary>
             const double PerMedianDeviation = 1.4826;
 
             Plateau(double centre, double deviation)

@@ -2,22 +2,22 @@ using System;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>Where a row of good and bad, sorted by render time, turns from mostly good to mostly bad.</summary>
+    /// <summary>Split of a sequence of good and bad pairs, sorted by render time, where it changes from mostly good to mostly bad.</summary>
     /// <remarks>
-    /// Below the split a pair is bad by chance p, beyond it by chance q; of all splits the one is taken under which the row
-    /// is likeliest, with p up to a fifth (misread pictures, frames behind a slow one) and q from 70 % up.
+    /// A pair is bad with probability p below the split and q beyond it. The split is the one with the maximum likelihood, with p up
+    /// to 0.2 (misread pictures, frames behind a slow one) and q of 0.7 or more.
     /// </remarks>
     readonly struct RangeSplit
     {
         const double LeastBelow = 0.005, GreatestBelow = 0.2, LeastBeyond = 0.7, GreatestBeyond = 0.999;
 
-        /// <summary>So many pairs beyond, at least, make a limit: a few may be misread.</summary>
+        /// <summary>Minimum number of pairs beyond a limit; a few of them may be misread.</summary>
         const int LeastBeyondCount = 12;
 
-        /// <summary>And so large a share of all: at any load one frame in a hundred is slow by itself.</summary>
+        /// <summary>Minimum share of all pairs beyond a limit: at any load, about one frame in a hundred is slow.</summary>
         const double LeastBeyondShare = 0.04;
 
-        /// <summary>So much likelier, as a logarithm, than that the row never turns.</summary>
+        /// <summary>Minimum log-likelihood ratio of the split to a sequence without a split.</summary>
         const double LeastEvidence = 12;
 
         RangeSplit(int count, bool isReached)
@@ -26,14 +26,14 @@ namespace Nowpose.Latency.Calibration
             IsReached = isReached;
         }
 
-        /// <summary>Pairs below the split, one or more.</summary>
+        /// <summary>Number of pairs below the split, one or more.</summary>
         public int Count { get; }
 
-        /// <summary>Whether enough beyond it is bad to call it a limit.</summary>
+        /// <summary>Whether the evidence beyond the split suffices for a limit.</summary>
         public bool IsReached { get; }
 
-        /// <param name="good">Sorted by render time.</param>
-        /// <param name="isLast">Whether a pair is the last with its render time: a source that counts in steps gives many the same one.</param>
+        /// <param name="good">Whether each pair is good, sorted by render time.</param>
+        /// <param name="isLast">Whether a pair is the last with its render time: a source with a coarse resolution repeats values.</param>
         public static RangeSplit Find(bool[] good, bool[] isLast)
         {
             var all = 0;

@@ -19,7 +19,7 @@ namespace Nowpose.Latency.Conditions
             Update();
         }
 
-        /// <summary>Conditions of the device together with those that the session has itself.</summary>
+        /// <summary>Conditions of the device combined with those of the session.</summary>
         public DisplayConditions Conditions { get; private set; }
 
         public ReprojectionMode Reprojection

@@ -1,6 +1,6 @@
 namespace Nowpose.Latency.Conditions
 {
-    /// <summary>Something that changes L_visu, the visualisation latency.</summary>
+    /// <summary>A condition that affects L_visu, the visualisation latency.</summary>
     enum DisplayCondition
     {
         /// <summary>Model of the headset.</summary>
@@ -24,7 +24,7 @@ namespace Nowpose.Latency.Conditions
         /// <summary>OpenXR's Latency Optimization setting, which moves the wait for the next frame.</summary>
         LatencyOptimization,
 
-        /// <summary>How the display corrects a finished frame for head motion.</summary>
+        /// <summary>Method by which the display corrects a finished frame for head motion.</summary>
         Reprojection,
     }
 }

@@ -34,7 +34,7 @@ namespace Nowpose.Latency.Conditions
         /// <summary>Name in the first column of a table.</summary>
         public static string TitleOf(DisplayCondition condition) => char.ToUpperInvariant(LabelOf(condition)[0]) + LabelOf(condition).Substring(1);
 
-        /// <summary>Where the condition can be set back.</summary>
+        /// <summary>Returns where the user can change the condition.</summary>
         public static string PlaceOf(DisplayCondition condition) => Places[(int)condition];
 
         /// <param name="field">Exactly as written by <see cref="FieldOf"/>.</param>

@@ -16,7 +16,7 @@ namespace Nowpose.Latency.Conditions
         internal const double MaxDisplayHz = 1000;
         internal const string On = "on", Off = "off";
 
-        /// <summary>Rates this close belong to the same display: 60 Hz is also reported as 59.94 Hz.</summary>
+        /// <summary>Maximum difference of rates of the same display: 60 Hz is also reported as 59.94 Hz.</summary>
         const double RateToleranceHz = 1;
 
         static readonly CultureInfo Culture = CultureInfo.InvariantCulture;
@@ -25,8 +25,8 @@ namespace Nowpose.Latency.Conditions
 
         /// <param name="device">Model, one line of up to 128 characters, as are the other texts; null or empty when not known.</param>
         /// <param name="displayHz">Refresh rate, up to 1000 Hz; null, 0 or NaN when not known.</param>
-        /// <param name="graphicsApi">As <c>SystemInfo.graphicsDeviceType</c> names it: Direct3D11.</param>
-        /// <param name="graphicsJobs">As <c>SystemInfo.renderingThreadingMode</c> names it: MultiThreaded without Graphics Jobs.</param>
+        /// <param name="graphicsApi">Value of <c>SystemInfo.graphicsDeviceType</c>, such as Direct3D11.</param>
+        /// <param name="graphicsJobs">Value of <c>SystemInfo.renderingThreadingMode</c>: MultiThreaded without Graphics Jobs.</param>
         /// <param name="renderPipeline">Type name of the render pipeline's asset, or "built-in".</param>
         /// <param name="rewritesBeforeRender">Whether the pose is computed a second time right before rendering.</param>
         /// <param name="latencyOptimization">OpenXR's setting: PrioritizeRendering or PrioritizeInputPolling.</param>
@@ -50,7 +50,7 @@ namespace Nowpose.Latency.Conditions
             Set(DisplayCondition.Reprojection, reprojection == ReprojectionMode.Unknown ? null : ReprojectionModeNames.NameOf(reprojection));
         }
 
-        /// <summary>Nothing is known.</summary>
+        /// <summary>An instance in which all conditions are unknown.</summary>
         public static DisplayConditions Unknown { get; } = new DisplayConditions();
 
         /// <summary>Model of the headset.</summary>
@@ -78,8 +78,8 @@ namespace Nowpose.Latency.Conditions
         /// <summary>The condition as text, without a unit; null when it is not known.</summary>
         public string this[DisplayCondition condition] => _values[(int)condition];
 
-        /// <summary>The conditions that are known on both sides and differ. These conditions are those of a calibration.</summary>
-        /// <param name="actual">Conditions of the device that uses it.</param>
+        /// <summary>Returns the conditions that are known on both sides and differ. This instance holds the conditions of a calibration.</summary>
+        /// <param name="actual">Conditions of the device that uses the calibration.</param>
         /// <returns>In the order of <see cref="DisplayCondition"/>; empty when nothing differs.</returns>
         public IReadOnlyList<ConditionMismatch> MismatchesWith(DisplayConditions actual)
         {
@@ -89,7 +89,7 @@ namespace Nowpose.Latency.Conditions
             return found;
         }
 
-        /// <summary>Takes from other conditions what is not known here.</summary>
+        /// <summary>Returns these conditions, with unknown values taken from <paramref name="other"/>.</summary>
         public DisplayConditions Or(DisplayConditions other) => new DisplayConditions(
             Device ?? other.Device, DisplayHz ?? other.DisplayHz, GraphicsApi ?? other.GraphicsApi, GraphicsJobs ?? other.GraphicsJobs,
             RenderPipeline ?? other.RenderPipeline, RewritesBeforeRender ?? other.RewritesBeforeRender,
@@ -101,7 +101,7 @@ namespace Nowpose.Latency.Conditions
 
         public override int GetHashCode() => (Device, GraphicsApi, RenderPipeline, Reprojection).GetHashCode();
 
-        /// <summary>Reads conditions from texts, one by one.</summary>
+        /// <summary>Parses each condition from its text.</summary>
         /// <param name="valueOf">The text of a condition as the indexer gives it; null or empty when it is not known.</param>
         /// <exception cref="InputException">A text cannot be used; the message begins with the name of its field.</exception>
         internal static DisplayConditions Parse(Func<DisplayCondition, string> valueOf) => new DisplayConditions(

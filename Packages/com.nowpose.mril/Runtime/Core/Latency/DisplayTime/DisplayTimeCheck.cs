@@ -2,38 +2,38 @@ using System;
 
 namespace Nowpose.Latency.DisplayTime
 {
-    /// <summary>Finds a lasting difference between the display times that a runtime predicts and those that were calibrated.</summary>
+    /// <summary>Detects a lasting difference between the display times that a runtime predicts and the calibrated ones.</summary>
     /// <remarks>
-    /// Either the calibration is of something else (another mode of the display, an update of the runtime) or the prediction
-    /// leaves something out. Single frames with a bad prediction are ignored. Allocates nothing; not thread-safe.
+    /// Either the calibration is for other conditions (another mode of the display, another version of the runtime) or the
+    /// prediction is incomplete. Single frames with a bad prediction are ignored. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class DisplayTimeCheck
     {
-        /// <summary>A second at 60 Hz.</summary>
+        /// <summary>Window length in frames: one second at 60 Hz.</summary>
         const int Window = 60;
 
         static readonly TimeSpan Doubtful = TimeSpan.FromMilliseconds(5);
 
-        /// <summary>At the very limit the doubt would come and go.</summary>
+        /// <summary>Hysteresis: the difference must fall below this value to agree again.</summary>
         static readonly TimeSpan Agreeing = TimeSpan.FromMilliseconds(4);
 
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
 
-        /// <summary>Longer without a frame, and nobody knows what the difference was meanwhile.</summary>
+        /// <summary>Maximum interval between frames; the duration restarts after a longer one because the difference in it is unknown.</summary>
         static readonly TimeSpan Gap = TimeSpan.FromMilliseconds(250);
 
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
         HeadsetTime? _since, _newest;
 
-        /// <summary>Whether the median has differed by more than 5 ms for a second, and not yet by less than 4 ms for another.</summary>
-        /// <remarks>A second in which frames came: one that follows more than 0.25 s after the last begins it anew.</remarks>
+        /// <summary>Whether the median has differed by more than 5 ms for a second and has not yet been below 4 ms for a second.</summary>
+        /// <remarks>An interval of more than 0.25 s between frames restarts the second.</remarks>
         public bool IsDoubted { get; private set; }
 
-        /// <summary>Median of predicted minus calibrated over the newest 60 frames, positive when light is predicted later; null before.</summary>
+        /// <summary>Median of predicted minus calibrated display time over 60 frames, positive for a later prediction; null with fewer.</summary>
         public TimeSpan? Difference => _recent.Count < Window ? (TimeSpan?)null : _recent.At(0.5);
 
-        /// <summary>Takes one frame for which both are known.</summary>
-        /// <param name="frameStart">Not earlier than the one before.</param>
+        /// <summary>Adds one frame for which both display times are known.</summary>
+        /// <param name="frameStart">Start of the frame, not earlier than that of the previous frame.</param>
         public void Add(HeadsetTime frameStart, TimeSpan predictedMinusCalibrated)
         {
             if (frameStart - _newest > Gap) _since = null;
@@ -45,7 +45,7 @@ namespace Nowpose.Latency.DisplayTime
             else if (frameStart - (_since ??= frameStart) >= Lasting) Turn();
         }
 
-        /// <summary>Forgets all: another calibration, or another source.</summary>
+        /// <summary>Removes all frames. Call it when the calibration or the source changes.</summary>
         public void Reset()
         {
             _recent.Reset();

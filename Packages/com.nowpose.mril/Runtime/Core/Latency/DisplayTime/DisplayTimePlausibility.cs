@@ -2,34 +2,34 @@ using System;
 
 namespace Nowpose.Latency.DisplayTime
 {
-    /// <summary>Finds a source that answers with display times that cannot be those of the frame, for a second.</summary>
+    /// <summary>Detects a source whose display times have been implausible for a second.</summary>
     /// <remarks>
-    /// Implausible frames count up, plausible ones down; the state changes at one second and at zero. So single bad frames are ignored, and
-    /// a source that is wrong more often than right is found. Allocates nothing; not thread-safe.
+    /// The duration of implausible frames is added and that of plausible ones subtracted; the state changes at one second and at zero.
+    /// Single bad frames are ignored, and a source that is wrong for most of the time is detected. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class DisplayTimePlausibility
     {
-        /// <summary>The display shows a frame at most this long after it began; longer than any L_visu that a profile may hold.</summary>
+        /// <summary>Maximum time from the start of a frame to its display; longer than any L_visu that a profile allows.</summary>
         static readonly TimeSpan Furthest = ClockTicks.Span(LatencyProfile.GreatestVisuMs / 1000);
 
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
 
-        /// <summary>A longer pause between two answers counts for neither side.</summary>
+        /// <summary>Maximum interval between two display times; longer intervals are not counted.</summary>
         static readonly TimeSpan Gap = TimeSpan.FromMilliseconds(250);
 
         TimeSpan _evidence;
         HeadsetTime? _newest;
 
-        /// <summary>Whether the answers have been implausible for a second, and not yet plausible for another.</summary>
+        /// <summary>Whether the display times have been implausible for a second and not yet plausible for a second.</summary>
         public bool IsImplausible { get; private set; }
 
-        /// <summary>Newest answer minus its frame's start, plausible or not; null before the first.</summary>
+        /// <summary>Newest display time minus the start of its frame, plausible or not; null before the first.</summary>
         public TimeSpan? Ahead { get; private set; }
 
-        /// <summary>Takes the answer for one frame. A frame without an answer is not added.</summary>
-        /// <param name="frameStart">Not earlier than the one before.</param>
+        /// <summary>Adds the display time of one frame. Frames without one are not added.</summary>
+        /// <param name="frameStart">Start of the frame, not earlier than that of the previous frame.</param>
         /// <param name="ahead">Display time minus the frame's start.</param>
-        /// <returns>Whether this answer is plausible: 0 to 500 ms.</returns>
+        /// <returns>Whether this display time is plausible: 0 to 500 ms after the frame's start.</returns>
         public bool Add(HeadsetTime frameStart, TimeSpan ahead)
         {
             var isPlausible = ahead >= TimeSpan.Zero && ahead <= Furthest;
@@ -43,7 +43,7 @@ namespace Nowpose.Latency.DisplayTime
             return isPlausible;
         }
 
-        /// <summary>Forgets all: another source.</summary>
+        /// <summary>Resets the state. Call it when the source changes.</summary>
         public void Reset()
         {
             _evidence = TimeSpan.Zero;

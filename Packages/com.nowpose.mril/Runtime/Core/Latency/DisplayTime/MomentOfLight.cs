@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency.DisplayTime
 {
-    /// <summary>When the light of each frame appears: as the runtime predicts it where it does, else as calibrated.</summary>
+    /// <summary>Determines the display time of each frame: the runtime's prediction if available, else the calibrated L_visu.</summary>
     /// <remarks>Allocates nothing; not thread-safe.</remarks>
     sealed class MomentOfLight
     {
@@ -18,17 +18,17 @@ namespace Nowpose.Latency.DisplayTime
             Used = calibrated.Length;
         }
 
-        /// <summary>The constant L_visu. Setting it says that it comes from no profile.</summary>
+        /// <summary>The constant L_visu. Setting it clears <see cref="Profile"/>.</summary>
         public VisualisationLatency Calibrated
         {
             get => _calibrated;
             set => Calibrate(value, null);
         }
 
-        /// <summary>What the constant comes from; null when it was told as a number.</summary>
+        /// <summary>Profile of the constant L_visu; null when the value was set as a number.</summary>
         public LatencyProfile Profile { get; private set; }
 
-        /// <summary>Null for none: light appears as calibrated.</summary>
+        /// <summary>Source of predicted display times; null to use the calibrated L_visu.</summary>
         public IDisplayTimeSource Source
         {
             get => _source;
@@ -45,24 +45,24 @@ namespace Nowpose.Latency.DisplayTime
         /// <summary>L_visu of the newest frame.</summary>
         public TimeSpan Used { get; private set; }
 
-        /// <summary>Whether the source gave it.</summary>
+        /// <summary>Whether <see cref="Used"/> comes from the source.</summary>
         public bool IsPredicted { get; private set; }
 
-        /// <summary>As of <see cref="DisplayTimeCheck"/>.</summary>
+        /// <summary>Value of <see cref="DisplayTimeCheck.Difference"/>.</summary>
         public TimeSpan? Difference => _check.Difference;
 
-        /// <inheritdoc cref="Difference"/>
+        /// <summary>Value of <see cref="DisplayTimeCheck.IsDoubted"/>.</summary>
         public bool IsDoubted => _check.IsDoubted;
 
-        /// <summary>As of <see cref="DisplayTimePlausibility"/>.</summary>
+        /// <summary>Value of <see cref="DisplayTimePlausibility.Ahead"/>.</summary>
         public TimeSpan? Ahead => _plausibility.Ahead;
 
-        /// <inheritdoc cref="Ahead"/>
+        /// <summary>Value of <see cref="DisplayTimePlausibility.IsImplausible"/>.</summary>
         public bool IsImplausible => _plausibility.IsImplausible;
 
         /// <param name="isComparable">
-        /// False where the render time says that L_visu is not the calibrated one, or where the frame is computed once more: nothing to
-        /// compare with.
+        /// False when a comparison with the calibration is not meaningful: the render time shows that L_visu is not the calibrated one,
+        /// or the frame is computed a second time.
         /// </param>
         public HeadsetTime LightOf(HeadsetTime frameStart, bool isComparable)
         {
@@ -73,7 +73,7 @@ namespace Nowpose.Latency.DisplayTime
             return frameStart + Used;
         }
 
-        /// <param name="profile">What it comes from; null when it was told as a number.</param>
+        /// <param name="profile">Profile of the value; null when it is set as a number.</param>
         public void Calibrate(VisualisationLatency calibrated, LatencyProfile profile)
         {
             if (calibrated.Length != _calibrated.Length) _check.Reset();

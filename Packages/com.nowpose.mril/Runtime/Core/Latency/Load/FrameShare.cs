@@ -2,14 +2,14 @@ using System;
 
 namespace Nowpose.Latency.Load
 {
-    /// <summary>Which steps of a long work a frame has room for, by how long steps of their kind took before.</summary>
+    /// <summary>Decides which steps of a long task fit into a frame, based on the duration of earlier steps of the same kind.</summary>
     /// <remarks>
-    /// A frame's steps end within its share of time. One that takes longer by itself, or whose kind is not known yet, has a frame for
-    /// itself, so that work always goes on. Allocates nothing; not thread-safe.
+    /// The steps of a frame end within its share of time. A step that is longer than the share, or of a kind without a measured
+    /// duration, gets a frame of its own, so that the task always progresses. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class FrameShare
     {
-        /// <summary>By so much of the difference a shorter step is believed: the next one may be as long as the longest again.</summary>
+        /// <summary>A shorter step lowers the expected duration by the difference divided by this: the next step may be long again.</summary>
         const int Patience = 8;
 
         readonly TimeSpan _share;
@@ -17,8 +17,8 @@ namespace Nowpose.Latency.Load
         HeadsetTime _begin;
         bool _hasWorked;
 
-        /// <param name="milliseconds">Of each frame, 0.1 to 100 ms.</param>
-        /// <param name="kinds">How many kinds of steps there are.</param>
+        /// <param name="milliseconds">Share of each frame, 0.1 to 100 ms.</param>
+        /// <param name="kinds">Number of kinds of steps.</param>
         /// <exception cref="InputException">Out of range.</exception>
         public FrameShare(double milliseconds, int kinds)
         {
@@ -33,10 +33,10 @@ namespace Nowpose.Latency.Load
             _hasWorked = false;
         }
 
-        /// <summary>Whether a step that begins now may be done in this frame.</summary>
+        /// <summary>Whether a step that starts now fits into this frame.</summary>
         public bool HasRoom(int kind, HeadsetTime now) => !_hasWorked || now - _begin + _expected[kind] <= _share;
 
-        /// <summary>A step was done.</summary>
+        /// <summary>Records the duration of a completed step.</summary>
         public void Took(int kind, TimeSpan length)
         {
             _hasWorked = true;

@@ -3,31 +3,31 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Latency.Load
 {
-    /// <summary>A load for the GPU: a wall of tiny triangles with as many vertices as asked, in patches that are built one by one.</summary>
+    /// <summary>Load for the GPU: a wall of tiny triangles with a given number of vertices, in patches that are built one by one.</summary>
     /// <remarks>
-    /// A wall one unit wide and <see cref="Height"/> high about the origin, in the plane z = 0, seen from −z, x to the right and y up.
-    /// Its patches fill it from the middle outwards, each a part of its own, so that a load grows without what is there being built
-    /// anew. No triangle is degenerate. 1 or 2 vertices make no triangle and count as none.
+    /// The wall is one unit wide and <see cref="Height"/> high, centred at the origin in the plane z = 0, seen from −z with x to the right
+    /// and y up. Separate patches fill it from the middle outwards, so that a growing load keeps the patches that exist.
+    /// No triangle is degenerate. 1 or 2 vertices form no triangle and count as none.
     /// </remarks>
     static class LoadMesh
     {
-        /// <summary>Vertices of a full patch: what is handed to the GPU in one go.</summary>
+        /// <summary>Number of vertices of a full patch, the unit of upload to the GPU.</summary>
         public const int PatchVertices = LoadPatch.Columns * LoadPatch.Rows;
 
-        /// <summary>Vertices that the greatest load has; the wall has room for no more.</summary>
+        /// <summary>Maximum number of vertices of a load, the capacity of the wall.</summary>
         public const int GreatestVertices = SweepPlan.GreatestVertices;
 
         const int PatchColumns = 8, PatchRows = GreatestVertices / PatchVertices / PatchColumns;
 
-        /// <summary>Of the wall, as part of its width.</summary>
+        /// <summary>Height of the wall divided by its width.</summary>
         public const float Height = 0.625f;
 
         const int FewestVertices = 3;
 
         static readonly int[] FromTheMiddle = SortedByDistance();
 
-        /// <summary>Patches of a load, the last of which need not be full.</summary>
-        /// <exception cref="InputException">Fewer than 0 or more than <see cref="GreatestVertices"/>.</exception>
+        /// <summary>Returns the number of patches of a load. The last patch may be incomplete.</summary>
+        /// <exception cref="InputException">The number is below 0 or above <see cref="GreatestVertices"/>.</exception>
         public static int PatchesOf(int vertices)
         {
             SettingRange.RequireCount(vertices, 0, GreatestVertices, "load, vertices");
@@ -35,11 +35,11 @@ namespace Nowpose.Latency.Load
             return vertices / PatchVertices + (rest >= FewestVertices ? 1 : 0);
         }
 
-        /// <summary>Vertices that are drawn when so many are asked for: the same, but for 1 or 2 beyond full patches.</summary>
+        /// <summary>Returns how many of the requested vertices are drawn: all except 1 or 2 beyond full patches.</summary>
         public static int DrawnOf(int vertices) => vertices % PatchVertices < FewestVertices ? vertices - vertices % PatchVertices : vertices;
 
         /// <param name="patch">0 to <see cref="PatchesOf"/> − 1.</param>
-        /// <param name="vertices">Of the whole load.</param>
+        /// <param name="vertices">Number of vertices of the whole load.</param>
         public static LoadPatch PatchOf(int patch, int vertices)
         {
             var place = FromTheMiddle[patch];

@@ -2,13 +2,13 @@ using System;
 
 namespace Nowpose.Latency.Load
 {
-    /// <summary>One part of a <see cref="LoadMesh"/>: a rectangular grid, its last row perhaps cut short.</summary>
+    /// <summary>One part of a <see cref="LoadMesh"/>: a rectangular grid whose last row may be incomplete.</summary>
     /// <remarks>
-    /// Vertices go row by row from the lower left; what each adds to the triangles is known by itself, so any few can be built at a time.
+    /// Vertices are in rows from the lower left. Each vertex determines its own triangles, so that any number can be built at a time.
     /// </remarks>
     readonly struct LoadPatch
     {
-        /// <summary>Vertices in a row, and rows, of a full patch.</summary>
+        /// <summary>Number of vertices in a row, and number of rows, of a full patch.</summary>
         public const int Columns = 250, Rows = 100;
 
         const int IndicesPerCell = 6;
@@ -20,7 +20,7 @@ namespace Nowpose.Latency.Load
         internal LoadPatch(int vertices, float left, float bottom, float width, float height)
         {
             Vertices = vertices;
-            // A patch of less than two rows has shorter ones: a single row has no triangles.
+            // A patch of less than two full rows gets shorter rows, because a single row has no triangles.
             _columns = Math.Max(2, Math.Min(Columns, vertices / 2));
             _left = left;
             _bottom = bottom;
@@ -30,7 +30,7 @@ namespace Nowpose.Latency.Load
 
         public int Vertices { get; }
 
-        /// <summary>Of its triangles, three for each.</summary>
+        /// <summary>Number of triangle indices, three for each triangle.</summary>
         public int Indices
         {
             get
@@ -40,7 +40,7 @@ namespace Nowpose.Latency.Load
             }
         }
 
-        /// <summary>Where a vertex is, in widths of the wall.</summary>
+        /// <summary>Computes the position of a vertex, in widths of the wall.</summary>
         /// <param name="vertex">0 to <see cref="Vertices"/> − 1.</param>
         public void PlaceOf(int vertex, out float x, out float y)
         {
@@ -48,8 +48,8 @@ namespace Nowpose.Latency.Load
             y = _bottom + vertex / _columns * _stepY;
         }
 
-        /// <summary>Writes the triangles whose last vertex this one is, where they belong. Clockwise for who looks along +z.</summary>
-        /// <param name="indices">Of the whole patch, <see cref="Indices"/> or more.</param>
+        /// <summary>Writes the triangles whose last vertex is this one to their positions. The winding is clockwise seen along +z.</summary>
+        /// <param name="indices">Indices of the whole patch, length <see cref="Indices"/> or more.</param>
         public void WriteTriangles(int vertex, int[] indices)
         {
             int column = vertex % _columns, row = vertex / _columns;
@@ -60,7 +60,7 @@ namespace Nowpose.Latency.Load
                 Write(indices, at, below - 1, vertex - 1, vertex);
                 Write(indices, at + IndicesPerCell / 2, below - 1, vertex, below);
             }
-            // Alone in its row, it would belong to no triangle.
+            // A single vertex in the last row would otherwise belong to no triangle.
             else if (vertex == Vertices - 1) Write(indices, at + IndicesPerCell, below, vertex, below + 1);
         }
 

@@ -1,18 +1,18 @@
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>How L_visu was found, from the most to the least exact.</summary>
+    /// <summary>Method that determined L_visu, from the most to the least accurate.</summary>
     enum CalibrationMethod
     {
-        /// <summary>Pictures of both clocks' codes, Schnierle &amp; Röck 2022, Eq. (7).</summary>
+        /// <summary>Pictures of the codes of both clocks, Schnierle &amp; Röck 2022, Eq. (7).</summary>
         VisibleLight,
 
-        /// <summary>The ghost's lag behind the robot in a sine jog, seen by a camera.</summary>
+        /// <summary>Delay of the ghost behind the robot in a sine jog, measured by a camera.</summary>
         Sine,
 
-        /// <summary>By eye: shifted until ghost and robot agree, forward and backward.</summary>
+        /// <summary>By eye: the ghost was shifted until it agreed with the robot, forward and backward.</summary>
         Nudge,
 
-        /// <summary>Written down by somebody.</summary>
+        /// <summary>Entered by a user.</summary>
         Manual,
     }
 }

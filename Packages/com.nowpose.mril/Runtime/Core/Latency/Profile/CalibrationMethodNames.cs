@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>What calibration methods are called in files.</summary>
+    /// <summary>Names of calibration methods in files.</summary>
     static class CalibrationMethodNames
     {
         static readonly string[] Names = { "vlc", "sine", "nudge", "manual" };
@@ -17,7 +17,7 @@ namespace Nowpose.Latency.Profile
             return index >= 0;
         }
 
-        /// <summary>All of them, for messages.</summary>
+        /// <summary>All names, separated by commas, for messages.</summary>
         public static string All => string.Join(", ", Names);
     }
 }

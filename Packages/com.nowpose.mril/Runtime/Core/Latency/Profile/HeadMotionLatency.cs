@@ -2,13 +2,13 @@ using System;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>Latency of the picture's position for head motion, which late-stage reprojection shortens.</summary>
-    /// <remarks>L_visu is the age of the content, which late-stage reprojection leaves as it is.</remarks>
+    /// <summary>Latency of the picture's position after head motion, which late-stage reprojection reduces.</summary>
+    /// <remarks>L_visu is the age of the content, which late-stage reprojection does not change.</remarks>
     sealed class HeadMotionLatency
     {
         internal const double MinMs = -500, MaxMs = 500;
 
-        /// <param name="latencyMs">−500 to 500 ms. Negative: the picture is ahead of the head.</param>
+        /// <param name="latencyMs">−500 to 500 ms; negative when the picture is ahead of the head.</param>
         /// <param name="uncertaintyMs">Half of the 95 % confidence interval, 0 to 500 ms.</param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public HeadMotionLatency(double latencyMs, double uncertaintyMs)
@@ -17,7 +17,7 @@ namespace Nowpose.Latency.Profile
             Uncertainty = SettingRange.RequireMs(uncertaintyMs, 0, MaxMs, "uncertainty of the head motion latency");
         }
 
-        /// <summary>How much later than the head the picture moves; negative when it is ahead.</summary>
+        /// <summary>Delay of the picture behind the head; negative when the picture is ahead.</summary>
         public TimeSpan Latency { get; }
 
         /// <summary>Half of the 95 % confidence interval.</summary>

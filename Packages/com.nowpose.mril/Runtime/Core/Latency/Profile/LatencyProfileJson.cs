@@ -6,7 +6,7 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>Latency profiles as JSON text, version 1: lengths in ms, null for what is not known.</summary>
+    /// <summary>Reads and writes latency profiles as JSON, version 1: durations in ms, null for unknown values.</summary>
     static class LatencyProfileJson
     {
         const string Format = "nowpose-latency-profile";
@@ -43,8 +43,8 @@ namespace Nowpose.Latency.Profile
             return text + "\n";
         }
 
-        /// <param name="name">Stands for the text in messages: a file's name.</param>
-        /// <exception cref="InputException">No profile, one of a newer version, or a value that cannot be used; names file, field and value.</exception>
+        /// <param name="name">Name of the text in messages, such as a file name.</param>
+        /// <exception cref="InputException">Not a profile, a newer version, or an invalid value; the message has file, field and value.</exception>
         public static LatencyProfile Read(string text, string name)
         {
             var fields = new ProfileFields(text, name);
@@ -69,7 +69,7 @@ namespace Nowpose.Latency.Profile
             }
         }
 
-        // Before anything else: a newer version may mean something else by the same field.
+        // Checked first: fields of a newer version may have another meaning.
         static void CheckFormat(ProfileFields fields)
         {
             var format = fields.OptionalText("format");
@@ -80,7 +80,7 @@ namespace Nowpose.Latency.Profile
             if (version < 1) throw fields.Fault("version: " + version + " is out of range; allowed is " + Version);
         }
 
-        // Profiles of older versions have only device and rate.
+        // Profiles of older versions contain only the device and the display rate.
         static DisplayConditions ConditionsOf(ProfileFields fields)
         {
             var device = fields.Text("device");

@@ -6,19 +6,19 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>The fields of a flat JSON object, asked for one by one; what cannot be used is one line with the file and the field.</summary>
+    /// <summary>Reads single fields of a flat JSON object. Errors are one line with the file and the field.</summary>
     sealed class ProfileFields
     {
-        /// <summary>Fields that are unknown here may be nested; more deeply than this no profile is.</summary>
+        /// <summary>Maximum nesting depth. Unknown fields may be nested.</summary>
         const int Nesting = 8;
 
-        // Neither a text nor a number.
+        // Stands for a value that is neither text nor a number.
         static readonly object Other = new object();
 
         readonly string _name;
         readonly Dictionary<string, object> _values = new Dictionary<string, object>();
 
-        /// <exception cref="InputException">Not one JSON object, or a field stands there twice.</exception>
+        /// <exception cref="InputException">The text is not one JSON object, or a field occurs twice.</exception>
         public ProfileFields(string text, string name)
         {
             _name = name;
@@ -43,7 +43,7 @@ namespace Nowpose.Latency.Profile
         public double Number(string field, double least, double greatest, string unit) =>
             OptionalNumber(field, least, greatest, unit) ?? throw Missing(field);
 
-        /// <returns>Null for null, and where the field is missing.</returns>
+        /// <returns>Null when the value is null or the field is missing.</returns>
         public double? OptionalNumber(string field, double least, double greatest, string unit)
         {
             switch (ValueOf(field))

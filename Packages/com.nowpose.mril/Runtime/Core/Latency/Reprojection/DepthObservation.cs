@@ -1,6 +1,6 @@
 namespace Nowpose.Latency.Reprojection
 {
-    /// <summary>Conditions of depth submission, observed at one moment.</summary>
+    /// <summary>Conditions of depth submission at one time.</summary>
     readonly struct DepthObservation
     {
         public DepthObservation(bool isRunning, bool isTurnedOn, bool isSupported, bool hasMainCamera, bool? isRequested)
@@ -12,10 +12,10 @@ namespace Nowpose.Latency.Reprojection
             IsRequested = isRequested;
         }
 
-        /// <summary>Whether a headset's display runs by OpenXR.</summary>
+        /// <summary>Whether a headset display is running through OpenXR.</summary>
         public bool IsRunning { get; }
 
-        /// <summary>Whether the Depth Submission Mode in use is another than None.</summary>
+        /// <summary>Whether the current Depth Submission Mode differs from None.</summary>
         public bool IsTurnedOn { get; }
 
         /// <summary>Whether the runtime has enabled XR_KHR_composition_layer_depth.</summary>
@@ -27,7 +27,7 @@ namespace Nowpose.Latency.Reprojection
         /// <summary>Whether a render pass of the display asks for depth; null before the first frame.</summary>
         public bool? IsRequested { get; }
 
-        /// <returns>The first link of the chain that is broken.</returns>
+        /// <returns>The first condition that is not met, or <see cref="DepthSubmission.Active"/>.</returns>
         public DepthSubmission Judge()
         {
             if (!IsRunning) return DepthSubmission.Unknown;

@@ -2,8 +2,8 @@ using System;
 
 namespace Nowpose.Latency.Reprojection
 {
-    /// <summary>Follows whether depth is submitted; a change counts once it has lasted a second.</summary>
-    /// <remarks>So a scene that changes its camera reports nothing. Allocates nothing; not thread-safe.</remarks>
+    /// <summary>Monitors whether depth is submitted. A change takes effect after it has lasted a second.</summary>
+    /// <remarks>Hence a change of the scene's camera reports nothing. Allocates nothing; not thread-safe.</remarks>
     sealed class DepthSubmissionWatch
     {
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
@@ -13,7 +13,7 @@ namespace Nowpose.Latency.Reprojection
 
         public DepthSubmission State { get; private set; }
 
-        /// <param name="now">Not earlier than the one before.</param>
+        /// <param name="now">Not earlier than in the previous call.</param>
         /// <returns>Whether <see cref="State"/> has changed.</returns>
         public bool Follow(HeadsetTime now, DepthSubmission observed)
         {
@@ -23,7 +23,7 @@ namespace Nowpose.Latency.Reprojection
             return true;
         }
 
-        /// <summary>Nothing is observed any more.</summary>
+        /// <summary>Sets the state to unknown when observation ends.</summary>
         public void Reset()
         {
             _since = null;

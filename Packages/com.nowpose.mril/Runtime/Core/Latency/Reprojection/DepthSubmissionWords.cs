@@ -1,14 +1,14 @@
 namespace Nowpose.Latency.Reprojection
 {
-    /// <summary>Names of depth submission in diagnostics, and words for what is wrong with it.</summary>
+    /// <summary>Names and error messages of depth submission states.</summary>
     static class DepthSubmissionWords
     {
         static readonly string[] Names = { "unknown", "active", "turned_off", "not_supported", "no_main_camera", "not_requested" };
 
         public static string NameOf(DepthSubmission depth) => Names[(int)depth];
 
-        /// <summary>Names the problem and what to do, in one line. Allocates nothing.</summary>
-        /// <returns>Null when depth is submitted, or nothing is known.</returns>
+        /// <summary>Returns the problem and its remedy in one line. Allocates nothing.</summary>
+        /// <returns>Null when depth is submitted or the state is unknown.</returns>
         public static string ProblemOf(DepthSubmission depth)
         {
             switch (depth)

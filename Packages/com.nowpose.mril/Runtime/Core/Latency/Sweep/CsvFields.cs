@@ -3,10 +3,10 @@ using System.Text;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>The fields of one line of CSV, of which some may be quoted.</summary>
+    /// <summary>Splits one line of CSV into fields, which may be quoted.</summary>
     static class CsvFields
     {
-        /// <param name="into">Emptied first.</param>
+        /// <param name="into">Receives the fields; cleared first.</param>
         public static void Split(string line, List<string> into)
         {
             into.Clear();
@@ -30,7 +30,7 @@ namespace Nowpose.Latency.Sweep
                 else if (at + 1 < line.Length && line[at + 1] == '"') field.Append(line[at++]);
                 else break;
             }
-            // What stands between the closing quote and the comma is part of the field: nothing is lost unseen.
+            // Text between the closing quote and the comma belongs to the field, so that no input is lost.
             at++;
             return field.Append(at < line.Length ? Plain(line, ref at) : "").ToString();
         }

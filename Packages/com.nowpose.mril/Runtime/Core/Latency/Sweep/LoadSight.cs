@@ -1,15 +1,15 @@
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Whether a source of the render time sees how much the GPU has to draw.</summary>
+    /// <summary>Whether the render time from a source depends on the load of the GPU.</summary>
     enum LoadSight
     {
-        /// <summary>The sweep has too few loads or render times to tell.</summary>
+        /// <summary>The sweep has too few loads or render times for a decision.</summary>
         Unclear,
 
         /// <summary>The render time grows with the load.</summary>
         Seen,
 
-        /// <summary>It does not: no limit can be found with this source, and none can be watched.</summary>
+        /// <summary>The render time does not grow with the load: this source can neither find nor monitor a limit.</summary>
         Unseen,
     }
 }

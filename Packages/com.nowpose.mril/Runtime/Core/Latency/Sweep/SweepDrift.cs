@@ -3,17 +3,17 @@ using System.Collections.Generic;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>What a render time grew by with time alone, at each visit of a sweep, ms: summed up from how it grew while a load stayed.</summary>
+    /// <summary>Increase of the render time with time alone at each visit of a sweep, ms, summed from the increase at constant load.</summary>
     sealed class SweepDrift
     {
         readonly Dictionary<SweepVisit, double> _sums = new Dictionary<SweepVisit, double>();
 
         SweepDrift() { }
 
-        /// <summary>Nothing grew.</summary>
+        /// <summary>Zero drift.</summary>
         public static SweepDrift None { get; } = new SweepDrift();
 
-        /// <summary>Of the whole growth, standard deviation, ms.</summary>
+        /// <summary>Standard deviation of the total drift, ms.</summary>
         public double Error { get; private set; }
 
         public static SweepDrift Of(IReadOnlyList<SweepVisit> visits)

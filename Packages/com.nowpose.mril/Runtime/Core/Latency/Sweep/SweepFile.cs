@@ -7,8 +7,8 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Writes a sweep's log while it runs, one load at a time and on another thread: no frame waits for the disk.</summary>
-    /// <remarks>Belongs to one thread, but for what says otherwise. When the application dies the loads before the present one are in the file.</remarks>
+    /// <summary>Writes a sweep's log while it runs, load by load on another thread, so that no frame waits for the disk.</summary>
+    /// <remarks>Single-threaded unless a member states otherwise. After a crash, the file has all loads before the current one.</remarks>
     sealed class SweepFile
     {
         readonly int _rowsPerLoad;
@@ -18,9 +18,9 @@ namespace Nowpose.Latency.Sweep
         Task _writing = Task.CompletedTask;
         volatile string _problem;
 
-        /// <param name="path">Made with its folder when the first load ends; must not exist.</param>
-        /// <param name="rowsPerLoad">For which room is made beforehand: adding that many allocates nothing.</param>
-        /// <param name="conditions">Conditions of the sweep; null when nothing is known.</param>
+        /// <param name="path">Created with its folder when the first load ends; must not exist.</param>
+        /// <param name="rowsPerLoad">Capacity in rows; adding up to this number per load allocates nothing.</param>
+        /// <param name="conditions">Conditions of the sweep; null when they are unknown.</param>
         public SweepFile(string path, int rowsPerLoad, DisplayConditions conditions = null)
         {
             _conditions = conditions ?? DisplayConditions.Unknown;
@@ -31,17 +31,17 @@ namespace Nowpose.Latency.Sweep
 
         public string Path { get; }
 
-        /// <summary>Why nothing more is written, in one line; null when nothing is wrong. Any thread.</summary>
+        /// <summary>Error that stopped the writing, in one line; null without an error. Can be read on any thread.</summary>
         public string Problem => _problem;
 
-        /// <summary>Rows beyond the room for a load are handed over, too: a load that lasts and lasts is not lost with the application.</summary>
+        /// <summary>Adds a row. Rows above the capacity are handed over early, so that a crash during a very long load does not lose them.</summary>
         public void Add(in SweepRow row)
         {
             _rows.Add(row);
             if (_rows.Count >= _rowsPerLoad) EndLoad();
         }
 
-        /// <summary>Hands the rows since the last call over to be written; returns at once.</summary>
+        /// <summary>Queues the rows since the last call for writing and returns at once.</summary>
         public void EndLoad()
         {
             var rows = _rows;
@@ -49,8 +49,8 @@ namespace Nowpose.Latency.Sweep
             Then(() => Write(rows));
         }
 
-        /// <summary>Writes the rest and judges all of it; returns at once.</summary>
-        /// <returns>Completes when the file does. Null when the file could not be written, and <see cref="Problem"/> says why.</returns>
+        /// <summary>Queues the remaining rows and the evaluation of the sweep and returns at once.</summary>
+        /// <returns>Task that completes with the file. Its result is null when the file could not be written; see <see cref="Problem"/>.</returns>
         public Task<LoadSensitivity> CloseAsync()
         {
             EndLoad();
@@ -60,7 +60,7 @@ namespace Nowpose.Latency.Sweep
                 _ => judged, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         }
 
-        // The scheduler is named because a caller's may be the frame's.
+        // The scheduler is explicit because the caller's current one may run on the frame's thread.
         void Then(Action action) => _writing = _writing.ContinueWith(
             _ => Try(action), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
 
@@ -71,7 +71,7 @@ namespace Nowpose.Latency.Sweep
             {
                 action();
             }
-            // Whatever it is: the sweep ends with a line, not the application.
+            // Any exception ends the sweep with a message, not the application.
             catch (Exception fault)
             {
                 _problem = "sweep log " + Path + " cannot be written: " + fault.Message.Replace('\r', ' ').Replace('\n', ' ');
@@ -83,8 +83,8 @@ namespace Nowpose.Latency.Sweep
             if (rows.Count == 0) return;
             var isNew = _written.Count == 0;
             if (isNew) Directory.CreateDirectory(System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(Path)));
-            // Shared for writing, too: on Mono a reader that opens the file now holds on to the sharing that it found, and the next load would be
-            // refused.
+            // Shared for writing as well: on Mono, a reader that opens the file now keeps the sharing mode that it found, which would block the
+            // next load.
             using (var stream = new FileStream(Path, isNew ? FileMode.CreateNew : FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
             using (var writer = new StreamWriter(stream))
             {

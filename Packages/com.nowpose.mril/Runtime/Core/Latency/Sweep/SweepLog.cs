@@ -4,11 +4,11 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Writes a load sweep as CSV: one row for each frame, to be joined with the pictures of a camera.</summary>
+    /// <summary>Writes a load sweep as CSV with one row for each frame, to be joined with the pictures of a camera.</summary>
     /// <remarks>
-    /// The columns: control time of the frame's start in nanoseconds, vertices shown, render time in milliseconds (empty when none
-    /// became known in the frame), what measured it, device, display rate (empty when unknown). Above the header, lines "# field: value"
-    /// hold the other conditions that are known; readers of versions before 0.2 refuse a log with such lines.
+    /// The columns: control time of the frame's start in nanoseconds, number of vertices shown, render time in milliseconds (empty when
+    /// none became known in the frame), its source, device, display rate (empty when unknown). Above the header, lines "# field: value"
+    /// hold the other known conditions; readers of versions before 0.2 reject a log with such lines.
     /// </remarks>
     static class SweepLog
     {
@@ -21,7 +21,7 @@ namespace Nowpose.Latency.Sweep
 
         public static void WriteHeader(TextWriter to) => to.Write(Header + "\n");
 
-        /// <param name="conditions">Those of the sweep. Device and rate are in the rows.</param>
+        /// <param name="conditions">Conditions of the sweep. The device and the display rate are in the rows.</param>
         public static void WriteHeader(TextWriter to, DisplayConditions conditions)
         {
             for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)
@@ -46,7 +46,7 @@ namespace Nowpose.Latency.Sweep
             to.Write('\n');
         }
 
-        // Rows are lines, also to whoever reads them without knowing of quotes.
+        // Line breaks become spaces so that each row is one line, also for readers that do not support quotes.
         static string Quoted(string device)
         {
             if (device.IndexOfAny(Special) < 0) return device;

@@ -6,14 +6,14 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Reads what <see cref="SweepLog"/> wrote; whatever is wrong is one line with file, line and field.</summary>
+    /// <summary>Reads files that <see cref="SweepLog"/> wrote. Errors are one line with file, line and field.</summary>
     static class SweepLogReader
     {
         const string Nanoseconds = "control_ns", Vertices = "vertices", RenderMs = "render_ms", Source = "source", DisplayHz = "display_hz";
 
         static readonly int Columns = SweepLog.Header.Split(',').Length;
 
-        /// <exception cref="InputException">The file cannot be read, is not of that form, or has no rows.</exception>
+        /// <exception cref="InputException">The file cannot be read, has another format, or has no rows.</exception>
         public static IReadOnlyList<SweepRow> Read(string path)
         {
             try
@@ -26,13 +26,13 @@ namespace Nowpose.Latency.Sweep
             }
         }
 
-        /// <param name="name">Of the text, for messages.</param>
-        /// <exception cref="InputException">Not of that form, or no rows.</exception>
+        /// <param name="name">Name of the text in messages.</param>
+        /// <exception cref="InputException">The text has another format or no rows.</exception>
         public static IReadOnlyList<SweepRow> Read(TextReader text, string name) => Read(text, name, out _);
 
-        /// <param name="name">Of the text, for messages.</param>
-        /// <param name="conditions">Those above the header, without device and rate, which are in the rows.</param>
-        /// <exception cref="InputException">Not of that form, or no rows.</exception>
+        /// <param name="name">Name of the text in messages.</param>
+        /// <param name="conditions">Conditions above the header, without device and display rate, which are in the rows.</param>
+        /// <exception cref="InputException">The text has another format or no rows.</exception>
         public static IReadOnlyList<SweepRow> Read(TextReader text, string name, out DisplayConditions conditions)
         {
             var line = 1;
@@ -60,7 +60,7 @@ namespace Nowpose.Latency.Sweep
 
         static bool IsComment(string line) => line != null && line.StartsWith(SweepLog.ConditionPrefix, StringComparison.Ordinal);
 
-        // Fields of newer versions are ignored.
+        // Unknown fields, which newer versions may add, are ignored.
         static void TakeCondition(string line, string[] values)
         {
             var end = line.IndexOf(SweepLog.ConditionSeparator, StringComparison.Ordinal);
@@ -82,7 +82,7 @@ namespace Nowpose.Latency.Sweep
             }
         }
 
-        /// <param name="device">That of the row before: a name that stays the same is kept once.</param>
+        /// <param name="device">Device of the previous row; reused when it is equal, so that the string is stored once.</param>
         static SweepRow RowOf(List<string> fields, string place, ref string device)
         {
             if (fields.Count != Columns) throw new InputException(place + ": " + fields.Count + " fields; there must be " + Columns);

@@ -4,21 +4,21 @@ using System.Linq;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Some visits of a sweep, and how much the render time rises from their low loads to their high ones.</summary>
+    /// <summary>Visits of one pass of a sweep, and the rise of the render time from their low loads to their high loads.</summary>
     sealed class SweepPass
     {
         const int FewestLoads = 3;
 
-        /// <summary>Standard errors that a rise must exceed, to be no chance.</summary>
+        /// <summary>Minimum significant rise, in standard errors.</summary>
         const double Certainty = 4;
 
-        /// <summary>Of the render time at low loads: a rise below it could not be told from one frame's scatter.</summary>
+        /// <summary>Minimum rise, relative to the render time at low loads; a smaller one cannot be separated from the scatter of frames.</summary>
         const double LeastRise = 0.1;
 
-        /// <summary>Of the render time at low loads: nothing drifts so far within a short sweep.</summary>
+        /// <summary>Rise, relative to the render time at low loads, that cannot be drift within a short sweep.</summary>
         const double PlainRise = 0.5;
 
-        /// <param name="visits">In their order in time; three different loads or more.</param>
+        /// <param name="visits">Visits in chronological order, with three different loads or more.</param>
         SweepPass(IReadOnlyList<SweepVisit> visits, SweepDrift drift)
         {
             var sorted = visits.OrderBy(visit => visit.Vertices).ToList();
@@ -32,25 +32,25 @@ namespace Nowpose.Latency.Sweep
             NeededMs = Math.Max(LeastRise * Math.Abs(LowMs), Certainty * Math.Sqrt(variance));
         }
 
-        /// <summary>Render time at the lowest and at the highest third of the loads, ms.</summary>
+        /// <summary>Mean render time at the lowest third of the loads, ms.</summary>
         public double LowMs { get; }
 
         public double HighMs { get; }
 
-        /// <summary>Mean vertices of these loads.</summary>
+        /// <summary>Mean number of vertices of the lowest third of the loads.</summary>
         public double LowVertices { get; }
 
         public double HighVertices { get; }
 
         public double RiseMs => HighMs - LowMs;
 
-        /// <summary>A rise from here on is one, ms.</summary>
+        /// <summary>Minimum significant rise, ms.</summary>
         public double NeededMs { get; }
 
         /// <summary>
-        /// Each way through the loads by itself, so that what changes with time and not by the load rises in one of them only; where
-        /// they lead but one way, the drift that shows while a load stays is taken off. Loads in no such order are taken together.
-        /// Empty for fewer than three different ones.
+        /// Splits visits into passes of one direction, so that a change with time instead of load is a rise in only one of them. With a
+        /// single direction, the drift at constant load is subtracted. Loads without such an order form one pass.
+        /// Empty for fewer than three different loads.
         /// </summary>
         public static List<SweepPass> Of(IReadOnlyList<SweepVisit> visits)
         {
@@ -60,7 +60,7 @@ namespace Nowpose.Latency.Sweep
             return ways.ConvertAll(way => isUpAndDown ? new SweepPass(way, SweepDrift.None) : WithoutDrift(way, SweepDrift.Of(visits)));
         }
 
-        // A short sweep cannot tell drift, and has no time to drift as far as a load that is seen.
+        // A short sweep cannot measure drift well, and drift within it is far smaller than a clear rise.
         static SweepPass WithoutDrift(IReadOnlyList<SweepVisit> way, SweepDrift drift)
         {
             var asIs = new SweepPass(way, SweepDrift.None);
@@ -70,7 +70,7 @@ namespace Nowpose.Latency.Sweep
 
         static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= FewestLoads;
 
-        /// <summary>A load at which they turn belongs to both ways.</summary>
+        /// <summary>Splits visits into runs of one direction. A load at which the direction changes belongs to both runs.</summary>
         static IEnumerable<List<SweepVisit>> Ways(IReadOnlyList<SweepVisit> visits)
         {
             var way = new List<SweepVisit>();

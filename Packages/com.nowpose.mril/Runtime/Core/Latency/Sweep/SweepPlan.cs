@@ -3,23 +3,23 @@ using System.Collections.Generic;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>The loads of a sweep in their order, and how long each is shown. Immutable, checked once.</summary>
+    /// <summary>The loads of a sweep in their order, and the duration of each. Immutable; validated by the constructor.</summary>
     sealed class SweepPlan
     {
-        /// <summary>The most vertices that a load has.</summary>
+        /// <summary>Maximum number of vertices of a load.</summary>
         public const int GreatestVertices = 2_000_000;
 
         readonly int[] _loads;
 
-        /// <param name="mostVertices">The greatest load, 1000 to <see cref="GreatestVertices"/>.</param>
-        /// <param name="steps">From no load to the greatest, 2 to 100.</param>
-        /// <param name="secondsPerLoad">For which each load is shown once it has settled, 0.5 to 600 s.</param>
+        /// <param name="mostVertices">Number of vertices of the largest load, 1000 to <see cref="GreatestVertices"/>.</param>
+        /// <param name="steps">Number of steps from no load to the largest, 2 to 100.</param>
+        /// <param name="secondsPerLoad">Duration of each load after settling, 0.5 to 600 s.</param>
         /// <param name="settleSeconds">
-        /// For which it is shown before, 0 to 60 s. These frames are logged like any other: the fit takes no harm.
+        /// Settling time of each load, 0 to 60 s. Its frames are logged as well; they do not affect the fit.
         /// </param>
         /// <param name="goesDown">
-        /// Whether the loads are gone through in reverse afterwards. Whatever changes with time and not with the load, a processor that
-        /// grows warm say, then shows as a difference between both ways.
+        /// Whether the loads are repeated in reverse order. A change with time instead of load, such as a processor that heats up,
+        /// then appears as a difference between the two directions.
         /// </param>
         /// <exception cref="InputException">Out of range.</exception>
         public SweepPlan(
@@ -37,19 +37,19 @@ namespace Nowpose.Latency.Sweep
             }
         }
 
-        /// <summary>Of the greatest load.</summary>
+        /// <summary>Number of vertices of the largest load.</summary>
         public int MostVertices { get; }
 
-        /// <summary>Vertices, one after the other.</summary>
+        /// <summary>Numbers of vertices in the order of the sweep.</summary>
         public IReadOnlyList<int> Loads => _loads;
 
-        /// <summary>From when a load is shown in full to the next one, the time to settle included.</summary>
+        /// <summary>Time from the first complete frame of a load to the next load, including the settling time.</summary>
         public TimeSpan TimePerLoad { get; }
 
-        /// <summary>The first part of <see cref="TimePerLoad"/>.</summary>
+        /// <summary>Settling time, the first part of <see cref="TimePerLoad"/>.</summary>
         public TimeSpan Settling { get; }
 
-        /// <summary>Of all loads; building them comes on top.</summary>
+        /// <summary>Duration of all loads, without the time to build them.</summary>
         public TimeSpan Duration => new TimeSpan(TimePerLoad.Ticks * _loads.Length);
     }
 }

@@ -2,15 +2,15 @@ using System;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>One frame of a load sweep: which load it showed, and the render time that was known in it.</summary>
+    /// <summary>One frame of a load sweep: the load, and the render time that became known in the frame.</summary>
     readonly struct SweepRow
     {
-        /// <param name="frameStart">Control time at which the frame began: the one that its timestamp code shows.</param>
-        /// <param name="vertices">Vertices of the load that were drawn, 0 to <see cref="SweepPlan.GreatestVertices"/>.</param>
-        /// <param name="renderMs">Δt_render that became known in this frame, a <see cref="MeasuredRenderTime"/>; null when none did.</param>
-        /// <param name="source">What the render time was measured with; may be known in frames without one.</param>
-        /// <param name="device">As a latency profile names it; empty when unknown.</param>
-        /// <param name="displayHz">NaN when unknown.</param>
+        /// <param name="frameStart">Control time of the frame's start, the one in its timestamp code.</param>
+        /// <param name="vertices">Number of vertices of the load that were drawn, 0 to <see cref="SweepPlan.GreatestVertices"/>.</param>
+        /// <param name="renderMs">Δt_render that became known in this frame, see <see cref="MeasuredRenderTime"/>; null for none.</param>
+        /// <param name="source">Source of the render time; may also be set without one.</param>
+        /// <param name="device">Device name as in a latency profile; empty when unknown.</param>
+        /// <param name="displayHz">Display rate; NaN when unknown.</param>
         /// <exception cref="InputException">Out of range, or a render time without a source.</exception>
         public SweepRow(ControlTime frameStart, int vertices, double? renderMs, RenderTimeSourceKind source, string device, double displayHz)
         {

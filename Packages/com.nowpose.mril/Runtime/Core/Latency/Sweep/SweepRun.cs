@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Where a sweep stands in its plan. Time moves with the frames that it is told of; not thread-safe, allocates nothing.</summary>
+    /// <summary>Progress of a sweep through its plan. Time advances with the frames that are added. Not thread-safe; allocates nothing.</summary>
     sealed class SweepRun
     {
         readonly SweepPlan _plan;
@@ -10,21 +10,21 @@ namespace Nowpose.Latency.Sweep
 
         public SweepRun(SweepPlan plan) => _plan = plan ?? throw new ArgumentNullException(nameof(plan));
 
-        /// <summary>Loads that were gone through, which is the index of the present one.</summary>
+        /// <summary>Number of completed loads, which is the index of the current one.</summary>
         public int Index { get; private set; }
 
         public bool IsDone => Index == _plan.Loads.Count;
 
-        /// <summary>The load that is to be shown; none once the sweep is done.</summary>
+        /// <summary>Number of vertices of the current load; 0 once the sweep is done.</summary>
         public int Vertices => IsDone ? 0 : _plan.Loads[Index];
 
-        /// <summary>A frame has gone.</summary>
-        /// <param name="start">When it began.</param>
+        /// <summary>Adds a finished frame.</summary>
+        /// <param name="start">Start of the frame.</param>
         /// <param name="isReady">
-        /// Whether it showed the load in full and its control time is known. A load's time begins with the first such frame, and anew
-        /// after any other.
+        /// Whether the frame showed the complete load and its control time is known. The time of a load starts with the first such frame
+        /// and restarts after any other frame.
         /// </param>
-        /// <returns>Whether the present load is another one from now on, or the sweep is done.</returns>
+        /// <returns>Whether the load changes from now on or the sweep is done.</returns>
         public bool Advance(HeadsetTime start, bool isReady)
         {
             if (IsDone) return false;

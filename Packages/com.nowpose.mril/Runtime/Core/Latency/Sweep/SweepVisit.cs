@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>What was measured while a sweep showed one load without a break.</summary>
+    /// <summary>Render times measured while a sweep showed one load without interruption.</summary>
     sealed class SweepVisit
     {
         SweepVisit(int vertices, IReadOnlyList<double> seconds, IReadOnlyList<double> renderMs)
@@ -22,25 +22,25 @@ namespace Nowpose.Latency.Sweep
 
         public int Vertices { get; }
 
-        /// <summary>Milliseconds; outliers do not count.</summary>
+        /// <summary>Trimmed mean of the render times, ms.</summary>
         public double RenderMs { get; }
 
         /// <summary>Standard error of <see cref="RenderMs"/>.</summary>
         public double RenderError { get; }
 
-        /// <summary>Seconds since the sweep began.</summary>
+        /// <summary>Middle of the visit, in seconds since the start of the sweep.</summary>
         public double Middle { get; }
 
-        /// <summary>How fast the render time grew while the load stayed the same, ms/s.</summary>
+        /// <summary>Rate at which the render time grew at constant load, ms/s.</summary>
         public double Drift { get; }
 
-        /// <summary>Of <see cref="Drift"/>, (ms/s)².</summary>
+        /// <summary>Variance of <see cref="Drift"/>, (ms/s)².</summary>
         public double DriftVariance { get; }
 
-        /// <summary>One after the other; those with too few render times are left out.</summary>
-        /// <param name="rows">One or more.</param>
-        /// <param name="source">Only times that were measured with it count.</param>
-        /// <param name="fewest">Render times that a visit needs, 3 or more.</param>
+        /// <summary>Returns the visits in chronological order, without those that have too few render times.</summary>
+        /// <param name="rows">Rows of the sweep, one or more.</param>
+        /// <param name="source">Source of the render times; times of other sources are ignored.</param>
+        /// <param name="fewest">Minimum number of render times of a visit, 3 or more.</param>
         public static List<SweepVisit> Of(IReadOnlyList<SweepRow> rows, RenderTimeSourceKind source, int fewest)
         {
             var visits = new List<SweepVisit>();
@@ -53,7 +53,7 @@ namespace Nowpose.Latency.Sweep
                     renderMs.Add(ms);
                 }
                 if (i + 1 < rows.Count && rows[i + 1].Vertices == rows[i].Vertices) continue;
-                // A clock that stepped back makes no time of its own.
+                // A visit during which the clock stepped back has no valid duration.
                 if (renderMs.Count >= fewest && seconds[seconds.Count - 1] > seconds[0])
                     visits.Add(new SweepVisit(rows[i].Vertices, seconds, renderMs));
                 seconds.Clear();

@@ -3,18 +3,18 @@ using System.Collections.Generic;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Mean of the middle four fifths of some numbers, and how far they scatter; a tenth at either end may be anything.</summary>
-    /// <remarks>Not a median: of times that come in whole frames it would be one or the other, however the two mix.</remarks>
+    /// <summary>Mean of the middle 80 % of a set of numbers, with its standard error; the lowest and the highest 10 % may be outliers.</summary>
+    /// <remarks>A median is unsuitable: for times in whole frames it jumps from one value to the other, regardless of their shares.</remarks>
     readonly struct TrimmedMean
     {
         const double Cut = 0.1;
 
         public readonly double Mean;
 
-        /// <summary>Standard error of <see cref="Mean"/>, for numbers that are independent of each other.</summary>
+        /// <summary>Standard error of <see cref="Mean"/>, for independent numbers.</summary>
         public readonly double Error;
 
-        /// <param name="numbers">One or more, in any order.</param>
+        /// <param name="numbers">Values in any order, one or more.</param>
         public TrimmedMean(IReadOnlyList<double> numbers, int start, int count)
         {
             var sorted = new double[count];

@@ -2,12 +2,12 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Counts errors by size in steps of an eighth of an octave: percentiles without keeping what was counted.</summary>
+    /// <summary>Histogram of errors in steps of an eighth of an octave; provides percentiles without storing the values.</summary>
     sealed class ErrorHistogram
     {
         const int StepsPerOctave = 8;
 
-        /// <summary>Finer than any encoder, and 64 rad or m: what lies outside counts at the end.</summary>
+        /// <summary>Range from below the resolution of encoders to 64 rad or m; values outside count in the first or last step.</summary>
         const int LowestOctave = -26, HighestOctave = 6;
 
         const int Steps = (HighestOctave - LowestOctave) * StepsPerOctave;
@@ -27,7 +27,7 @@ namespace Nowpose.Session.Hindcast
 
         public void Clear() => Array.Clear(_counts, 0, Steps);
 
-        /// <summary>The size below which a fraction of what was counted lies; 0 of nothing.</summary>
+        /// <summary>Returns the value below which the given fraction lies; 0 when the histogram is empty.</summary>
         public double At(double fraction)
         {
             long total = 0;
@@ -41,7 +41,7 @@ namespace Nowpose.Session.Hindcast
             return 0;
         }
 
-        // The lowest step holds the zeros, too.
+        // The lowest step also contains the zeros.
         static double SizeAt(int step, double part) => step == 0 ? 0 : Math.Pow(2, LowestOctave + (step + part) / StepsPerOctave);
     }
 }

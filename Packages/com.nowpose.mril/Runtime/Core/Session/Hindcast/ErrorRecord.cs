@@ -1,22 +1,22 @@
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>The errors of one quantity, over the newest seconds and over the whole run.</summary>
+    /// <summary>Errors of one quantity over the newest seconds and over the whole run.</summary>
     sealed class ErrorRecord
     {
         readonly ErrorWindow _window = new ErrorWindow();
         readonly ErrorRun _run = new ErrorRun();
 
-        /// <param name="isOfRun">False for a frame that was shown before the run began.</param>
+        /// <param name="isOfRun">False for a frame that was shown before the start of the run.</param>
         public void Add(ControlTime at, in ErrorSample sample, bool isOfRun)
         {
             _window.Add(at, sample);
             if (isOfRun) _run.Add(sample);
         }
 
-        /// <summary>Over ten seconds; null while unknown.</summary>
+        /// <summary>Returns the errors of the newest ten seconds; null while unknown.</summary>
         public DisplayedError? Now(ControlTime now) => _window.Read(now);
 
-        /// <summary>Since <see cref="RestartRun"/>; null while unknown.</summary>
+        /// <summary>Errors since <see cref="RestartRun"/>; null while unknown.</summary>
         public DisplayedError? OfRun => _run.Read();
 
         public void ResetWindow() => _window.Reset();

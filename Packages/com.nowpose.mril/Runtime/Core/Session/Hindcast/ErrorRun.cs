@@ -2,13 +2,13 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>The errors of one quantity over a whole run of any length. Allocates nothing once made.</summary>
-    /// <remarks>When there are too many batches, neighbours become one: they grow with the run, and their number stays.</remarks>
+    /// <summary>Errors of one quantity over a run of any length. Allocates nothing after construction.</summary>
+    /// <remarks>When the maximum number of batches is reached, neighbours are merged: batches grow with the run, their number does not.</remarks>
     sealed class ErrorRun
     {
         const int MostBatches = 32;
 
-        /// <summary>About a second.</summary>
+        /// <summary>About one second of frames.</summary>
         const int FramesPerFirstBatch = 64;
 
         readonly ErrorSums[] _batches = new ErrorSums[MostBatches];
@@ -27,7 +27,7 @@ namespace Nowpose.Session.Hindcast
             _held.Add(sample.HeldSquared);
         }
 
-        /// <returns>Null while nothing was added.</returns>
+        /// <returns>Null without any sample.</returns>
         public DisplayedError? Read() => _sums.Count == 0 ? (DisplayedError?)null : Of(_sums, _displayed, _held, _batches.AsSpan(0, _count));
 
         public void Reset()

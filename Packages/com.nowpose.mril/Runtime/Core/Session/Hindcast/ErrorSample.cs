@@ -1,6 +1,6 @@
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>What one frame tells of one quantity: squares of its errors, in the quantity's unit squared.</summary>
+    /// <summary>Squared errors of one quantity in one frame, in the quantity's unit squared.</summary>
     readonly struct ErrorSample
     {
         public ErrorSample(double displayedSquared, double heldSquared, double truthSquared, double clockSquared)
@@ -13,13 +13,13 @@ namespace Nowpose.Session.Hindcast
 
         public double DisplayedSquared { get; }
 
-        /// <summary>Of the error that the hold would have had.</summary>
+        /// <summary>Square of the error that the uncompensated hold would have had.</summary>
         public double HeldSquared { get; }
 
-        /// <summary>Of what the truth may be off.</summary>
+        /// <summary>Square of the uncertainty of the true value.</summary>
         public double TruthSquared { get; }
 
-        /// <summary>Of what the clock's bound can hide.</summary>
+        /// <summary>Square of the error that the clock's error bound allows.</summary>
         public double ClockSquared { get; }
     }
 }

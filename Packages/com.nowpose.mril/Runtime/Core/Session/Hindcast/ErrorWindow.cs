@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>The errors of one quantity over the newest ten seconds, which pass in steps of one. Allocates nothing once made.</summary>
+    /// <summary>Errors of one quantity over the newest ten seconds, in steps of one second. Allocates nothing after construction.</summary>
     sealed class ErrorWindow
     {
         const int Seconds = 10;
@@ -26,7 +26,7 @@ namespace Nowpose.Session.Hindcast
             slot.Add(sample);
         }
 
-        /// <returns>Null when nothing was added within ten seconds before <paramref name="now"/>.</returns>
+        /// <returns>Null without any sample in the ten seconds before <paramref name="now"/>.</returns>
         public DisplayedError? Read(ControlTime now)
         {
             var oldest = SecondOf(now) - Seconds + 1;

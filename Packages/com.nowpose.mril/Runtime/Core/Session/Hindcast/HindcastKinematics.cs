@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Where the tool is by joints that a frame did not show. Allocates nothing once made.</summary>
+    /// <summary>Computes tool poses for joint positions other than the displayed ones. Allocates nothing after construction.</summary>
     sealed class HindcastKinematics
     {
         readonly RobotModel _robot;
@@ -14,7 +14,7 @@ namespace Nowpose.Session.Hindcast
         readonly double[] _positions;
         readonly RigidTransform[] _linkPoses;
 
-        /// <param name="joints">Indices of the joints whose truth will be told.</param>
+        /// <param name="joints">Indices of the joints with true positions.</param>
         public HindcastKinematics(RobotModel robot, int[] joints)
         {
             _robot = robot;
@@ -27,15 +27,15 @@ namespace Nowpose.Session.Hindcast
             _linkPoses = new RigidTransform[robot.Links.Count];
         }
 
-        /// <param name="positions">Of all moving joints.</param>
+        /// <param name="positions">Positions of all moving joints.</param>
         public RigidTransform ToolOf(ReadOnlySpan<double> positions)
         {
             _kinematics.Compute(positions, _linkPoses);
             return _linkPoses[_toolLink];
         }
 
-        /// <summary>By the truth about each joint.</summary>
-        /// <param name="isDoubted">With what each may be off.</param>
+        /// <summary>Computes the tool pose from the true joint positions.</summary>
+        /// <param name="isDoubted">Whether the uncertainty of each joint is added to its position.</param>
         public RigidTransform ToolOf(ReadOnlySpan<ShownFrames.JointValues> truth, bool isDoubted)
         {
             for (var i = 0; i < _joints.Length; i++) _positions[_joints[i]] = truth[i].Truth + (isDoubted ? truth[i].Doubt : 0);

@@ -6,13 +6,13 @@ using Nowpose.Protocol;
 namespace Nowpose.Session.Hindcast
 {
     /// <summary>
-    /// How far the tool, and each joint it hangs on, was displayed from where it truly was, as the samples that came later tell; of
-    /// the hold likewise.
+    /// Computes the errors of the displayed tool and joints relative to their true positions from later samples, and the same errors
+    /// of the uncompensated hold.
     /// </summary>
     /// <remarks>
-    /// The truth at a display time is the forward kinematics of the joints on the curves through their samples around, judged
-    /// when the second sample after it has come. It can be no better than the samples: what they all share, an error of the
-    /// clock or of L_visu, it cannot see. Allocates nothing once made; one thread.
+    /// The true pose at a display time is the forward kinematics of the joints on the curves through their surrounding samples. It is
+    /// computed when the second sample after the display time has arrived. It does not include errors common to all samples, such as
+    /// those of the clock or of L_visu. Allocates nothing after construction; single-threaded.
     /// </remarks>
     sealed class HindcastMonitor
     {
@@ -30,7 +30,7 @@ namespace Nowpose.Session.Hindcast
         ControlTime? _now;
         ControlTime? _runSince;
 
-        /// <param name="maximumGap">Between samples that lie further apart nobody knows how the robot moved.</param>
+        /// <param name="maximumGap">Maximum interval between samples; the motion within a longer one is unknown.</param>
         public HindcastMonitor(RobotModel robot, TimeSpan maximumGap)
         {
             _robot = robot;
@@ -47,28 +47,28 @@ namespace Nowpose.Session.Hindcast
             for (var i = 0; i < _ofJoint.Length; i++) _ofJoint[i] = new ErrorRecord();
         }
 
-        /// <summary>A frame shown before was judged: its display time, its state, and the error of its tool in m. Raised within <see cref="Add"/>.</summary>
+        /// <summary>Reports a scored frame: its display time, its state, and the error of its tool in m. Raised within <see cref="Add"/>.</summary>
         public event Action<ControlTime, PoseState, ErrorSample> ToolJudged;
 
-        /// <summary>Joints between base and tool that have samples of their own, from the base on.</summary>
+        /// <summary>Number of joints between base and tool with samples of their own.</summary>
         public int JointCount => _joints.Length;
 
-        /// <summary>Of the tool over the newest ten seconds, m; null while unknown.</summary>
+        /// <summary>Errors of the tool over the newest ten seconds, m; null while unknown.</summary>
         public DisplayedError? Tool => _now.HasValue ? _tool.Now(_now.Value) : null;
 
-        /// <summary>Of the tool since <see cref="RestartRun"/>, m; null while unknown.</summary>
+        /// <summary>Errors of the tool since <see cref="RestartRun"/>, m; null while unknown.</summary>
         public DisplayedError? ToolOfRun => _tool.OfRun;
 
-        /// <summary>Of one joint over the newest ten seconds, rad or m.</summary>
+        /// <summary>Returns the errors of one joint over the newest ten seconds, rad or m; joints are in the order from the base.</summary>
         public JointError JointAt(int index) => new JointError(
             _robot.MovingJoints[_joints[index]].Name, _now.HasValue ? _ofJoint[index].Now(_now.Value) : null);
 
-        /// <summary>A frame as it is displayed. Without a trusted time nothing is known of it, nor of the error now.</summary>
-        /// <param name="clockError">Bound of the clock's error.</param>
+        /// <summary>Adds a displayed frame. A frame without a trusted display time cannot be scored and makes the current errors unknown.</summary>
+        /// <param name="clockError">Error bound of the clock.</param>
         public void Shown(DisplayFrame frame, TimeSpan clockError)
         {
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
-            // Outside the range the light appears at another time than the display time.
+            // Outside the range, the frame appears at another time than its display time.
             if (_now == null || frame.State == PoseState.Incomplete || frame.Range == RangeState.Outside) return;
             foreach (ref readonly var track in _tracks.AsSpan())
                 if (!(track.ToldUntil < _now.Value)) return;
@@ -80,7 +80,7 @@ namespace Nowpose.Session.Hindcast
             }
         }
 
-        /// <summary>Samples that have arrived: they tell the truth about frames shown before.</summary>
+        /// <summary>Adds received samples, which determine the true positions of earlier frames.</summary>
         /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
         public void Add(JointStateMessage message, ReadOnlySpan<int> joints)
         {
@@ -94,24 +94,24 @@ namespace Nowpose.Session.Hindcast
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
         }
 
-        /// <summary>A joint's source went back in time: its samples from now on lie on another time line than those before.</summary>
+        /// <summary>Resets a joint whose source went back in time: further samples are on another time line.</summary>
         /// <param name="joint">Index among the robot's moving joints.</param>
         public void StartAnew(int joint)
         {
             if (_placeOfJoint[joint] < 0) return;
             _tracks[_placeOfJoint[joint]] = default;
-            // Of those that wait, the joint would tell some twice and others never.
+            // The waiting frames would get the true position of this joint twice or never.
             _frames.Clear();
         }
 
-        /// <summary>From the next frame on, the errors of a new run are counted.</summary>
+        /// <summary>Starts a new run with the next frame.</summary>
         public void RestartRun()
         {
             _runSince = _now;
             _tool.RestartRun();
         }
 
-        /// <summary>Forgets all but the run: times of before belong to another time line.</summary>
+        /// <summary>Resets everything except the run, because earlier times belong to another time line.</summary>
         public void Reset()
         {
             Array.Clear(_tracks, 0, _tracks.Length);

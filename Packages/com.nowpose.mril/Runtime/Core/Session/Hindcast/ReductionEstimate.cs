@@ -2,15 +2,15 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>How much of the hold's error is removed, and how sure that is.</summary>
+    /// <summary>Relative reduction of the hold's error, with its uncertainty.</summary>
     /// <remarks>
-    /// Errors of neighbouring frames are alike, so frames are no independent trials. Batches of about a second nearly are: the
-    /// jackknife leaves out one after the other and looks how far the reduction moves. It fits a quotient of sums, to which
-    /// batches at rest contribute nothing.
+    /// Errors of neighbouring frames are similar, so frames are not independent. Batches of about one second nearly are: the jackknife
+    /// omits one batch at a time and evaluates the change of the reduction. It is suitable for a ratio of sums, to which batches at
+    /// rest contribute nothing.
     /// </remarks>
     static class ReductionEstimate
     {
-        /// <summary>Less than a tenth of a millimetre, or of a milliradian, the hold errs only at rest: of nothing nothing can be removed.</summary>
+        /// <summary>Minimum RMS of the hold's error, 0.1 mm or 0.1 mrad; a smaller one occurs only at rest and cannot be reduced.</summary>
         const double LeastHoldRms = 1e-4;
 
         const int FewestBatches = 4;
@@ -18,7 +18,7 @@ namespace Nowpose.Session.Hindcast
         public static double? Of(in ErrorSums sums) =>
             sums.Count > 0 && sums.Held >= LeastHoldRms * LeastHoldRms * sums.Count ? Reduction(sums.Displayed, sums.Held) : (double?)null;
 
-        /// <summary>Half-width of the 95 % confidence interval; null when motion lies in too few batches.</summary>
+        /// <summary>Returns the half-width of the 95 % confidence interval; null when too few batches contain motion.</summary>
         public static double? UncertaintyOf(in ErrorSums total, ReadOnlySpan<ErrorSums> batches)
         {
             if (Of(total) == null) return null;
@@ -39,7 +39,7 @@ namespace Nowpose.Session.Hindcast
 
         static double Reduction(double displayed, double held) => 1 - Math.Sqrt(displayed / held);
 
-        // The quantile of Student's distribution by its first terms in 1/ν (Abramowitz & Stegun 26.7.5): 1 % off at three.
+        // Quantile of Student's distribution from its first terms in 1/ν (Abramowitz & Stegun 26.7.5): 4 % too small at ν = 3.
         static double Student95(int freedom) => 1.960 + 2.372 / freedom + 2.823 / ((double)freedom * freedom);
     }
 }

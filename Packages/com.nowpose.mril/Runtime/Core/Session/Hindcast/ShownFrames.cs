@@ -3,10 +3,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Frames that were shown and wait for the samples which tell where the robot truly was. Allocates nothing once made.</summary>
+    /// <summary>Queue of displayed frames that wait for samples with the true joint positions. Allocates nothing after construction.</summary>
     sealed class ShownFrames
     {
-        /// <summary>More than four seconds at 120 frames a second; beyond, the oldest go unjudged.</summary>
+        /// <summary>Capacity in frames: more than four seconds at 120 frames per second. Drops the oldest when full.</summary>
         const int Capacity = 512;
 
         readonly int _jointCount;
@@ -14,7 +14,7 @@ namespace Nowpose.Session.Hindcast
         readonly JointValues[] _joints;
         int _first, _count;
 
-        /// <param name="jointCount">So many joints have to tell the truth about each frame.</param>
+        /// <param name="jointCount">Number of joints whose true positions are needed for each frame.</param>
         public ShownFrames(int jointCount)
         {
             _jointCount = jointCount;
@@ -22,10 +22,10 @@ namespace Nowpose.Session.Hindcast
         }
 
         /// <param name="state">State of the frame's pose.</param>
-        /// <param name="displayed">The tool's pose as displayed.</param>
-        /// <param name="held">The tool's pose by the newest samples alone.</param>
-        /// <param name="clockError">Bound of the clock's error, s.</param>
-        /// <returns>Places for the joints' displayed and held positions.</returns>
+        /// <param name="displayed">Displayed tool pose.</param>
+        /// <param name="held">Tool pose from the newest samples without compensation.</param>
+        /// <param name="clockError">Error bound of the clock, s.</param>
+        /// <returns>Buffer for the displayed and held positions of the joints.</returns>
         public Span<JointValues> Add(ControlTime at, PoseState state, in RigidTransform displayed, in RigidTransform held, double clockError)
         {
             if (_count == Capacity) RemoveFirst();
@@ -38,8 +38,8 @@ namespace Nowpose.Session.Hindcast
             return _joints.AsSpan(index * _jointCount, _jointCount);
         }
 
-        /// <summary>The truth about a joint for the frames within a span.</summary>
-        /// <param name="isKnown">False when the way between the samples is too long to know anything.</param>
+        /// <summary>Sets the true position of a joint for the frames within a span.</summary>
+        /// <param name="isKnown">False when the interval between the samples is too long to determine the motion.</param>
         public void Tell(int joint, in TruthSpan span, bool isKnown)
         {
             for (var i = 0; i < _count; i++)
@@ -54,8 +54,8 @@ namespace Nowpose.Session.Hindcast
             }
         }
 
-        /// <summary>The oldest frame that waits, if all joints have told the truth about it; it waits no longer.</summary>
-        /// <param name="joints">As long as there are joints.</param>
+        /// <summary>Removes and returns the oldest frame, if the true positions of all joints are set.</summary>
+        /// <param name="joints">Result; its length is the number of joints.</param>
         public bool TryTakeFirst(out Frame frame, Span<JointValues> joints)
         {
             while (_count > 0 && _frames[_first].Missing == 0)

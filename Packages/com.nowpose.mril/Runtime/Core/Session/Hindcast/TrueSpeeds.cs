@@ -3,10 +3,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>How fast the joints and the tool truly moved from one judged frame to the next; 0 for the first after a pause.</summary>
+    /// <summary>True speeds of the joints and the tool between two scored frames; 0 for the first frame after a pause.</summary>
     sealed class TrueSpeeds
     {
-        /// <summary>Frames further apart tell of a way, not of a speed.</summary>
+        /// <summary>Maximum interval between frames; the mean speed over a longer one is not the current speed.</summary>
         static readonly TimeSpan LongestPause = new TimeSpan(TimeSpan.TicksPerSecond / 5);
 
         readonly double[] _positions;
@@ -16,7 +16,7 @@ namespace Nowpose.Session.Hindcast
 
         public TrueSpeeds(int jointCount) => _positions = new double[jointCount];
 
-        /// <summary>Goes on to a frame, of which each joint and the tool are told next.</summary>
+        /// <summary>Starts a frame. Call the methods below next for each joint and for the tool.</summary>
         public void Next(ControlTime at)
         {
             var passed = _at.HasValue ? at - _at.Value : TimeSpan.Zero;
@@ -24,7 +24,7 @@ namespace Nowpose.Session.Hindcast
             _at = at;
         }
 
-        /// <summary>rad/s or m/s.</summary>
+        /// <summary>Returns the speed of a joint, rad/s or m/s.</summary>
         public double OfJoint(int joint, double position)
         {
             var speed = Math.Abs(position - _positions[joint]) * _perSecond;
@@ -32,7 +32,7 @@ namespace Nowpose.Session.Hindcast
             return speed;
         }
 
-        /// <summary>m/s.</summary>
+        /// <summary>Returns the speed of the tool, m/s.</summary>
         public double OfTool(in RigidTransform tool)
         {
             var (x, y, z) = (tool.X - _tool.X, tool.Y - _tool.Y, tool.Z - _tool.Z);

@@ -1,6 +1,6 @@
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Where a joint was; <c>default</c> is "not known".</summary>
+    /// <summary>True position of a joint at one time; <c>default</c> is "not known".</summary>
     readonly struct TruthSample
     {
         public TruthSample(ControlTime at, double position)

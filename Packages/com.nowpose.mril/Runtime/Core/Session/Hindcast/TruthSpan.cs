@@ -1,15 +1,15 @@
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>The way of a joint between two neighbouring samples: the cubic through them, the one before and the one after.</summary>
+    /// <summary>Motion of a joint between two neighbouring samples: the cubic through them, the sample before and the sample after.</summary>
     readonly struct TruthSpan
     {
         readonly double _length, _before;
         readonly double _startPosition, _secant, _bend, _twist, _doubt;
 
-        /// <param name="before">The sample before the span's; one that is not known leaves a parabola.</param>
-        /// <param name="start">With which the span begins.</param>
-        /// <param name="end">With which it ends, later.</param>
-        /// <param name="after">The one after it; as <paramref name="before"/>, and without both a straight line is left.</param>
+        /// <param name="before">Sample before the span; if it is unknown, the curve is a parabola.</param>
+        /// <param name="start">Sample at the start of the span.</param>
+        /// <param name="end">Sample at the end of the span, later than the start.</param>
+        /// <param name="after">Sample after the span; if it is unknown, the curve is a parabola, and without both a straight line.</param>
         public TruthSpan(in TruthSample before, in TruthSample start, in TruthSample end, in TruthSample after)
         {
             Start = start.At;
@@ -30,10 +30,10 @@ namespace Nowpose.Session.Hindcast
         public ControlTime Start { get; }
         public ControlTime End { get; }
 
-        /// <summary>Position at a time of the span.</summary>
+        /// <summary>Returns the position at a time within the span.</summary>
         /// <param name="doubt">
-        /// Half of how far the parabolas through the span and either neighbour lie apart: about what the cubic errs by where the
-        /// motion has a kink, and more than that where it is smooth.
+        /// Half the difference between the parabolas through the span and either neighbour: about the error of the cubic if the motion
+        /// has a kink, and more than its error if the motion is smooth.
         /// </param>
         public double At(ControlTime time, out double doubt)
         {

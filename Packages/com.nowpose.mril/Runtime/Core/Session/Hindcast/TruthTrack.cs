@@ -2,18 +2,18 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>The newest four samples of a joint: each new one completes what is known of the interval before the last.</summary>
+    /// <summary>The newest samples of a joint. Each new sample completes the curve of the interval before the last.</summary>
     struct TruthTrack
     {
         TruthSample _first, _second, _third;
 
-        /// <summary>Up to where the way of the joint is told; null while nothing is.</summary>
+        /// <summary>End of the intervals that are already complete; null before the first sample.</summary>
         public ControlTime? ToldUntil => _second.IsKnown ? _second.At : _third.IsKnown ? _third.At : (ControlTime?)null;
 
-        /// <summary>Takes a sample; one that was overtaken comes too late, its interval is told already.</summary>
-        /// <param name="maximumGap">Between samples that lie further apart nobody knows how the joint moved.</param>
-        /// <param name="span">What is known now.</param>
-        /// <param name="isKnown">False when nothing is known of the span but its ends.</param>
+        /// <summary>Adds a sample. A sample that is not newer than the last one is ignored, as its interval is already complete.</summary>
+        /// <param name="maximumGap">Maximum interval between samples; the motion within a longer one is unknown.</param>
+        /// <param name="span">The completed span.</param>
+        /// <param name="isKnown">False when only the ends of the span are known.</param>
         /// <returns>False when no span was completed.</returns>
         public bool Add(in TruthSample sample, TimeSpan maximumGap, out TruthSpan span, out bool isKnown)
         {

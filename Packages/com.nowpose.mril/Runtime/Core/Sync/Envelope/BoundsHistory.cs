@@ -2,15 +2,15 @@ using System;
 
 namespace Nowpose.Sync.Envelope
 {
-    /// <summary>The bounds that the newest exchanges left, the newest first; forgets by number and by age. Allocates nothing once made.</summary>
+    /// <summary>Bounds of the newest exchanges, newest first, limited by count and age. Allocates nothing after construction.</summary>
     sealed class BoundsHistory
     {
         readonly OffsetBounds[] _ring;
         readonly TimeSpan _oldest;
         int _newest;
 
-        /// <param name="most">Exchanges kept at most.</param>
-        /// <param name="oldest">How long before the newest one an exchange may lie.</param>
+        /// <param name="most">Maximum number of exchanges.</param>
+        /// <param name="oldest">Maximum age of an exchange relative to the newest one.</param>
         public BoundsHistory(int most, TimeSpan oldest)
         {
             _ring = new OffsetBounds[most];
@@ -19,7 +19,7 @@ namespace Nowpose.Sync.Envelope
 
         public int Count { get; private set; }
 
-        /// <param name="age">0 is the newest, <see cref="Count"/> − 1 the oldest.</param>
+        /// <param name="age">Index from 0, the newest, to <see cref="Count"/> − 1, the oldest.</param>
         public ref readonly OffsetBounds this[int age] => ref _ring[(_newest - age + _ring.Length) % _ring.Length];
 
         public void Add(in OffsetBounds bounds)
@@ -30,7 +30,7 @@ namespace Nowpose.Sync.Envelope
             while (bounds.Received - this[Count - 1].Received > _oldest) Count--;
         }
 
-        /// <summary>Moves the bounds of one exchange, ticks.</summary>
+        /// <summary>Moves the bounds of one exchange; the amounts are in ticks.</summary>
         public void Shift(int age, long least, long greatest)
         {
             ref var bounds = ref _ring[(_newest - age + _ring.Length) % _ring.Length];

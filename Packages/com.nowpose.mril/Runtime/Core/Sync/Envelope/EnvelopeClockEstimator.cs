@@ -3,44 +3,44 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// The default estimator: the offset lies between what the requests and what the replies prove, and the most punctual of
-    /// them lie close to it. Half-way between two curves along the most punctual of either, it needs no outlier rejection
-    /// and is the better, the more exchanges there are.
+    /// The default estimator. The offset lies between the lower bounds from requests and the upper bounds from replies, and the
+    /// bounds of the packets with the shortest delays lie close to it. The estimate is half-way between two curves along these
+    /// bounds. It needs no outlier rejection, and its accuracy increases with the number of exchanges.
     /// </summary>
     /// <remarks>
-    /// The paper's offsets of Eq. (5) average a request with its reply, and are wrong when either is late. Here each counts
-    /// by itself. An asymmetry of the least delays themselves cannot be seen by anybody: the error bound allows for it.
+    /// The paper's offsets of Eq. (5) average a request with its reply and are wrong when either is late; here each of the two counts
+    /// separately. An asymmetry of the minimum delays is not observable; the error bound includes it.
     /// </remarks>
     sealed class EnvelopeClockEstimator : IClockEstimator
     {
-        /// <summary>Exchanges kept, and for how long, s: three minutes at five a second. What is older follows from the rest no better.</summary>
+        /// <summary>Maximum number of exchanges and their maximum age, s: three minutes at five per second. Older ones add no accuracy.</summary>
         const int History = 900;
         const double HistorySeconds = 180;
 
         /// <summary>
-        /// Exchanges in the newest block and in the largest, each older block being longer by one. Short ones tell what the
-        /// skew does just now where the network is quiet, long ones hold a punctual packet where it is not.
+        /// Number of exchanges in the newest block and maximum number in a block; each block has one more than the next newer one. Short
+        /// blocks follow the current skew in a quiet network, long ones contain a packet with a short delay in a busy one.
         /// </summary>
         const int NewestBlock = 6, LargestBlock = 30;
 
-        /// <summary>Exchanges there must be for each exchange of the largest block: with few blocks nothing tells a late one.</summary>
+        /// <summary>Minimum ratio of the number of exchanges to the block length: late blocks are recognised only among several.</summary>
         const int BlocksWanted = 10;
 
-        /// <summary>What bounds can hide is at most this multiple of how much longer than the least the mean round trip is, once so many are known.</summary>
+        /// <summary>Maximum hidden scatter, as a multiple of the mean excess over the minimum round-trip time, and exchanges needed for it.</summary>
         const int ScatterShare = 2, FewestForScatter = 5;
 
-        /// <summary>One standard deviation of the skew before anything is known, and what it may gain a second after a restart.</summary>
+        /// <summary>Initial standard deviation of the skew, dimensionless, and its increase per second after a restart, 1/s.</summary>
         const double SkewPrior = 50e-6, SkewWander = 0.05e-6;
 
         /// <summary>
-        /// How far behind the present the skew is taken that continues the line, s. The slope right at the end is the least
-        /// certain part of a curve, and a silence lasts for seconds or minutes.
+        /// Age of the skew that extrapolates the line, s. The slope at the very end is the least certain part of the curve, and a time
+        /// without exchanges lasts for seconds or minutes.
         /// </summary>
         const double SkewAge = 20;
 
         /// <summary>
-        /// Time in which a change of the skew is believed, s. When a path changes, the curve bends from the old bounds to the
-        /// new ones; its slope then is none of the clock's, and no measure for how well it is known.
+        /// Time constant with which the steady skew follows the estimate, s. When a path changes, the curve bends from the old bounds to
+        /// the new ones; its slope then shows neither the skew of the clocks nor how accurately it is known.
         /// </summary>
         const double SkewPatience = 60;
 
@@ -85,7 +85,7 @@ namespace Nowpose.Sync.Envelope
             if (Line.Exchanges > 0)
             {
                 var resolution = ClockTicks.Seconds(exchange.Resolution);
-                // The newest bounds tilt and bend the curve when a path has changed, which would hide the change or exaggerate it.
+                // When a path has changed, the newest bounds tilt and bend the curve, which would hide or exaggerate the change.
                 var steady = new OffsetCurve(_steadySkew, _steadyBend);
                 _up.Measure(steady);
                 _down.Measure(steady);
@@ -100,11 +100,11 @@ namespace Nowpose.Sync.Envelope
             }
 
             var newest = _history[0];
-            // Half of each, as their sum may overflow.
+            // Half of each because their sum may overflow.
             var middle = newest.Least / 2 + newest.Greatest / 2;
             var scatter = Collect(newest.Received, middle);
             var running = ClockTicks.Seconds(newest.Received - _start);
-            // A clock that runs faster than the prior thinks possible would leave residuals that make the data seem poor.
+            // A skew beyond the range of the prior would leave residuals that make the data appear poor.
             var proven = ProvenSkew.Of(_history, exchange.Resolution);
             var unmet = ClockTicks.Seconds(_unmetPart.Of(_history, exchange.Resolution));
             _fit.Solve(
@@ -114,7 +114,7 @@ namespace Nowpose.Sync.Envelope
             Line = LineAt(newest.Received, middle, running, unmet);
         }
 
-        // Returns how far apart bounds can lie that are as good as any.
+        // Returns the maximum difference of bounds that are equally good.
         TimeSpan Collect(HeadsetTime reference, long referenceOffset)
         {
             _below.Clear();
@@ -130,7 +130,7 @@ namespace Nowpose.Sync.Envelope
                 least = Math.Min(least, roundTrip);
                 sum += roundTrip;
             }
-            // Round trips that scatter little hide little, however long they are.
+            // If the scatter of the round trips is small, the hidden error is small, however long the round trips are.
             var scatter = ScatterShare * (sum / _history.Count - least);
             return new TimeSpan(Math.Max(0, _history.Count < FewestForScatter ? least : Math.Min(least, scatter)));
         }
@@ -160,11 +160,11 @@ namespace Nowpose.Sync.Envelope
             var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
             var skew = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
             var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
-            // Half of the time there was, at first.
+            // Half of the elapsed time at first.
             var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewPatience, running / 2)));
             _steadySkew += (skew - _steadySkew) * share;
             _steadyBend += (_curve.Bend - _steadyBend) * share;
-            // Off by half the part at one end and by half at the other, the other way: that is no standard error, but all there can be.
+            // Maximum slope error if the offset is off by half the part at one end and by minus half at the other; a third as standard error.
             var hidden = unmet / Math.Max(1e-3, span) / 3;
             var skewError = Math.Min(ClockLine.GreatestSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
             _steadySkewError += (skewError - _steadySkewError) * share;

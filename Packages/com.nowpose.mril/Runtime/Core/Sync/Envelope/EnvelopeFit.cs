@@ -3,26 +3,26 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Fits one curve with two heights to the two sides of the corridor; the offset is half-way between them. A prior on
-    /// slope and bend decides where the data do not.
+    /// Fits one curve with two heights to the two sides of the corridor; the offset is half-way between them. A prior determines
+    /// slope and bend where the data do not.
     /// </summary>
     sealed class EnvelopeFit
     {
         /// <summary>
-        /// One standard deviation of the bend, 1/s: a skew that changes by 1 ppm in 100 s. Quartzes in a room change less; it
-        /// lets a quiet network follow what a busy one cannot tell from its own noise.
+        /// Standard deviation of the bend, 1/s: a skew that changes by 1 ppm in 100 s. Quartz clocks in a room change less. This value
+        /// lets the fit follow changes in a quiet network that would be noise in a busy one.
         /// </summary>
         const double BendPrior = 5e-9;
 
         const int Iterations = 3;
 
         /// <summary>
-        /// Delays are not normally distributed and clocks do not run evenly: on four simulated networks 95 % of the errors lay
-        /// within 1.8 to 3.8 of the standard errors that the weights alone give, where 2 would be right.
+        /// Factor on the standard errors from the weights, because delays are not normally distributed and clock rates vary. On four
+        /// simulated networks, 95 % of the errors were within 1.8 to 3.8 of these standard errors instead of 2.
         /// </summary>
         const double Optimism = 2;
 
-        /// <summary>What the data say of the slope at least, in what the prior says: keeps its error finite.</summary>
+        /// <summary>Minimum weight of the data on the slope relative to the weight of the prior; keeps the error finite.</summary>
         const double LeastShare = 1e-6;
 
         readonly EnvelopeSide _below, _above;
@@ -37,20 +37,20 @@ namespace Nowpose.Sync.Envelope
 
         public OffsetCurve Curve { get; private set; }
 
-        /// <summary>Seconds above the reference offset, at the reference.</summary>
+        /// <summary>Seconds above the reference offset at the reference time.</summary>
         public double Offset => (_heightBelow.At(Curve) + _heightAbove.At(Curve)) / 2;
 
-        /// <summary>One standard error of <see cref="Offset"/>, s.</summary>
+        /// <summary>Standard error of <see cref="Offset"/>, s.</summary>
         public double OffsetError { get; private set; }
 
-        /// <summary>One standard error of the slope, dimensionless, that counts on no prior but allows for how much it pulls.</summary>
+        /// <summary>Standard error of the slope, dimensionless. It uses the data only and includes the shift that the prior causes.</summary>
         public double SlopeError { get; private set; }
 
-        /// <param name="scatter">How far apart bounds can lie that are as good as any, with the control clock's resolution, s.</param>
-        /// <param name="unmet">As of <see cref="UnmetPart"/>, s.</param>
-        /// <param name="start">A curve to begin with.</param>
-        /// <param name="slopePrior">The slope to be expected.</param>
-        /// <param name="slopeDoubt">One standard deviation of it, dimensionless.</param>
+        /// <param name="scatter">Maximum difference of bounds that are equally good, plus the control clock's resolution, s.</param>
+        /// <param name="unmet">Value of <see cref="UnmetPart"/>, s.</param>
+        /// <param name="start">Initial curve of the iteration.</param>
+        /// <param name="slopePrior">Expected slope, dimensionless.</param>
+        /// <param name="slopeDoubt">Standard deviation of the expected slope, dimensionless.</param>
         public void Solve(double scatter, double unmet, OffsetCurve start, double slopePrior, double slopeDoubt)
         {
             Curve = start;
@@ -70,7 +70,7 @@ namespace Nowpose.Sync.Envelope
             EstimateErrors(slopePrior, slopeWeight, bendWeight);
         }
 
-        // Each side about its own weighted means, which takes the unknown heights out of the sums.
+        // Sums relative to the weighted means of the side, which eliminates the unknown heights.
         Height Gather(EnvelopeSide side)
         {
             double weights = 0, x = 0, z = 0, y = 0;
@@ -107,9 +107,9 @@ namespace Nowpose.Sync.Envelope
             var variance = (1 / _heightBelow.Weights + 1 / _heightAbove.Weights) / 4
                 + (x * x * zz - 2 * x * z * _xz + z * z * xx) / determinant;
             OffsetError = Optimism * Math.Sqrt(variance);
-            // One exchange tells nothing of a slope.
+            // A single exchange contains no information about the slope.
             var known = Math.Max(_xx - _xz * _xz / zz, LeastShare * slopeWeight);
-            // Where the data alone would have it, were there no prior.
+            // Distance to the slope that the data alone would give.
             var pull = slopeWeight / known * Math.Abs(Curve.Slope - slopePrior);
             SlopeError = Optimism * Math.Sqrt(1 / known) + pull;
         }
@@ -128,7 +128,7 @@ namespace Nowpose.Sync.Envelope
             public double Weights { get; }
             public double X { get; }
 
-            /// <summary>Of the squares of x.</summary>
+            /// <summary>Weighted mean of the squares of x.</summary>
             public double Z { get; }
 
             public double Y { get; }

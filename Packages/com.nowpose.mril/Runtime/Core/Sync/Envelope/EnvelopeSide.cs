@@ -3,33 +3,33 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// One side of the corridor in which the offset lies: the tightest bound of each block of exchanges, and how much each
-    /// of them is worth.
+    /// One side of the corridor that contains the offset: the tightest bound of each block of exchanges, with the weight of each
+    /// block.
     /// </summary>
     /// <remarks>
-    /// A packet can only be late, so what is wrong with a bound is wrong to one side. A late one gets the weight
-    /// 1/(s² + e² + a²): e is how far it falls behind the blocks' upper quartile, s how far they usually do, a what the rates
-    /// of the clocks may have made of it since.
+    /// A packet can only be late, so the error of a bound has a known sign. The weight of a bound is 1/(s² + e² + a²): e is its
+    /// distance behind the upper quartile of the blocks, s is the typical distance, and a is the possible effect of changing clock
+    /// rates since then.
     /// </remarks>
     sealed class EnvelopeSide
     {
-        /// <summary>What counts as punctual among the blocks; of the punctual bounds, the scale is what this share does not exceed.</summary>
+        /// <summary>Quantile of the blocks from which e is measured, and quantile of e that gives the scale s.</summary>
         const double PunctualShare = 0.75, ScaleShare = 0.4;
 
-        /// <summary>Smallest scale, s: without it a few equal stamps would count for all others.</summary>
+        /// <summary>Minimum scale, s: without it, a few equal time stamps would dominate all others.</summary>
         const double LeastScale = 3e-6;
 
-        /// <summary>Scale of bounds that leave a part of a coarse clock's step unmet, in lengths of that part: half of it is too small.</summary>
+        /// <summary>Contribution to the scale when bounds miss a part of a coarse clock's step, relative to that part; 0.5 is too small.</summary>
         const double UnmetShare = 0.1;
 
-        /// <summary>a = this · age², 1/s: as if the skew changed by 2 ppm within 50 s in a way that no slope and bend can follow.</summary>
+        /// <summary>a = this · age², 1/s: a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
         const double AgeGrowth = 2e-8;
 
-        /// <summary>So many blocks count in full whatever their age: a scale that got too small would leave too few to measure it by.</summary>
+        /// <summary>Minimum number of blocks with full weight at any age, so that the scale cannot shrink until too few determine it.</summary>
         const int BlocksAtLeast = 8;
 
         /// <summary>
-        /// Power of the number of blocks by which the scatter of round trips is divided for what their scale hides at least: few bounds
+        /// The scatter of the round trips, divided by the number of blocks to this power, is a minimum of the scale: few bounds may
         /// agree by chance, and a line through three late packets can be steep.
         /// </summary>
         const double YouthPower = 1.5;
@@ -39,8 +39,8 @@ namespace Nowpose.Sync.Envelope
         readonly WeightedQuantile _quantile;
         double _scale;
 
-        /// <param name="sign">1 where bounds lie below the offset, −1 where they lie above.</param>
-        /// <param name="mostBlocks">Blocks at most.</param>
+        /// <param name="sign">1 for bounds below the offset, −1 for bounds above it.</param>
+        /// <param name="mostBlocks">Maximum number of blocks.</param>
         public EnvelopeSide(int sign, int mostBlocks)
         {
             _sign = sign;
@@ -54,23 +54,23 @@ namespace Nowpose.Sync.Envelope
 
         public int Count { get; private set; }
 
-        /// <summary>Seconds since the reference.</summary>
+        /// <summary>Seconds since the reference time.</summary>
         public double X(int block) => _x[block];
 
         /// <summary>Seconds above the reference offset.</summary>
         public double Y(int block) => _y[block];
 
-        /// <summary>1/s².</summary>
+        /// <summary>Weight of the block, 1/s².</summary>
         public double Weight(int block) => _weights[block];
 
         public void Clear()
         {
             Count = 0;
-            // None yet: at first all blocks count alike, however old.
+            // Initially all blocks have the same weight, regardless of their age.
             _scale = double.PositiveInfinity;
         }
 
-        /// <summary>Begins a block with its first bound.</summary>
+        /// <summary>Starts a block with its first bound.</summary>
         public void Begin(double x, double y)
         {
             _x[Count] = x;
@@ -78,7 +78,7 @@ namespace Nowpose.Sync.Envelope
             Count++;
         }
 
-        /// <summary>A further bound of the block, which stays the block's if it is the tightest.</summary>
+        /// <summary>Adds a bound to the current block, which keeps only its tightest bound.</summary>
         public void Improve(double x, double y, OffsetCurve curve)
         {
             var last = Count - 1;
@@ -87,9 +87,9 @@ namespace Nowpose.Sync.Envelope
             _y[last] = y;
         }
 
-        /// <summary>Weighs the blocks by a curve, which knows the height of neither side.</summary>
-        /// <param name="scatter">As of <see cref="EnvelopeFit.Solve"/>, s.</param>
-        /// <param name="unmet">As of <see cref="UnmetPart"/>, s.</param>
+        /// <summary>Computes the weights of the blocks relative to a curve, which does not include the heights of the sides.</summary>
+        /// <param name="scatter">As in <see cref="EnvelopeFit.Solve"/>, s.</param>
+        /// <param name="unmet">Value of <see cref="UnmetPart"/>, s.</param>
         public void Weigh(OffsetCurve curve, double scatter, double unmet)
         {
             var growth = Growth();

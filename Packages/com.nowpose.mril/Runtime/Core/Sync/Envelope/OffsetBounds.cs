@@ -1,8 +1,8 @@
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// What one exchange proves, whatever the network did, in ticks of 100 ns: no packet arrives before it was sent, so
-    /// <see cref="Least"/> = t1 − t2 ≤ Φ(t1), and <see cref="Greatest"/> = t4 − t3 ≥ Φ(t4).
+    /// Bounds of the offset from one exchange, in ticks of 100 ns. They are valid for any network, as no packet arrives before it
+    /// was sent: <see cref="Least"/> = t1 − t2 ≤ Φ(t1), and <see cref="Greatest"/> = t4 − t3 ≥ Φ(t4).
     /// </summary>
     readonly struct OffsetBounds
     {
@@ -23,23 +23,23 @@ namespace Nowpose.Sync.Envelope
             Greatest = greatest;
         }
 
-        /// <summary>t1, when <see cref="Least"/> held.</summary>
+        /// <summary>t1, the time of <see cref="Least"/>.</summary>
         public HeadsetTime Sent { get; }
 
         public long Least { get; }
 
-        /// <summary>t4, when <see cref="Greatest"/> held.</summary>
+        /// <summary>t4, the time of <see cref="Greatest"/>.</summary>
         public HeadsetTime Received { get; }
 
         public long Greatest { get; }
 
-        /// <summary>Half the resolution that the control clock said: by so much each bound may be wrong.</summary>
+        /// <summary>Half the stated resolution of the control clock in ticks, the maximum error of each bound.</summary>
         public long HalfResolution { get; }
 
-        /// <summary>The server's stated bound of its own clock's error, ticks.</summary>
+        /// <summary>Error bound that the server states for its own clock, ticks.</summary>
         public long ServerErrorBound { get; }
 
-        /// <summary>The same exchange with its bounds moved, ticks.</summary>
+        /// <summary>Returns the same exchange with both bounds moved; the amounts are in ticks.</summary>
         public OffsetBounds Shifted(long least, long greatest) => new OffsetBounds(this, Least + least, Greatest + greatest);
     }
 }

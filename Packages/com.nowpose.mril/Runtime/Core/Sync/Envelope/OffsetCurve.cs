@@ -1,6 +1,6 @@
 namespace Nowpose.Sync.Envelope
 {
-    /// <summary>How the offset runs towards the present, without its height: slope·x + bend·x².</summary>
+    /// <summary>Shape of the offset over time, without its height: slope·x + bend·x².</summary>
     readonly struct OffsetCurve
     {
         public OffsetCurve(double slope, double bend)
@@ -9,14 +9,14 @@ namespace Nowpose.Sync.Envelope
             Bend = bend;
         }
 
-        /// <summary>γ₂−1 at the reference, dimensionless.</summary>
+        /// <summary>Skew γ₂−1 at the reference time, dimensionless.</summary>
         public double Slope { get; }
 
-        /// <summary>Half the rate at which the skew changes, 1/s.</summary>
+        /// <summary>Half the rate of change of the skew, 1/s.</summary>
         public double Bend { get; }
 
-        /// <param name="x">Seconds since the reference, zero or negative.</param>
-        /// <returns>Seconds above the height at the reference.</returns>
+        /// <param name="x">Seconds since the reference time, zero or negative.</param>
+        /// <returns>Seconds above the height at the reference time.</returns>
         public double At(double x) => (Slope + Bend * x) * x;
     }
 }

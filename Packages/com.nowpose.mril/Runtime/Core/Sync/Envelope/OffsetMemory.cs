@@ -3,31 +3,31 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Finds out that the estimate has moved away from where earlier estimates lead, by more than it is known: a change of the
-    /// path that was too small or too slow to be recognised. One of the two is wrong by about that much, and nothing tells which,
-    /// so the estimated error grows by it until the estimate restarts. Allocates nothing.
+    /// Detects that the estimate has moved away from the extrapolation of an earlier estimate by more than its error, which indicates
+    /// a change of the path too small or too slow to be recognised. One of the two estimates is wrong by about that amount, so the
+    /// estimated error increases by it until the estimate restarts. Allocates nothing after construction.
     /// </summary>
     sealed class OffsetMemory
     {
-        /// <summary>From one remembered estimate to the next, and how old the one is that the present is compared with, s.</summary>
+        /// <summary>Interval between stored estimates, and age of the one that the current estimate is compared with, s.</summary>
         const double Interval = 10, Age = 30;
 
         const int Capacity = (int)(Age / Interval) + 1;
 
-        /// <summary>Shortest time since the first exchange, s, after which an estimate is kept for comparison: before, its skew is too uncertain.</summary>
+        /// <summary>Minimum time since the first exchange, s, after which estimates are stored: the skew of earlier ones is too uncertain.</summary>
         const double MinRunning = 60;
 
-        /// <summary>Standard errors beyond which a movement counts: fewer would widen the estimate of undisturbed paths.</summary>
+        /// <summary>Minimum movement in standard errors: a smaller value would increase the error of undisturbed paths.</summary>
         const double MinStandardErrors = 2;
 
-        /// <summary>How much the rates of the clocks may change within the time, dimensionless.</summary>
+        /// <summary>Change of the skew within the comparison interval that is not counted as a movement, dimensionless.</summary>
         const double SkewWander = 1e-6;
 
         readonly ClockLine[] _lines = new ClockLine[Capacity];
         readonly double[] _errors = new double[Capacity];
         int _count;
 
-        /// <summary>One standard error of the offset that comes from it, s.</summary>
+        /// <summary>Additional standard error of the offset, s.</summary>
         public double Error { get; private set; }
 
         public void Reset()
@@ -37,8 +37,8 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>
-        /// A change of the path was recognised and corrected. It explains how the estimate has moved of late; what it does not explain shows in
-        /// the comparison with the oldest estimate.
+        /// Reports that a change of the path was recognised and corrected. It explains the recent movement of the estimate; any remaining
+        /// movement shows in the comparison with the oldest estimate.
         /// </summary>
         public void Explain()
         {

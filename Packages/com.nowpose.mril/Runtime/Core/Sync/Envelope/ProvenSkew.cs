@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// The skews that two punctual exchanges leave possible, one among the oldest and one among the newest: the offset was
-    /// between the bounds of either.
+    /// Range of the skew that follows from two exchanges with short round trips, one among the oldest and one among the newest: the
+    /// offset was between the bounds of each.
     /// </summary>
     readonly struct ProvenSkew
     {
@@ -16,14 +16,14 @@ namespace Nowpose.Sync.Envelope
             _greatest = greatest;
         }
 
-        /// <summary>Of a history of at least one exchange.</summary>
-        /// <param name="resolution">Of the control clock: half of it is what each bound may be wrong, either way.</param>
+        /// <summary>Computes the range for a history of at least one exchange.</summary>
+        /// <param name="resolution">Resolution of the control clock: each bound may be wrong by half of it in either direction.</param>
         public static ProvenSkew Of(BoundsHistory history, TimeSpan resolution)
         {
             var part = (history.Count + 3) / 4;
             var late = Quickest(history, 0, part);
             var early = Quickest(history, history.Count - part, history.Count);
-            // Each bound at its own time.
+            // Each bound applies at its own time.
             var least = ClockTicks.Seconds(late.Sent - early.Received);
             var greatest = ClockTicks.Seconds(late.Received - early.Sent);
             if (!(least > 0)) return new ProvenSkew(double.NegativeInfinity, double.PositiveInfinity);
@@ -32,7 +32,7 @@ namespace Nowpose.Sync.Envelope
             return new ProvenSkew(fell / least, rose / greatest);
         }
 
-        /// <summary>The possible skew that is nearest.</summary>
+        /// <summary>Returns the possible skew that is nearest to <paramref name="skew"/>.</summary>
         public double Nearest(double skew) => Math.Max(_least, Math.Min(_greatest, skew));
 
         static OffsetBounds Quickest(BoundsHistory history, int from, int to)

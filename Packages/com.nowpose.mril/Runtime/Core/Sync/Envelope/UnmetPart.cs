@@ -3,26 +3,26 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// The longest part of a coarse control clock's step that the recent exchanges all missed. Those that meet the same part
-    /// agree to microseconds with one another, and are off by up to half of this together.
+    /// Longest part of the step of a coarse control clock in which no recent exchange falls. Exchanges in the same part of the step
+    /// agree to within microseconds but have a common error of up to half of this part.
     /// </summary>
     sealed class UnmetPart
     {
         /// <summary>
-        /// Exchanges looked at: spread at random they leave a twelfth of a step. In the seconds that they take, the clocks'
-        /// rates do not spread them.
+        /// Number of recent exchanges. Spread at random, they leave a gap of a twelfth of a step. They take a few seconds, in which the
+        /// clock rates do not spread them.
         /// </summary>
         const int Recent = 60;
 
         readonly long[] _parts = new long[Recent];
 
-        /// <summary>Of a history of at least one exchange; zero when the resolution is, the whole step for one exchange.</summary>
+        /// <summary>Computes the part for a history of at least one exchange: zero without a resolution, the whole step for one exchange.</summary>
         public TimeSpan Of(BoundsHistory history, TimeSpan resolution)
         {
             var step = resolution.Ticks;
             if (step <= 0) return TimeSpan.Zero;
             var count = Math.Min(Recent, history.Count);
-            // By the headset's clock: where a step begins is not known, and does not matter.
+            // In headset time: the start of a step is unknown and has no effect on the result.
             for (var i = 0; i < count; i++) _parts[i] = (history[i].Sent.SinceEpoch.Ticks % step + step) % step;
             Array.Sort(_parts, 0, count);
             var longest = _parts[0] + step - _parts[count - 1];

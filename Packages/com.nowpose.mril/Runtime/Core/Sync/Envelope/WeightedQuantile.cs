@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Sync.Envelope
 {
-    /// <summary>Quantiles of weighted values. Keeps its own copy to sort, so that finding one allocates nothing.</summary>
+    /// <summary>Computes quantiles of weighted values. Sorts an internal copy, so that a computation allocates nothing.</summary>
     sealed class WeightedQuantile
     {
         readonly double[] _values;
@@ -14,7 +14,7 @@ namespace Nowpose.Sync.Envelope
             _weights = new double[most];
         }
 
-        /// <summary>The least of the first <paramref name="count"/> values that, with those below it, has the wanted share of all weight.</summary>
+        /// <summary>Returns the smallest of the values that, together with the values below it, has the given share of the total weight.</summary>
         /// <param name="share">0 to 1.</param>
         /// <param name="count">At least 1.</param>
         public double Of(double[] values, double[] weights, int count, double share)
