@@ -89,6 +89,18 @@ public class PathRunTests
         Assert.That(run.ErrorMs, Is.LessThan(0.5));
     }
 
+    /// <summary>Requests become longer by 4 ms and replies shorter by 1 ms: an error of 2.5 ms cannot be excluded, and the stated ± includes it.</summary>
+    [Test]
+    public void Play_RequestsLongerAndRepliesShorter_IsNoStepOfTheClock([Values("clean", "wifi", "cellular")] string link, [Range(8000, 8003)] int seed)
+    {
+        var change = new PathChange("requests longer, replies shorter", since => since < 0 ? (0, 0.25) : (1, 0), 0.625);
+
+        var run = PathRun.Play(LinkProfile.Named(link), change, SizeMs, ClockEstimators.Default, seed);
+
+        Assert.That(run.Within, Is.GreaterThanOrEqualTo(0.99));
+        Assert.That(run.ErrorMs, Is.LessThan(1.2 * change.Limit * SizeMs));
+    }
+
     [Test]
     public void Missed_PapersEstimator_NamesTheSkew()
     {

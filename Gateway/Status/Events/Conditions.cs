@@ -2,6 +2,7 @@ using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
+using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
@@ -42,7 +43,7 @@ sealed class Conditions(
         ];
     }
 
-    static Condition Of(JointStatus row) =>
+    internal static Condition Of(JointStatus row) =>
         new("joint", $"{row.Name} ({row.Source})", $"is {(row.State == JointDataState.Fault ? "in fault" : row.Word)}", row.Reason, Level.Error, true, row.Since)
         {
             Remedy = row.State switch
@@ -53,8 +54,12 @@ sealed class Conditions(
                 JointDataState.Fault => "Check the plant and its connection.",
                 _ => "",
             },
-            IsNormalAtStart = row.State == JointDataState.Missing,
+            IsNormalAtStart = row.State == JointDataState.Missing || IsClockAwaited(row),
         };
+
+    // The first samples of an adapter come before its clock is measured.
+    static bool IsClockAwaited(JointStatus row) => row.State == JointDataState.Refused
+        && row.Reason.Contains(DropText.Of(DropReason.Unsynchronised), StringComparison.Ordinal);
 
     static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
         row => new Condition("joint", $"{row.Name} ({row.Source})", "may not be at rest", row.Uncertainty, Level.Warning, Since: row.Since)

@@ -94,7 +94,8 @@ namespace Nowpose.Sync
             var byChance = Math.Max(margin, OtherShare * otherByChance);
             var otherMoved = -other[0];
             for (var i = 1; i < count; i++) otherMoved = Math.Min(otherMoved, -other[i]);
-            if (otherMoved <= Math.Max(byChance, CommonShare * greatest) || CommonShare * otherMoved > greatest + byChance) return false;
+            if (otherMoved <= Math.Max(byChance, CommonShare * greatest)) return false;
+            if (CommonShare * otherMoved > greatest + Math.Max(margin, otherByChance)) return false;
             _first = Array.FindIndex(broken, value => value > margin);
             return true;
         }

@@ -1,0 +1,31 @@
+using Nowpose.Gateway.Rosbridge;
+using Nowpose.Gateway.Status.Events;
+using Nowpose.Gateway.Status.Joints;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Status;
+
+public class ConditionsTests
+{
+    static readonly DateTimeOffset Since = new(2026, 1, 1, 0, 0, 0, TimeSpan.Zero);
+
+    static IEnumerable<TestCaseData> Rows =>
+    [
+        new((int)JointDataState.Missing, "", true),
+        new((int)JointDataState.Refused, DropText.Of(DropReason.Unsynchronised), true),
+        new((int)JointDataState.Refused, DropText.Of(DropReason.NotFinite), false),
+        new((int)JointDataState.Stale, "samples stopped arriving", false),
+        new((int)JointDataState.Fault, "node deleted", false),
+    ];
+
+    /// <summary>Before the first sample, and before the plant's clock is measured, a joint without a usable value is no fault yet.</summary>
+    [TestCaseSource(nameof(Rows))]
+    public void Of_JointThatIsNotLive_IsNormalAtStartWhileValueOrClockIsAwaited(int state, string reason, bool isNormal)
+    {
+        var condition = Conditions.Of(new JointStatus("a1", "cell", (JointDataState)state, Since, null, 0, reason));
+
+        Assert.That(condition.IsNormalAtStart, Is.EqualTo(isNormal));
+        Assert.That(condition.Level, Is.EqualTo(Level.Error), "what lasts is an event");
+    }
+}
