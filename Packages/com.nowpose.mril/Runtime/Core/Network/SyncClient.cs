@@ -7,7 +7,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>Exchanges timestamps with the gateway over TCP on its own thread, so that timestamps are not delayed; reconnects after failures.</summary>
+    /// <summary>Exchanges timestamps with the gateway over TCP; reconnects after failures. Uses its own thread to stamp without delay.</summary>
     sealed class SyncClient : IDisposable
     {
         readonly ConnectionSettings _settings;

@@ -14,7 +14,7 @@ namespace Nowpose.Pairing
         /// <param name="kind">"cell" or "token".</param>
         /// <param name="version">The only supported version.</param>
         /// <param name="keys">All allowed keys; each may occur once.</param>
-        /// <exception cref="InputException">The text is too long, has another kind or version, or is invalid. Never contains a field's value.</exception>
+        /// <exception cref="InputException">The text is too long, of another kind or version, or invalid. Never contains a field's value.</exception>
         public CodeFields(string text, string kind, int version, string keys)
         {
             _what = kind + " code";

@@ -6,14 +6,14 @@ namespace Nowpose.Pairing
     /// <summary>A cell that the wearer has accepted: the codes of its markers, and the headset's token for its gateway. Immutable.</summary>
     sealed class PairedCell
     {
-        /// <summary>Maximum number of markers; more than any robot has. Further ones are rejected, so that forged codes cannot displace valid ones.</summary>
+        /// <summary>Maximum number of markers. Further ones are rejected, so that forged codes cannot displace valid ones.</summary>
         public const int GreatestCodes = 16;
 
         readonly CellCode[] _codes;
 
         /// <param name="codes">Codes of one cell and one gateway, oldest first.</param>
         /// <param name="token">Null before the exchange, and for a gateway that requires none.</param>
-        /// <exception cref="InputException">There are no codes or too many, they belong to several cells or gateways, or the token is invalid.</exception>
+        /// <exception cref="InputException">No codes, too many, or of several cells or gateways; or an invalid token.</exception>
         public PairedCell(IEnumerable<CellCode> codes, string token)
         {
             _codes = codes.ToArray();

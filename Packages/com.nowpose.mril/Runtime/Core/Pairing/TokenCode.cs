@@ -51,7 +51,7 @@ namespace Nowpose.Pairing
         public string Text { get; }
 
         /// <param name="text">A text of any length; one longer than <see cref="PairingCode.GreatestLength"/> is rejected.</param>
-        /// <exception cref="InputException">The text is not a token code of this version, or a value is invalid; one line without the token.</exception>
+        /// <exception cref="InputException">Not a token code of this version, or an invalid value; one line without the token.</exception>
         public static TokenCode Parse(string text)
         {
             var fields = new CodeFields(text, Kind, Version, Keys);
