@@ -10,7 +10,7 @@ namespace Nowpose.Protocol
         public const string RobotDescription = "/robot_description";
         public const string Diagnostics = "/nowpose/diagnostics";
 
-        /// <summary>Displayed joints of each headset: sensor_msgs/JointState, stamped with the display time; frame_id is the headset's name.</summary>
+        /// <summary>Displayed joints of each headset: sensor_msgs/JointState, stamped with the display time; frame_id names the headset.</summary>
         public const string Displayed = "/nowpose/displayed";
 
         /// <summary>The joints that are not live, from the gateway: diagnostic_msgs/DiagnosticArray, see <see cref="JointStatusMessage"/>.</summary>
