@@ -15,7 +15,7 @@ using TransformMode = Microsoft.MixedReality.OpenXR.TransformMode;
 
 namespace Nowpose.OpenXR
 {
-    /// <summary>Provides the QR codes that a HoloLens 2 finds as markers; needs Microsoft's Mixed Reality OpenXR plugin and the capability WebCam.</summary>
+    /// <summary>Provides a HoloLens 2's QR codes as markers; needs Microsoft's Mixed Reality OpenXR plugin and the capability WebCam.</summary>
     /// <remarks>
     /// The plugin reports a code's pose at its upper left corner, x to the right, y down, z out of the print. Its own mode for the centre
     /// (<see cref="TransformMode.Center"/>) shifts by half the size along the axes of the room, so it is correct only for an upright code

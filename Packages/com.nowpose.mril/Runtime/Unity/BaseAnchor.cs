@@ -102,7 +102,7 @@ namespace Nowpose.Unity
             Tell();
         }
 
-        /// <summary>Starts a new search for the base by its markers; until it succeeds, the base keeps its place and is shown as not locked.</summary>
+        /// <summary>Starts a new search for the base by its markers; until it succeeds, the base keeps its place and looks not locked.</summary>
         /// <remarks>If there are no markers, a pose restored from an earlier run is accepted.</remarks>
         public void Relock()
         {

@@ -115,7 +115,7 @@ namespace Nowpose.Unity
         /// Calibrates the session from the marks, saves the result as a profile, and resets the shift. Keeps a known
         /// render-time limit.
         /// </summary>
-        /// <returns>Whether it was saved; otherwise <see cref="Problem"/> gives the reason. A result that only cannot be saved is still used.</returns>
+        /// <returns>Whether it was saved; otherwise <see cref="Problem"/> gives the reason. An unsaved result is still used.</returns>
         public bool Apply() => Try(() =>
         {
             var session = NudgedSession();

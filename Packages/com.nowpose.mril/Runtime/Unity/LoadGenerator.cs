@@ -33,7 +33,7 @@ namespace Nowpose.Unity
 
         LoadPatches _patches;
 
-        /// <summary>Vertices to draw, 0 to 2 000 000; reached after some frames. A remainder of 1 or 2 above a multiple of 25 000 is not drawn.</summary>
+        /// <summary>Vertices to draw, 0 to 2 000 000; reached after some frames. 1 or 2 more than a multiple of 25 000 are not drawn.</summary>
         /// <exception cref="InputException">Out of range; the drawn load is unchanged.</exception>
         public int Vertices
         {
