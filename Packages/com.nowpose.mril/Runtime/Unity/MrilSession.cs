@@ -171,7 +171,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Whether the depth buffer reaches the display. Set by a component that observes the display; kept for every later session.</summary>
+        /// <summary>Whether the depth buffer reaches the display. Set by a component that observes the display; kept for later sessions.</summary>
         public DepthSubmission DepthSubmission
         {
             get => _depth;

@@ -63,7 +63,7 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
-        /// <summary>Returns the fade for a reduced opacity; a pose that is not current never becomes fainter than the faintest of these looks.</summary>
+        /// <summary>Returns the fade for a reduced opacity; a pose that is not current never gets fainter than the faintest of these looks.</summary>
         /// <param name="opacity">0 to 1 (unchanged).</param>
         public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, Abandoned.Fade) : 1 - opacity);
 
