@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Nowpose.Mrtk3
 {
     /// <summary>Shows the pairing's question, with buttons for the answer; voice commands are disabled for them.</summary>
-    /// <remarks>Speech recognition has false positives, and another person may speak; accepting a gateway requires a hand or a pinch.</remarks>
+    /// <remarks>Speech recognition has false positives, and other people may be heard; accepting a gateway requires a hand or a pinch.</remarks>
     [AddComponentMenu("Nowpose/Consent Prompt")]
     [DisallowMultipleComponent]
     public sealed class ConsentPrompt : MonoBehaviour

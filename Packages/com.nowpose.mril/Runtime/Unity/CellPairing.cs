@@ -62,7 +62,7 @@ namespace Nowpose.Unity
         /// <summary>The problem in one line; null if there is none.</summary>
         public string Problem => _fileProblem ?? Flow?.Problem;
 
-        /// <summary>What the wearer has to answer, do or wait for before the session can connect, in one line; null for nothing.</summary>
+        /// <summary>The next step of the wearer or the gateway before the session can connect, in one line; null if none is needed.</summary>
         /// <remarks>Also null while a session is connected by its settings and no cell is paired.</remarks>
         public string Guidance => Flow == null || Flow.IsSettled || (Question == null && Cell == null && _source.IsConnecting) ? null : Flow.Words;
 

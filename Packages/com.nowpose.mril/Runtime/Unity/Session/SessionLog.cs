@@ -36,7 +36,7 @@ namespace Nowpose.Unity.Session
             Follow(session.ProfileMismatches);
         }
 
-        /// <summary>Logs a change. Allocates only for the display times of the runtime and for joints without data; other texts are constants.</summary>
+        /// <summary>Logs a change. Allocates only for display times of the runtime and for joints without data; other texts are constants.</summary>
         /// <param name="session">Null if it has ended.</param>
         /// <param name="statistics">Statistics of the frame with the change; null if the session has ended.</param>
         public void Say(SessionChange change, CompensationSession session, SessionStatistics statistics)

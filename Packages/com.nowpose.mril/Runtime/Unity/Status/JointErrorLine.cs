@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Status
         (int? Reduction, int? Uncertainty)[] _percents = Array.Empty<(int?, int?)>();
         string _text = "";
 
-        /// <summary>Returns "arm_joint_1 92 ± 3 %, …" from the base on. A joint at rest or not known yet has no number. Empty without joints.</summary>
+        /// <summary>Returns "arm_joint_1 92 ± 3 %, …" from the base on. A joint at rest or unknown has no number. Empty without joints.</summary>
         public string Of(IReadOnlyList<JointError> joints)
         {
             var isSame = joints.Count == _percents.Length;

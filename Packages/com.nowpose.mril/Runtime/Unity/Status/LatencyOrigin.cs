@@ -4,7 +4,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Describes the origin of L_visu: a measurement, a condition that has changed since, a prediction, or a value of the settings.</summary>
+    /// <summary>Describes the origin of L_visu: a measurement, a condition that has changed since, a prediction, or the settings.</summary>
     /// <remarks>Allocates only if the profile has changed.</remarks>
     sealed class LatencyOrigin
     {

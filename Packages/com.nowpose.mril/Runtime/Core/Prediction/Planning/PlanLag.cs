@@ -94,7 +94,7 @@ namespace Nowpose.Prediction.Planning
         /// <summary>The difference exceeds the plan's uncertainty.</summary>
         NotFollowed,
 
-        /// <summary>The plan hardly moves, so the sample is no evidence.</summary>
+        /// <summary>The plan hardly moves, so the sample is not conclusive.</summary>
         Unclear,
 
         Followed

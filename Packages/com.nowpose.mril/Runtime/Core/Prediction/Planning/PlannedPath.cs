@@ -94,7 +94,7 @@ namespace Nowpose.Prediction.Planning
         static double Value(double[] values, int i) => values == null ? double.NaN : values[i];
     }
 
-    /// <summary>A path and its start time; <c>default</c> is no plan.</summary>
+    /// <summary>A path and its start time; <c>default</c> means that no plan is active.</summary>
     readonly struct ActivePlan
     {
         readonly PlannedPath _path;
