@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Session
         public static string Of(string chosen)
         {
             var name = (string.IsNullOrEmpty(chosen) ? SystemInfo.deviceName ?? "" : chosen).Trim();
-            // The device's name is shortened silently, because the user of the app may not be able to change it.
+            // Adapts an unsuitable device name silently, because the name is not a setting of this package.
             if (name.Length == 0) return "headset";
             if (name.Length <= Greatest) return name;
             return name.Substring(0, char.IsHighSurrogate(name[Greatest - 1]) ? Greatest - 1 : Greatest);

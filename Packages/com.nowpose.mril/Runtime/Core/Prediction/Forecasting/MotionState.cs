@@ -14,7 +14,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Maximum sampling interval, in s; a longer pause is not included in the mean.</summary>
         const double MaxInterval = 0.3;
 
-        /// <summary>Maximum weight of a single gap in the mean interval, as a multiple of the mean.</summary>
+        /// <summary>Maximum interval that enters the mean, as a multiple of the mean, so that a single gap hardly changes it.</summary>
         const double MaxGapRatio = 3;
 
         /// <summary>Range of the horizon, in s: forecast tables end at 0.5 s.</summary>

@@ -15,7 +15,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Stamps with a smaller standard deviation are not occasionally late, in s.</summary>
         const double CleanDeviation = 1e-3;
 
-        /// <summary>Maximum distance before the line, in standard deviations; uniform scatter stays within two.</summary>
+        /// <summary>Maximum distance from the line, in standard deviations; uniform scatter stays within two.</summary>
         const double MaxLead = 3;
 
         /// <summary>
