@@ -16,7 +16,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
-// Exists only in this package's repository: emulates links with the same profiles as the tests.
+// Only this package's repository has it: it emulates links by the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 
 // The package's other assemblies and tools use internals that are not an interface for users.

@@ -30,7 +30,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Weight of a sample in the anchor, a mean of about ten samples that follows creeping motion.</summary>
         const double AnchorShare = 0.1;
 
-        /// <summary>Minimum ratio of progress to path; below it, a motion per sample is slower than a third of the noise.</summary>
+        /// <summary>Minimum ratio of progress to path length of a motion; below it, the motion per sample is under a third of the noise.</summary>
         const double MinProgress = 0.35;
 
         /// <summary>Minimum ratio of second to first differences: √3 for white noise, near 0 for a smooth reversal.</summary>
